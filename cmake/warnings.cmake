@@ -1,0 +1,8 @@
+# Flags of our own sources, not of the libraries we use.
+add_library(fastscene_warnings INTERFACE)
+target_compile_options(fastscene_warnings INTERFACE -Wall -Wextra -Wshadow -Wno-psabi -Wno-restrict)
+# The picture does not depend on errno or on trapping; NaN and infinity keep their meaning.
+add_compile_options(-fno-math-errno -fno-trapping-math)
+if(FASTSCENE_NATIVE AND CMAKE_BUILD_TYPE STREQUAL "Release")
+  add_compile_options(-march=native)
+endif()

@@ -1,0 +1,78 @@
+// Fields: every knob of a stage is said once. A params struct has a companion
+//
+//     template <class V> void visit_fields(WalkParams& p, V&& v) {
+//         v("viewpoints", p.viewpoints, Bounds{0, 64}, "New viewpoints around the first one.");
+//     }
+//
+// and from it come the command-line flag, --help, the settings file, the docs and the cache key.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/json.h"
+
+namespace fastscene {
+
+// A number must lie in [low, high].
+struct Bounds {
+    double low, high;
+};
+// A text must be one of these.
+struct Choices {
+    std::vector<std::string> names;
+};
+
+namespace detail {
+
+struct ToJson {
+    Json out = Json::object();
+    template <class T>
+    void operator()(std::string_view name, T& value, const Bounds&, std::string_view) {
+        out[std::string(name)] = value;
+    }
+    void operator()(std::string_view name, bool& value, std::string_view) { out[std::string(name)] = value; }
+    void operator()(std::string_view name, std::string& value, const Choices&, std::string_view) {
+        out[std::string(name)] = value;
+    }
+    void operator()(std::string_view name, std::string& value, std::string_view) { out[std::string(name)] = value; }
+};
+
+struct Check {
+    std::string_view section;
+    template <class T>
+    void operator()(std::string_view name, T& value, const Bounds& bounds, std::string_view) {
+        // Phrased so that NaN fails.
+        if (!(static_cast<double>(value) >= bounds.low && static_cast<double>(value) <= bounds.high))
+            throw UsageError("--{}-{}: expected a number from {} to {}, found {}", section, name, bounds.low,
+                             bounds.high, value);
+    }
+    void operator()(std::string_view, bool&, std::string_view) {}
+    void operator()(std::string_view name, std::string& value, const Choices& choices, std::string_view) {
+        for (const std::string& choice : choices.names)
+            if (choice == value) return;
+        throw UsageError("--{}-{}: expected one of {}, found \"{}\"", section, name, fmt::join(choices.names, ", "),
+                         value);
+    }
+    void operator()(std::string_view, std::string&, std::string_view) {}
+};
+
+}  // namespace detail
+
+// All fields by name, in order: goes into run.json and, hashed, into the cache key.
+template <class Params>
+Json fields_json(Params params) {
+    detail::ToJson visitor;
+    visit_fields(params, visitor);
+    return visitor.out;
+}
+
+// Throws UsageError naming the flag --<section>-<field> when a value is out of bounds.
+template <class Params>
+void check_fields(std::string_view section, Params params) {
+    visit_fields(params, detail::Check{section});
+}
+
+}  // namespace fastscene

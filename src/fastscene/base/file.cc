@@ -1,0 +1,95 @@
+#include "fastscene/base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "fastscene/base/error.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+struct Descriptor {
+    int fd = -1;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+};
+
+fs::path temporary_name(const fs::path& path) {
+    return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
+}
+
+void rename_or_throw(const fs::path& from, const fs::path& to) {
+    std::error_code code;
+    fs::rename(from, to, code);
+    if (!code) return;
+    std::error_code ignored;
+    fs::remove(from, ignored);
+    throw Error("{}: cannot be written: {}", to.string(), code.message());
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path) {
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    struct stat info {};
+    if (file.fd < 0 || ::fstat(file.fd, &info) != 0)
+        throw Error("{}: cannot be read: {}", path.string(), std::strerror(errno));
+    if (S_ISDIR(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a directory", path.string());
+    std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
+    std::size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file.fd, bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw Error("{}: cannot be read: {}", path.string(), std::strerror(errno));
+        if (got == 0) break;
+        have += static_cast<std::size_t>(got);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+void write_renamed(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    const fs::path temporary = temporary_name(path);
+    try {
+        write(temporary);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+    }
+    rename_or_throw(temporary, path);
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    write_renamed(path, [&](const fs::path& temporary) {
+        Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+        if (file.fd < 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
+        std::string_view rest = bytes;
+        while (!rest.empty()) {
+            const ssize_t put = ::write(file.fd, rest.data(), rest.size());
+            if (put < 0 && errno == EINTR) continue;
+            if (put < 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
+            rest.remove_prefix(static_cast<std::size_t>(put));
+        }
+        const int fd = file.fd;
+        file.fd = -1;
+        // Some file systems report a full disk only here.
+        if (::close(fd) != 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
+    });
+}
+
+void make_directories(const fs::path& path) {
+    std::error_code code;
+    fs::create_directories(path, code);
+    if (code) throw Error("{}: cannot make this directory: {}", path.string(), code.message());
+    if (!fs::is_directory(path)) throw Error("{}: expected a directory, found a file", path.string());
+}
+
+}  // namespace fastscene

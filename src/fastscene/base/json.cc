@@ -1,0 +1,21 @@
+#include "fastscene/base/json.h"
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+
+namespace fastscene {
+
+Json read_json(const std::filesystem::path& path) {
+    const std::string text = read_file(path);
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& e) {
+        throw Error("{}: not valid JSON at byte {}", path.string(), e.byte);
+    }
+}
+
+void write_json(const std::filesystem::path& path, const Json& value) {
+    write_file(path, value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace fastscene

@@ -1,0 +1,16 @@
+// The project's JSON type (nlohmann). Include this only in .cc files and in headers that really hold Json.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace fastscene {
+
+using Json = nlohmann::ordered_json;
+
+// Reads a JSON file; throws Error naming the file and the byte where it stops making sense.
+Json read_json(const std::filesystem::path& path);
+// Writes two-space indented JSON under a temporary name, then renames.
+void write_json(const std::filesystem::path& path, const Json& value);
+
+}  // namespace fastscene

@@ -1,0 +1,32 @@
+// Pictures: .png .jpg .exr .pfm. One file a format; this header opens any of them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "fastscene/image/image.h"
+
+namespace fastscene {
+
+struct PictureInfo {
+    int width = 0, height = 0;
+};
+// Size from the header alone, so that a huge or odd picture is refused before it is decoded.
+// Throws Error naming the file, what was expected and what was found.
+PictureInfo picture_info(const std::filesystem::path& path);
+
+// 8-bit color from .png (any depth, gray and alpha too: alpha over black) or .jpg; truncated files throw Error.
+ImageRgb8 load_rgb8(const std::filesystem::path& path);
+void save_png(const std::filesystem::path& path, const ImageRgb8& image);
+void save_png(const std::filesystem::path& path, const ImageMask& image);                // 8-bit gray
+ImageMask load_mask_png(const std::filesystem::path& path);                              // 8-bit gray
+void save_png16(const std::filesystem::path& path, const Image<std::uint16_t>& image);   // 16-bit gray
+void save_jpeg(const std::filesystem::path& path, const ImageRgb8& image, int quality = 92);
+
+// One float channel: .exr (channel Y, or the first one), .pfm (Pf), 16-bit gray .png (`png_unit` per count, e.g. 0.001 m).
+ImageF load_float(const std::filesystem::path& path, float png_unit = 0.001f);
+void save_exr(const std::filesystem::path& path, const ImageF& image);                   // 32-bit float, channel Y, ZIP
+void save_pfm(const std::filesystem::path& path, const ImageF& image);
+
+}  // namespace fastscene

@@ -1,0 +1,16 @@
+// Views in files: COLMAP's sparse model (text and binary), nerfstudio's transforms.json, points.
+#pragma once
+
+#include <filesystem>
+
+#include "fastscene/scene/view.h"
+
+namespace fastscene {
+
+// Writes DIR/images/*.png, DIR/weights/*.png (only views that have weights), DIR/sparse/0/{cameras,images,points3D}.{txt,bin},
+// DIR/sparse/0/points3D.ply (with nx ny nz and radius) and DIR/transforms.json. Deterministic.
+void save_views(const std::filesystem::path& dir, const ViewSet& views);
+// Reads what save_views wrote (from the binary model and points3D.ply).
+ViewSet load_views(const std::filesystem::path& dir);
+
+}  // namespace fastscene

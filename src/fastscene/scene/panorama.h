@@ -1,0 +1,26 @@
+// Panorama: what one viewpoint sees all around.
+#pragma once
+
+#include "fastscene/geometry/sphere.h"
+#include "fastscene/image/image.h"
+#include "fastscene/math/rigid.h"
+
+namespace fastscene {
+
+// How a pixel of a panorama came to be (the values in walk/NNN/known.png).
+enum class Known : std::uint8_t {
+    invented = 0,    // painted here, for the first time
+    carried = 128,   // seen from here, but painted at an earlier viewpoint
+    original = 255,  // observed by panorama 0
+};
+
+struct Panorama {
+    ImageColor color;       // W x H, W = 2H; linear, display-referred: 0..1 is black..white of the file
+    ImageF range;           // metres along each pixel's ray; empty until the depth stage; +inf = sky
+    Image<Known> known;     // empty = all original
+    Rigid world_from_pano;  // panorama 0: identity
+
+    EquirectSize size() const { return {color.width, color.height}; }
+};
+
+}  // namespace fastscene

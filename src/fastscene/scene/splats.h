@@ -1,0 +1,37 @@
+// Splats: a cloud of 3D Gaussians (Kerbl et al. 2023), in the training parametrization.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fastscene/math/rigid.h"
+#include "fastscene/math/vec.h"
+
+namespace fastscene {
+
+// Degree-0 basis function of real spherical harmonics: color = 0.5 + kSh0 * sh0.
+inline constexpr float kSh0 = 0.28209479177387814f;
+
+struct Splats {
+    std::vector<Vec3f> mean_m;         // world
+    std::vector<Vec3f> log_scale;      // natural log of the standard deviations in metres, along the local axes
+    std::vector<Quatf> rotation;       // world_from_local, w first, not necessarily of length 1
+    std::vector<float> opacity_logit;  // opacity = 1 / (1 + exp(-x))
+    std::vector<Vec3f> sh0;            // degree-0 coefficients per channel, for sRGB-encoded color
+    int sh_degree = 0;                 // 0..3
+    std::vector<float> sh_rest;        // per splat 3 * K floats, channel-major (K reds, K greens, K blues), K = (degree+1)^2 - 1
+
+    std::size_t size() const { return mean_m.size(); }
+    int rest_coefficients() const { return (sh_degree + 1) * (sh_degree + 1) - 1; }
+    void resize(std::size_t count) {
+        mean_m.resize(count);
+        log_scale.resize(count);
+        rotation.resize(count);
+        opacity_logit.resize(count);
+        sh0.resize(count);
+        sh_rest.resize(count * 3 * static_cast<std::size_t>(rest_coefficients()));
+    }
+    friend bool operator==(const Splats&, const Splats&) = default;
+};
+
+}  // namespace fastscene

@@ -1,0 +1,71 @@
+// Trace: looks at a Room. Path traced light (Embree), gathered once per room into a world-space
+// irradiance cache that all views share, so that any number of exact pictures of one room agree with
+// each other; sun, mirror-like reflection and emission are traced per view.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "fastscene/base/fields.h"
+#include "fastscene/base/run.h"
+#include "fastscene/geometry/pinhole.h"
+#include "fastscene/image/image.h"
+#include "fastscene/scene/panorama.h"
+#include "fastscene/scene/room.h"
+
+namespace fastscene {
+
+struct TraceParams {
+    float cell_m = 0.03f;      // size of an irradiance cell
+    int cell_samples = 192;    // gathered paths per cell
+    int pixel_samples = 16;    // camera rays per pixel
+};
+template <class V>
+void visit_fields(TraceParams& p, V&& v) {
+    v("cell", p.cell_m, Bounds{0.005, 0.5}, "Size in metres of a cell of the irradiance cache.");
+    v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered in each cell.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays a pixel.");
+}
+
+// Everything the first hit tells, per pixel. Each picture is empty unless asked for.
+struct Shot {
+    ImageColor color;              // linear, display-referred (after exposure and film curve), clamped to 0..1
+    ImageF range;                  // metres along the ray through the pixel's center; +inf where the ray leaves the room
+    ImageColor albedo;             // mean over the pixel
+    ImageColor normal;             // world, unit, of the center ray
+    Image<std::int32_t> object;    // index into Room::objects of the center ray's hit; -1 = shell, -2 = outside
+};
+struct ShotParts {
+    bool color = true, range = true, albedo = false, normal = false, object = false;
+};
+
+// A room ready to be looked at: triangles in Embree, light in the cache, exposure fixed.
+class TracedRoom {
+  public:
+    // Builds the BVH only; cheap (well under a second). The room is copied.
+    explicit TracedRoom(Room room);
+    ~TracedRoom();
+    TracedRoom(TracedRoom&&) noexcept;
+    TracedRoom& operator=(TracedRoom&&) noexcept;
+
+    // Gathers the light (the long part) and fixes the exposure as seen from the world's origin. Needed before any color.
+    // The same seed gives the same light for any number of threads.
+    void gather_light(const TraceParams& params, const Run& run);
+
+    // `seed` varies the camera samples only; the light is the room's.
+    Shot panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const;
+    Shot perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts, const Run& run) const;
+
+    // Distance in metres to the first surface along a ray; +inf = none. `direction` of length 1.
+    float distance(Vec3f origin, Vec3f direction) const;
+    // Radius of the empty ball around a point (0 inside an object), up to `limit_m`.
+    float clearance(Vec3f point, float limit_m) const;
+
+    const Room& room() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fastscene

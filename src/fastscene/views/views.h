@@ -1,0 +1,30 @@
+// Views: panoramas become perspective pictures with known cameras, and starting points for the splats.
+// Paper: MVP (multi-view projection). COLMAP is not needed: the poses are known by construction.
+#pragma once
+
+#include <vector>
+
+#include "fastscene/base/fields.h"
+#include "fastscene/base/run.h"
+#include "fastscene/scene/panorama.h"
+#include "fastscene/scene/view.h"
+
+namespace fastscene {
+
+struct ViewsParams {
+    int size = 640;             // width and height of a view
+    float fov_deg = 90;
+    int points = 200000;        // starting points
+};
+template <class V>
+void visit_fields(ViewsParams& p, V&& v) {
+    v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
+    v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
+    v("points", p.points, Bounds{1, 1e7}, "Starting points taken from the range maps.");
+}
+
+// Cuts every panorama into overlapping views that cover the whole sphere, floor and ceiling too (14 at 90 degrees).
+// Deterministic in (panoramas, params, run.seed).
+ViewSet project_views(const std::vector<Panorama>& panoramas, const ViewsParams& params, const Run& run);
+
+}  // namespace fastscene
