@@ -1,0 +1,59 @@
+// Metrics: how good is a scene? Here: truth. A scene from a prompt has a real room behind it; pictures
+// traced at poses that no stage has seen are compared with the splats (PSNR, SSIM), in all and split
+// into what panorama 0 saw and what it did not. The published figures of this field mostly compare
+// with the source picture itself; this is the harder and the more useful question.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fastscene/base/fields.h"
+#include "fastscene/base/run.h"
+#include "fastscene/scene/splats.h"
+#include "fastscene/trace/trace.h"
+
+namespace fastscene {
+
+struct TruthParams {
+    int views = 30;
+    float radius_m = 0.3f;
+    int samples = 256;
+    bool bounds = false;
+    std::string pose_seed = "truth";
+};
+template <class V>
+void visit_fields(TruthParams& p, V&& v) {
+    v("views", p.views, Bounds{1, 10000}, "Number of poses never trained on.");
+    v("radius", p.radius_m, Bounds{0.01, 10}, "The poses lie in a ball of this radius in metres about panorama 0.");
+    v("samples", p.samples, Bounds{256, 65536}, "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
+    v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
+}
+
+// A pose to be judged at, in the world frame.
+struct TruthPose {
+    Rigid world_from_camera;
+};
+// Uniform in the ball, clear of furniture by 0.15 m; any yaw, pitch within +-30 degrees, no roll. Deterministic in `seed`.
+// Throws Error when the room leaves no space.
+std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
+
+// The truth at one pose: 512 x 512, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not see the surface.
+struct TruthPicture {
+    ImageRgb8 color;
+    ImageMask unseen;
+};
+TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run);
+
+struct Likeness {
+    double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN where there is nothing to compare
+};
+Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
+
+// The splats as a truth-sized picture.
+ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose);
+
+// Pictures in a row, and the amplified difference of the first two at the end; for people to look at.
+ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures);
+
+}  // namespace fastscene

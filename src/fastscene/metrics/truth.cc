@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/image/color.h"
+#include "fastscene/image/ssim.h"
+#include "fastscene/metrics/metrics.h"
+#include "fastscene/splat/splat.h"
+
+namespace fastscene {
+namespace {
+
+constexpr int kSize = 512;
+constexpr float kFovDeg = 75.f;
+// A head's width: nearer to a surface than this nobody stands.
+constexpr float kClearance = 0.15f;
+
+Pinhole truth_camera() { return Pinhole::with_fov(kSize, kSize, kFovDeg); }
+
+Vec3f uniform_in_ball(Random& random) {
+    for (;;) {
+        const Vec3f p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+        if (dot(p, p) <= 1.f) return p;
+    }
+}
+
+// Yaw turns right about the world's down axis, pitch looks up.
+Mat3f looking(float yaw, float pitch) {
+    return rotation_about(Vec3f{0, 1, 0}, yaw) * rotation_about(Vec3f{1, 0, 0}, pitch);
+}
+
+bool stands_free(const TracedRoom& room, Vec3f p) {
+    const float far = length(p);
+    if (far > 0.f && !(room.distance({}, p / far) > far)) return false;  // behind something
+    return room.clearance(p, kClearance) >= kClearance;
+}
+
+}  // namespace
+
+std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed) {
+    Random random(seed, params.pose_seed);
+    std::vector<TruthPose> poses;
+    for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
+        if (tries > 1000 * params.views)
+            throw Error("--radius {}: expected free space for {} poses around the first viewpoint, found {}", params.radius_m,
+                        params.views, poses.size());
+        const Vec3f p = uniform_in_ball(random) * params.radius_m;
+        const float yaw = random.uniform(-1, 1) * std::numbers::pi_v<float>;
+        const float pitch = random.uniform(-1, 1) * std::numbers::pi_v<float> / 6;
+        if (stands_free(room, p)) poses.push_back({{looking(yaw, pitch), p}});
+    }
+    return poses;
+}
+
+TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run) {
+    const Pinhole camera = truth_camera();
+    const Shot shot = room.perspective(pose.world_from_camera, camera, {.color = true, .range = true}, run);
+    TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(kSize, kSize)};
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const float range = shot.range.at(x, y);
+            if (!std::isfinite(range)) continue;  // the sky is seen from everywhere
+            const Vec3f dir = normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+            const Vec3f p = pose.world_from_camera * (dir * range);
+            const float far = length(p);
+            // 2 cm and 1 %: what a rounded edge or a grazing ray may hide of itself.
+            truth.unseen.at(x, y) = room.distance({}, p / far) < far * 0.99f - 0.02f ? 255 : 0;
+        }
+    return truth;
+}
+
+Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
+    ImageMask seen = truth.unseen;
+    for (std::uint8_t& v : seen.pixels) v = v ? 0 : 255;
+    return {psnr(picture, truth.color), ssim(picture, truth.color), psnr(picture, truth.color, seen),
+            psnr(picture, truth.color, truth.unseen)};
+}
+
+ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose) {
+    const SplatPicture picture = render_splats(splats, truth_camera(), pose.world_from_camera);
+    ImageRgb8 out(kSize, kSize);
+    std::transform(picture.color.pixels.begin(), picture.color.pixels.end(), out.pixels.begin(),
+                   [](Vec3f c) { return Rgb8{byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; });
+    return out;
+}
+
+ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures) {
+    FASTSCENE_CHECK(pictures.size() >= 2);
+    const ImageRgb8 &a = pictures[0], &b = pictures[1];
+    const int columns = static_cast<int>(pictures.size()) + 1;
+    ImageRgb8 out(a.width * columns, a.height);
+    const auto amplified = [](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(std::min(255, 4 * std::abs(x - y))); };
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            for (int i = 0; i + 1 < columns; ++i) out.at(i * a.width + x, y) = pictures[static_cast<std::size_t>(i)].at(x, y);
+            const Rgb8 p = a.at(x, y), q = b.at(x, y);
+            out.at((columns - 1) * a.width + x, y) = {amplified(p.r, q.r), amplified(p.g, q.g), amplified(p.b, q.b)};
+        }
+    return out;
+}
+
+}  // namespace fastscene
