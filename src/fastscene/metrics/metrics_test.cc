@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/metrics/metrics.h"
+
+namespace fastscene {
+namespace {
+
+// A box of triangles; `inward` = a room, else a solid.
+Mesh box(Vec3f low, Vec3f high, bool inward, int material) {
+    Mesh mesh;
+    mesh.material = material;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            const std::size_t a = static_cast<std::size_t>(axis), u = (a + 1) % 3, v = (a + 2) % 3;
+            Vec3f normal{};
+            normal[a] = (side ? 1.f : -1.f) * (inward ? -1.f : 1.f);
+            const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int corner = 0; corner < 4; ++corner) {
+                Vec3f p{};
+                p[a] = side ? high[a] : low[a];
+                p[u] = corner == 1 || corner == 2 ? high[u] : low[u];
+                p[v] = corner >= 2 ? high[v] : low[v];
+                mesh.positions.push_back(p);
+                mesh.coords.push_back(p);
+                mesh.normals.push_back(normal);
+            }
+            const bool flip = (side == 1) == inward;
+            for (const std::uint32_t i : flip ? std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2} : std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3})
+                mesh.triangles.push_back(base + i);
+        }
+    return mesh;
+}
+
+// A 4 x 2.6 x 5 m room that glows a little, and a box half a metre wide, one metre ahead.
+Room box_room() {
+    Room room;
+    room.min_corner = {-2, -1.1f, -2.5f};
+    room.max_corner = {2, 1.5f, 2.5f};
+    Material wall;
+    wall.color_a = {0.5f, 0.4f, 0.3f};
+    wall.emission = {0.3f, 0.3f, 0.3f};
+    room.materials = {wall, Material{}};
+    room.meshes = {box(room.min_corner, room.max_corner, true, 0), box({-0.25f, -0.25f, 1.f}, {0.25f, 0.25f, 1.5f}, false, 1)};
+    room.look.automatic = false;
+    return room;
+}
+
+TEST(TruthPoses, StayInTheBallAndClearOfThings) {
+    const TracedRoom room(box_room());
+    TruthParams params;
+    params.radius_m = 1.2f;
+    params.views = 50;
+    const std::vector<TruthPose> poses = truth_poses(room, params, 7);
+    ASSERT_EQ(poses.size(), 50u);
+    for (const TruthPose& pose : poses) {
+        const Vec3f p = pose.world_from_camera.translation;
+        EXPECT_LE(length(p), 1.2f);
+        EXPECT_GE(room.clearance(p, 0.15f), 0.149f);
+        EXPECT_LT(std::abs((pose.world_from_camera.rotation * Vec3f{1, 0, 0}).y), 1e-5f) << "no roll";
+        EXPECT_LE(std::abs((pose.world_from_camera.rotation * Vec3f{0, 0, 1}).y), 0.5001f) << "pitch within 30 degrees";
+    }
+    EXPECT_EQ(truth_poses(room, params, 7)[49].world_from_camera, poses[49].world_from_camera);
+    EXPECT_NE(truth_poses(room, params, 8)[49].world_from_camera, poses[49].world_from_camera);
+}
+
+TEST(TruthPoses, NoSpaceIsAnError) {
+    Room room = box_room();
+    room.meshes.push_back(box({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}, true, 1));
+    TruthParams params;
+    params.views = 1;
+    EXPECT_THROW(truth_poses(TracedRoom(room), params, 1), Error);
+}
+
+TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
+    TracedRoom room(box_room());
+    TraceParams trace;
+    trace.cell_m = 0.2f;
+    trace.cell_samples = 16;
+    trace.pixel_samples = 1;
+    Run run;
+    room.gather_light(trace, run);
+    // From the origin nothing is unseen.
+    const TruthPicture here = truth_picture(room, {}, run);
+    EXPECT_EQ(std::count(here.unseen.pixels.begin(), here.unseen.pixels.end(), 255), 0);
+    // From half a metre to the right, some of the far wall behind the box and the box's right side were hidden.
+    TruthPose pose;
+    pose.world_from_camera.translation = {0.5f, 0, 0};
+    const TruthPicture there = truth_picture(room, pose, run);
+    const auto unseen = std::count(there.unseen.pixels.begin(), there.unseen.pixels.end(), 255);
+    EXPECT_GT(unseen, 2000);
+    EXPECT_LT(unseen, 60000);
+    EXPECT_TRUE(std::isinf(compare(there.color, there).psnr));
+}
+
+TEST(SideBySide, ShowsAllAndTheDifference) {
+    const ImageRgb8 a(4, 3, Rgb8{10, 20, 30}), b(4, 3, Rgb8{20, 20, 30});
+    const ImageRgb8 row = side_by_side({a, b});
+    EXPECT_EQ(row.width, 12);
+    EXPECT_EQ(row.at(8, 1), (Rgb8{40, 0, 0}));
+}
+
+}  // namespace
+}  // namespace fastscene
