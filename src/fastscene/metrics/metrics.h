@@ -11,7 +11,9 @@
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
 #include "fastscene/scene/splats.h"
+#include "fastscene/splat/splat.h"
 #include "fastscene/trace/trace.h"
+#include "fastscene/views/views.h"
 
 namespace fastscene {
 
@@ -52,6 +54,23 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
 // The splats as a truth-sized picture.
 ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose);
+
+// What is judged, and what the bounds are made from.
+struct TruthInputs {
+    const TracedRoom* room = nullptr;     // its light gathered
+    Panorama first;                       // panorama 0 as the walk saw it, with range
+    std::vector<Rigid> world_from_pano;   // the walked poses, panorama 0 first
+    Splats splats;
+    ViewsParams views;                    // for the bounds: the same cutting …
+    SplatParams splat;                    // … and the same trainer
+    std::string key;                      // names these inputs: bounds trained before under the same key are used again
+};
+// Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,
+// `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: psnr_mean, ssim_mean, psnr_worst, psnr_seen_mean,
+// psnr_unseen_mean, floor_db (two sets of camera rays of one view against each other, least of three views), views, and with bounds
+// bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B).
+//   A: trained on true panoramas at the walked poses. B: trained on panorama 0 alone.
+Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir, const Run& run);
 
 // Pictures in a row, and the amplified difference of the first two at the end; for people to look at.
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
 #include "fastscene/metrics/metrics.h"

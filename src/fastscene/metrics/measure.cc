@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "fastscene/base/file.h"
+#include "fastscene/image/color.h"
+#include "fastscene/image/ssim.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/metrics/metrics.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Splats trained on other panoramas with the same settings, kept on disk because training is the long part.
+Splats trained_once(const fs::path& ply, const std::string& key, const std::function<std::vector<Panorama>()>& panoramas,
+                    const TruthInputs& inputs, const Run& run) {
+    const fs::path key_file = fs::path(ply).replace_extension(".key");
+    if (fs::exists(ply) && fs::exists(key_file) && read_file(key_file) == key) return load_splat_ply(ply);
+    const ViewSet views = project_views(panoramas(), inputs.views, run);
+    const Splats splats = fit_splats(views, inputs.splat, run).splats;
+    save_splat_ply(ply, splats);
+    write_file(key_file, key);
+    return splats;
+}
+
+// True panoramas at the walked poses, through 8 bits like everything that a stage reads from disk.
+std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) {
+    std::vector<Panorama> panoramas{inputs.first};
+    Progress progress(run, "true panoramas", static_cast<std::int64_t>(inputs.world_from_pano.size()) - 1);
+    for (std::size_t i = 1; i < inputs.world_from_pano.size(); ++i) {
+        run.check_stop();
+        const Run quiet{run.seed + i, nullptr, run.stop};
+        const Shot shot = inputs.room->panorama(inputs.world_from_pano[i], inputs.first.size(), {.color = true, .range = true}, quiet);
+        panoramas.push_back({linear_from_srgb8(srgb8_from_linear(shot.color)), shot.range, {}, inputs.world_from_pano[i]});
+        progress.advance();
+    }
+    return panoramas;
+}
+
+// Means over the views; NaN (nothing to compare in a view) does not count.
+class Means {
+  public:
+    void add(const Likeness& l) {
+        psnr_.push_back(l.psnr);
+        ssim_.push_back(l.ssim);
+        seen_.push_back(l.psnr_seen);
+        unseen_.push_back(l.psnr_unseen);
+    }
+    double psnr() const { return mean(psnr_); }
+    Json json() const {
+        return {{"psnr_mean", mean(psnr_)}, {"ssim_mean", mean(ssim_)}, {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
+                {"psnr_seen_mean", mean(seen_)}, {"psnr_unseen_mean", mean(unseen_)}};
+    }
+
+  private:
+    static double mean(const std::vector<double>& values) {
+        double sum = 0;
+        int count = 0;
+        for (const double v : values)
+            if (std::isfinite(v)) sum += v, ++count;
+        return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
+    }
+    std::vector<double> psnr_, ssim_, seen_, unseen_;
+};
+
+Json view_json(const TruthPose& pose, const Likeness& l) {
+    const Vec3f p = pose.world_from_camera.translation;
+    return {{"position_m", {p.x, p.y, p.z}}, {"psnr", l.psnr}, {"ssim", l.ssim}, {"psnr_seen", l.psnr_seen}, {"psnr_unseen", l.psnr_unseen}};
+}
+
+std::string picture_name(std::size_t i) { return fmt::format("{:02}.png", i); }
+
+}  // namespace
+
+Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const fs::path& dir, const Run& run) {
+    const std::vector<TruthPose> poses = truth_poses(*inputs.room, params, run.seed);
+    make_directories(dir / "truth");
+
+    std::optional<Splats> a, b;
+    if (params.bounds) {
+        make_directories(dir / "bounds");
+        a = trained_once(dir / "bounds" / "A.ply", inputs.key, [&] { return true_panoramas(inputs, run); }, inputs, run);
+        b = trained_once(dir / "bounds" / "B.ply", inputs.key, [&] { return std::vector{inputs.first}; }, inputs, run);
+    }
+
+    Means ours, bound_a, bound_b;
+    Json views = Json::array();
+    double floor = std::numeric_limits<double>::infinity();
+    Progress progress(run, "truth", static_cast<std::int64_t>(poses.size()));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        run.check_stop();
+        const Run quiet{run.seed, nullptr, run.stop};
+        const TruthPicture truth = truth_picture(*inputs.room, poses[i], quiet);
+        std::vector<ImageRgb8> row{truth.color, splat_picture(inputs.splats, poses[i])};
+        const Likeness likeness = compare(row[1], truth);
+        ours.add(likeness);
+        Json view = view_json(poses[i], likeness);
+        if (a) {
+            row.push_back(splat_picture(*a, poses[i]));
+            row.push_back(splat_picture(*b, poses[i]));
+            const Likeness of_a = compare(row[2], truth), of_b = compare(row[3], truth);
+            bound_a.add(of_a);
+            bound_b.add(of_b);
+            view["psnr_a"] = of_a.psnr;
+            view["psnr_b"] = of_b.psnr;
+        }
+        if (i < 3) {  // what the truth itself is worth: other camera rays, same pose
+            const Run other{run.seed ^ 0x5eed, nullptr, run.stop};
+            floor = std::min(floor, psnr(truth.color, truth_picture(*inputs.room, poses[i], other).color));
+        }
+        save_png(dir / "truth" / picture_name(i), side_by_side(row));
+        views.push_back(std::move(view));
+        progress.advance();
+    }
+
+    Json truth = {{"radius_m", params.radius_m}, {"samples", params.samples}};
+    truth.update(ours.json());
+    truth["floor_db"] = floor;
+    if (a) {
+        truth["bounds"] = {{"A", bound_a.json()}, {"B", bound_b.json()}};
+        truth["gap_to_a_db"] = bound_a.psnr() - ours.psnr();
+        truth["closed_share"] = (ours.psnr() - bound_b.psnr()) / (bound_a.psnr() - bound_b.psnr());
+    }
+    truth["views"] = std::move(views);
+    return truth;
+}
+
+}  // namespace fastscene
