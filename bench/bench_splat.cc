@@ -1,0 +1,64 @@
+// What one training step costs: CPU milliseconds per step and per part, on data made in this process.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/textured_room.h"
+#include "fastscene/base/json.h"
+#include "fastscene/splat/engine.h"
+#include "fastscene/splat/splat.h"
+
+namespace {
+
+double cpu_ms() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    using namespace fastscene;
+    int size = 512, count = 50000, threads = 1, steps = 40, warm = 15;
+    std::string kernel;
+    bool json = false;
+    CLI::App app{"Cost of one splat training step"};
+    app.add_option("--size", size, "Width and height of the views, pixels")->check(CLI::Range(16, 4096));
+    app.add_option("--count", count, "Number of Gaussians")->check(CLI::Range(1, 20000000));
+    app.add_option("--threads", threads, "Worker threads")->check(CLI::Range(1, 1024));
+    app.add_option("--steps", steps, "Steps measured")->check(CLI::Range(1, 100000));
+    app.add_option("--warm", warm, "Steps before measuring")->check(CLI::Range(0, 100000));
+    app.add_option("--kernel", kernel, "avx512, avx2 or baseline; default: the best one here");
+    app.add_flag("--json", json, "One JSON line");
+    CLI11_PARSE(app, argc, argv);
+
+    set_threads(threads);
+    const bench::RoomSet set = bench::room_set(size, 1, count, 0, 1);
+    splat::Cloud cloud(initial_splats(set.train.points, count, Run{}), true);
+    splat::Engine engine(splat::choose_kernel(kernel.empty() ? nullptr : kernel.c_str()));
+    const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f, 2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
+    double start = 0, loss = 0;
+    std::int64_t visible = 0, entries = 0;
+    for (int step = 1; step <= warm + steps; ++step) {
+        if (step == warm + 1) start = cpu_ms(), engine.times = {}, loss = 0, visible = 0, entries = 0;
+        const View& view = set.train.views[static_cast<std::size_t>(step) % set.train.views.size()];
+        engine.render(cloud, view.camera, view.world_from_camera, {}, false);
+        loss += engine.differentiate(view, 0.2f).loss;
+        engine.step(cloud, rates, step);
+        visible += engine.visible(), entries += engine.entries();
+    }
+    const double n = steps, total = (cpu_ms() - start) / n;
+    const splat::StepTimes& t = engine.times;
+    Json out = {{"size", size}, {"count", count}, {"threads", threads}, {"steps", steps},
+                {"kernel", kernel.empty() ? splat::choose_kernel().name : kernel}, {"cpu_ms_per_step", total},
+                {"wall_ms", {{"project", t.project / n}, {"sort", t.sort / n}, {"bin", t.bin / n}, {"forward", t.forward / n},
+                             {"loss", t.loss / n}, {"backward", t.backward / n}, {"update", t.update / n}}},
+                {"visible", visible / steps}, {"tile_entries", entries / steps}, {"loss", loss / n}};
+    fmt::print("{}\n", json ? out.dump() : out.dump(2));
+    return 0;
+} catch (const std::exception& e) {
+    fmt::print(stderr, "bench_splat: {}\n", e.what());
+    return 1;
+}

@@ -1,0 +1,36 @@
+// Front-to-back blending of one splat onto one pixel (or 16 pixels at once, F = Lanes).
+#pragma once
+
+#include "fastscene/splat/project.h"
+
+namespace fastscene::splat {
+
+// Below this transmittance what lies behind cannot be seen; blending of a block of pixels stops.
+inline constexpr float kOpaque = 1e-4f;
+
+template <class F>
+struct PixelState {
+    F transmittance{};
+    Vec3<F> color;
+};
+
+// alpha at (dx, dy) from the splat's center, before the clamp at kMaxAlpha.
+template <class F>
+F raw_alpha(const Footprint<F>& s, F dx, F dy) {
+    return exp2_fast(dx * (s.a * dx + s.b * dy) + (s.c * dy * dy + s.log2_opacity));
+}
+template <class F>
+F shown_alpha(F raw) {
+    return select(raw >= F(kMinAlpha), select(raw < F(kMaxAlpha), raw, F(kMaxAlpha)), F(0));
+}
+
+// Returns the weight with which the splat's color entered.
+template <class F>
+F blend(PixelState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
+    const F weight = shown_alpha(raw_alpha(s, dx, dy)) * pixel.transmittance;
+    pixel.transmittance = pixel.transmittance - weight;
+    pixel.color += s.color * weight;
+    return weight;
+}
+
+}  // namespace fastscene::splat

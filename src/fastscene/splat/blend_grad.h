@@ -1,0 +1,35 @@
+// The gradient of blend(), walking front to back once more. Behind splat i lies
+//   rest_i = sum_{j > i} w_j (v . c_j) + T_end (v . background),   v = dL/d(pixel color),
+// and dL/d alpha_i = T_i (v . c_i) - rest_i / (1 - alpha_i). Starting from v . (final color), rest needs
+// only one subtraction a splat, so nothing has to be stored by the forward pass.
+#pragma once
+
+#include "fastscene/splat/blend.h"
+
+namespace fastscene::splat {
+
+template <class F>
+struct PixelGradState {
+    F transmittance{}, rest{};
+    Vec3<F> v;
+};
+template <class F>
+struct BlendGrad {
+    F g;       // dL/d(ln alpha)
+    F weight;  // blending weight; dL/d(splat color) = weight * v
+};
+
+template <class F>
+BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
+    const F raw = raw_alpha(s, dx, dy);
+    const F alpha = shown_alpha(raw);
+    const F weight = alpha * pixel.transmittance;
+    const F vc = dot(pixel.v, s.color);
+    pixel.rest = pixel.rest - weight * vc;
+    const F slope = weight * vc - alpha * pixel.rest * reciprocal(F(1) - alpha);
+    pixel.transmittance = pixel.transmittance - weight;
+    // A clamped alpha does not move.
+    return {select(raw < F(kMaxAlpha), slope, F(0)), weight};
+}
+
+}  // namespace fastscene::splat

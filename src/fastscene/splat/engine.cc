@@ -1,0 +1,300 @@
+#include "fastscene/splat/engine.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "fastscene/base/check.h"
+#include "fastscene/base/parallel.h"
+
+namespace fastscene::splat {
+namespace {
+
+constexpr std::int64_t kPiece = 2048;  // splats a projection or update piece: enough to pay for a task
+
+// Adds the time until its end to `sum`.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms), start_(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() { sum_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+
+  private:
+    double& sum_ms_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+// Each thread keeps one scratch area; its content never outlives a piece.
+float* scratch(std::ptrdiff_t floats) {
+    thread_local AlignedFloats memory;
+    if (static_cast<std::ptrdiff_t>(memory.size()) < floats) memory.resize(static_cast<std::size_t>(floats));
+    return memory.data();
+}
+
+template <class T>
+void grow(T& v, std::size_t size) {
+    if (v.size() < size) {
+        v.clear();  // nothing of the old content is wanted: spare the copy
+        v.resize(size + size / 4);
+    }
+}
+
+}  // namespace
+
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera) {
+    const Rigid c = inverse(world_from_camera);
+    const auto w = static_cast<float>(camera.width), h = static_cast<float>(camera.height);
+    // 15 % of the picture beyond its border, as in Kerbl et al.'s implementation.
+    return {c.rotation, c.translation, camera.fx, camera.fy, camera.cx, camera.cy,
+            (-0.15f * w - camera.cx) / camera.fx, (1.15f * w - camera.cx) / camera.fx,
+            (-0.15f * h - camera.cy) / camera.fy, (1.15f * h - camera.cy) / camera.fy};
+}
+
+Cloud::Cloud(const Splats& s, bool train) : count(static_cast<std::int64_t>(s.size())) {
+    const auto blocks = static_cast<std::size_t>(padded());
+    parameters.resize(blocks * kParameters, 0.f);
+    if (train) {
+        first_moment.resize(blocks * kParameters, 0.f);
+        second_moment.resize(blocks * kParameters, 0.f);
+        seen_weight.resize(blocks, 0.f);
+        seen_error.resize(blocks, 0.f);
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const float all[kParameters] = {s.mean_m[k].x,     s.mean_m[k].y,   s.mean_m[k].z,   s.log_scale[k].x, s.log_scale[k].y,
+                                        s.log_scale[k].z,  s.rotation[k].w, s.rotation[k].x, s.rotation[k].y,  s.rotation[k].z,
+                                        s.opacity_logit[k], s.sh0[k].x,     s.sh0[k].y,      s.sh0[k].z};
+        for (int p = 0; p < kParameters; ++p) parameters[at(i, p)] = all[p];
+    }
+}
+
+Splats Cloud::splats() const {
+    Splats s;
+    s.resize(static_cast<std::size_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const auto get = [&](int p) { return parameters[at(i, p)]; };
+        s.mean_m[k] = {get(0), get(1), get(2)};
+        s.log_scale[k] = {get(3), get(4), get(5)};
+        s.rotation[k] = {get(6), get(7), get(8), get(9)};
+        s.opacity_logit[k] = get(10);
+        s.sh0[k] = {get(11), get(12), get(13)};
+    }
+    return s;
+}
+
+void Engine::set_size(int width, int height) {
+    if (width == width_ && height == height_) return;
+    FASTSCENE_CHECK(width > 0 && height > 0 && width < 65536 && height < 65536);
+    width_ = width, height_ = height;
+    tiles_x_ = (width + kTile - 1) / kTile, tiles_y_ = (height + kTile - 1) / kTile;
+    // One vector more than the tiles need: with a power of two, rows would fall on the same cache sets.
+    stride_ = static_cast<std::ptrdiff_t>(tiles_x_) * kTile + 16;
+    const std::size_t size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(tiles_y_ * kTile);
+    transmittance_.assign(size, 0.f);
+    depth_.clear();
+    for (auto* planes : {color_, v_, error_, p_, q_, r_})
+        for (int c = 0; c < 3; ++c) planes[c].clear();
+    for (int c = 0; c < 3; ++c) color_[c].assign(size, 0.f);
+    tile_begin_.assign(static_cast<std::size_t>(tiles_x_ * tiles_y_) + 1, 0);
+}
+
+void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth) {
+    set_size(camera.width, camera.height);
+    lens_ = lens_of(camera, world_from_camera);
+    background_ = background;
+    if (depth) depth_.resize(transmittance_.size());
+    project(cloud);
+    sort();
+    bin();
+    const Stopwatch watch(times.forward);
+    const Frame f = frame(depth);
+    parallel_for(tiles_x_ * tiles_y_, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) kernel_.forward(f, static_cast<int>(t));
+    });
+}
+
+void Engine::project(const Cloud& cloud) {
+    const Stopwatch watch(times.project);
+    grow(records_, static_cast<std::size_t>(cloud.padded()));
+    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data()};
+    piece_visible_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), 0);
+    parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
+        piece_visible_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
+    });
+}
+
+// Front to back by depth; equal depths keep the order of the splats (the radix sort is stable).
+void Engine::sort() {
+    const Stopwatch watch(times.sort);
+    keys_.clear();
+    std::uint32_t slot = 0;
+    for (std::size_t piece = 0; piece < piece_visible_.size(); ++piece) {
+        const std::int64_t begin = static_cast<std::int64_t>(piece) * kPiece;
+        for (std::int64_t i = begin; i < begin + piece_visible_[piece]; ++i) {
+            Record& r = records_[static_cast<std::size_t>(i)];
+            r.first_slot = slot;
+            slot += static_cast<std::uint32_t>(r.tiles_wide) * r.tiles_high;
+            // Depths are positive: their bits order like the numbers.
+            keys_.push_back(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(r.depth_z)) << 32 | static_cast<std::uint64_t>(i));
+        }
+    }
+    visible_ = static_cast<std::int64_t>(keys_.size());
+    slots_used_ = slot;
+    keys_other_.resize(keys_.size());
+    constexpr int kDigit = 11;
+    std::array<std::array<std::uint32_t, 1 << kDigit>, 3> counts{};
+    for (const std::uint64_t k : keys_)
+        for (std::size_t d = 0; d < 3; ++d) ++counts[d][k >> (32 + d * kDigit) & ((1 << kDigit) - 1)];
+    for (std::size_t d = 0; d < 3; ++d) {
+        std::uint32_t sum = 0;
+        for (std::uint32_t& c : counts[d]) c = std::exchange(sum, sum + c);
+        for (const std::uint64_t k : keys_) keys_other_[counts[d][k >> (32 + d * kDigit) & ((1 << kDigit) - 1)]++] = k;
+        keys_.swap(keys_other_);
+    }
+    rectangles_.resize(keys_.size());
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const Record& r = records_[static_cast<std::uint32_t>(keys_[i])];
+        rectangles_[i] = {r.tile_x, r.tile_y, r.tiles_wide, r.tiles_high};
+    }
+}
+
+// A list per tile. Each piece owns some rows of tiles and walks all splats in depth order.
+void Engine::bin() {
+    const Stopwatch watch(times.bin);
+    constexpr int kRows = 8;
+    const auto columns = static_cast<std::size_t>(tiles_x_);
+    std::fill(tile_begin_.begin(), tile_begin_.end(), 0u);
+    std::uint32_t* const next = tile_begin_.data();
+    const auto each = [&](auto&& visit) {
+        parallel_for(tiles_y_, kRows, [&](std::int64_t begin, std::int64_t end) {
+            for (std::size_t i = 0; i < rectangles_.size(); ++i) {
+                const Rectangle r = rectangles_[i];
+                const std::int64_t low = std::max<std::int64_t>(begin, r.y), high = std::min<std::int64_t>(end, r.y + r.high);
+                for (std::int64_t y = low; y < high; ++y) {
+                    std::uint32_t* row = next + static_cast<std::size_t>(y) * columns + r.x;
+                    for (std::size_t x = 0; x < r.wide; ++x) visit(row[x], i);
+                }
+            }
+        });
+    };
+    each([](std::uint32_t& count, std::size_t) { ++count; });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& c : tile_begin_) c = std::exchange(sum, sum + c);
+    list_.resize(sum);
+    masks_.resize(sum);
+    each([&](std::uint32_t& at, std::size_t i) { list_[at++] = static_cast<std::uint32_t>(keys_[i]); });
+    // Every counter now stands at its tile's end, which is the next one's begin.
+    std::copy_backward(tile_begin_.begin(), tile_begin_.end() - 1, tile_begin_.end());
+    tile_begin_[0] = 0;
+}
+
+Frame Engine::frame(bool depth) {
+    Frame f{};
+    f.width = width_, f.height = height_, f.tiles_x = tiles_x_, f.tiles_y = tiles_y_, f.stride = stride_;
+    for (int c = 0; c < 3; ++c) f.color[c] = color_[c].data(), f.v[c] = v_[c].data(), f.error[c] = error_[c].data();
+    f.transmittance = transmittance_.data();
+    f.depth = depth ? depth_.data() : nullptr;
+    f.background[0] = background_.x, f.background[1] = background_.y, f.background[2] = background_.z;
+    f.records = records_.data(), f.list = list_.data(), f.tile_begin = tile_begin_.data();
+    f.masks = masks_.data(), f.slots = slots_.data();
+    return f;
+}
+
+LossSums Engine::differentiate(const View& view, float lambda) {
+    const Stopwatch watch(times.loss);
+    FASTSCENE_CHECK(view.color.width == width_ && view.color.height == height_);
+    for (auto* planes : {v_, error_, p_, q_, r_})
+        for (int c = 0; c < 3; ++c)
+            if (planes[c].size() != transmittance_.size()) planes[c].assign(transmittance_.size(), 0.f);
+    LossJob job{};
+    job.width = width_, job.height = height_, job.stride = stride_, job.lambda = lambda;
+    job.target = &view.color.pixels[0].r;
+    job.weight = view.weight.empty() ? nullptr : view.weight.pixels.data();
+    for (int c = 0; c < 3; ++c) {
+        job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = error_[c].data();
+        job.p[c] = p_[c].data(), job.q[c] = q_[c].data(), job.r[c] = r_[c].data();
+    }
+    const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
+    const int bands = (height_ + kLossRows - 1) / kLossRows;
+    std::vector<LossSums> sums(static_cast<std::size_t>(3 * bands));
+    const auto each = [&](auto&& work) {
+        parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
+            const int band = static_cast<int>(piece) % bands;
+            work(static_cast<std::size_t>(piece), static_cast<int>(piece) / bands, band * kLossRows,
+                 std::min(height_, (band + 1) * kLossRows), scratch(floats));
+        });
+    };
+    each([&](std::size_t piece, int c, int begin, int end, float* s) { sums[piece] = kernel_.loss_statistics(job, c, begin, end, s); });
+    each([&](std::size_t, int c, int begin, int end, float* s) { kernel_.loss_gradient(job, c, begin, end, s); });
+    LossSums total;
+    for (const LossSums& s : sums) total.loss += s.loss, total.squared_error += s.squared_error;
+    return total;
+}
+
+void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
+    FASTSCENE_CHECK(v.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    for (int c = 0; c < 3; ++c) {
+        v_[c].assign(transmittance_.size(), 0.f);
+        error_[c].assign(transmittance_.size(), 0.f);
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x)
+                v_[c][index(x, y)] = v[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)][static_cast<std::size_t>(c)];
+    }
+}
+
+void Engine::backward() {
+    const Stopwatch watch(times.backward);
+    grow(slots_, static_cast<std::size_t>(slots_used_) * kSlotFloats + 2 * kBlock);
+    const Frame f = frame(false);
+    parallel_for(tiles_x_ * tiles_y_, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) kernel_.backward(f, static_cast<int>(t));
+    });
+}
+
+void Engine::update(Cloud& cloud, UpdateJob& job) {
+    const Stopwatch watch(times.update);
+    job.parameters = cloud.parameters.data();
+    job.first_moment = cloud.first_moment.data();
+    job.second_moment = cloud.second_moment.data();
+    job.seen_weight = cloud.seen_weight.empty() ? nullptr : cloud.seen_weight.data();
+    job.seen_error = cloud.seen_error.empty() ? nullptr : cloud.seen_error.data();
+    job.records = records_.data();
+    job.slots = slots_.data();
+    job.lens = lens_;
+    parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
+        kernel_.update(job, begin, end, begin, begin + piece_visible_[static_cast<std::size_t>(begin / kPiece)]);
+    });
+}
+
+void Engine::step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step) {
+    FASTSCENE_CHECK(adam_step >= 1 && !cloud.first_moment.empty());
+    backward();
+    UpdateJob job{};
+    const double bias1 = 1 - std::pow(0.9, adam_step), bias2 = 1 - std::pow(0.999, adam_step);
+    for (int p = 0; p < kParameters; ++p) job.rate[p] = static_cast<float>(rates[static_cast<std::size_t>(p)] / bias1);
+    job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias2));
+    update(cloud, job);
+}
+
+AlignedFloats Engine::gradients(Cloud& cloud) {
+    backward();
+    AlignedFloats out(cloud.parameters.size(), 0.f);
+    UpdateJob job{};
+    job.gradients = out.data();
+    update(cloud, job);
+    return out;
+}
+
+Vec3f Engine::color(int x, int y) const {
+    const std::size_t i = index(x, y);
+    return {color_[0][i], color_[1][i], color_[2][i]};
+}
+
+Vec3f Engine::color_gradient(int x, int y) const {
+    const std::size_t i = index(x, y);
+    return {v_[0][i], v_[1][i], v_[2][i]};
+}
+
+}  // namespace fastscene::splat

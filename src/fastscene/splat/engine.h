@@ -1,0 +1,92 @@
+// The CPU renderer and differentiator: owns the memory of a picture in progress, cuts the work into
+// pieces that any thread may take, and keeps every sum in a fixed order (same bytes for any thread count).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fastscene/geometry/pinhole.h"
+#include "fastscene/math/rigid.h"
+#include "fastscene/scene/splats.h"
+#include "fastscene/scene/view.h"
+#include "fastscene/splat/aligned.h"
+#include "fastscene/splat/kernel.h"
+
+namespace fastscene::splat {
+
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera);
+
+// Parameters in the kernel's layout, with Adam's two moments.
+struct Cloud {
+    std::int64_t count = 0;
+    AlignedFloats parameters, first_moment, second_moment;
+    AlignedFloats seen_weight, seen_error;  // per splat, since they were last cleared
+
+    explicit Cloud(const Splats& splats, bool train);
+    Splats splats() const;
+    std::int64_t padded() const { return (count + kBlock - 1) / kBlock * kBlock; }
+    std::size_t at(std::int64_t splat, int parameter) const {
+        return static_cast<std::size_t>(splat / kBlock * kBlock * kParameters + parameter * kBlock + splat % kBlock);
+    }
+};
+
+// Wall milliseconds per part of a step, summed since the last clear.
+struct StepTimes {
+    double project = 0, sort = 0, bin = 0, forward = 0, loss = 0, backward = 0, update = 0;
+};
+
+class Engine {
+  public:
+    explicit Engine(const Kernel& kernel) : kernel_(kernel) {}
+
+    // Forward pass into the planes; `depth` also fills the depth plane.
+    void render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth);
+    // After render(): loss against the view and dL/d color.
+    LossSums differentiate(const View& view, float lambda_dssim);
+    // After render(): take dL/d color from the caller instead (tests). Three planes of width * height.
+    void set_color_gradient(const std::vector<Vec3f>& v);
+    // After either: gradients per splat; Adam with these step sizes moves the cloud.
+    void step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step);
+    // … or only hands out the gradients, in the kernel's layout.
+    AlignedFloats gradients(Cloud& cloud);
+
+    Vec3f color(int x, int y) const;
+    Vec3f color_gradient(int x, int y) const;
+    float transmittance(int x, int y) const { return transmittance_[index(x, y)]; }
+    float depth_sum(int x, int y) const { return depth_[index(x, y)]; }
+    std::int64_t visible() const { return visible_; }
+    std::int64_t entries() const { return static_cast<std::int64_t>(list_.size()); }
+    StepTimes times;
+
+  private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x);
+    }
+    void set_size(int width, int height);
+    void project(const Cloud& cloud);
+    void sort();
+    void bin();
+    Frame frame(bool depth);
+    void backward();
+    void update(Cloud& cloud, UpdateJob& job);
+
+    const Kernel& kernel_;
+    int width_ = 0, height_ = 0, tiles_x_ = 0, tiles_y_ = 0;
+    std::ptrdiff_t stride_ = 0;
+    Lens<float> lens_{};
+    Vec3f background_;
+    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], p_[3], q_[3], r_[3];
+    AlignedVector<Record> records_;
+    std::vector<std::int64_t> piece_visible_;   // records in each piece of splats
+    std::int64_t visible_ = 0, slots_used_ = 0;
+    std::vector<std::uint64_t> keys_, keys_other_;  // depth bits << 32 | record
+    struct Rectangle {
+        std::uint16_t x, y, wide, high;
+    };
+    std::vector<Rectangle> rectangles_;         // in depth order
+    std::vector<std::uint32_t> tile_begin_, list_;
+    std::vector<std::uint16_t> masks_;
+    AlignedFloats slots_;
+};
+
+}  // namespace fastscene::splat

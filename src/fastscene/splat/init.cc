@@ -1,0 +1,96 @@
+// Starting Gaussians from surface samples.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fastscene/base/random.h"
+#include "fastscene/image/color.h"
+#include "fastscene/splat/splat.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kOpacity = 0.6f;      // high enough to cover, low enough that the ones behind still get gradients
+constexpr float kThickness = 0.15f;   // of the disc's radius: surfaces are sharp from aside
+constexpr float kOverlap = 0.6f;      // standard deviation per spacing: neighbours close the surface
+
+bool usable(const SurfacePoint& p) {
+    const float reach = std::fabs(p.position_m.x) + std::fabs(p.position_m.y) + std::fabs(p.position_m.z);
+    return reach < 1e6f && p.radius_m > 0.f && p.radius_m < 1e3f && dot(p.normal, p.normal) < 4.f;
+}
+
+// `count` of the usable points, each as likely as any other, in their old order.
+std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size_t count, const Run& run) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (usable(points[i])) chosen.push_back(i);
+    if (chosen.size() <= count) return chosen;
+    const auto key = [&](std::size_t i) { return Random(run.seed, "splat.draw", i).next_u64(); };
+    std::nth_element(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), chosen.end(), [&](std::size_t a, std::size_t b) {
+        const auto ka = key(a), kb = key(b);
+        return ka != kb ? ka < kb : a < b;
+    });
+    chosen.resize(count);
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+// Interleaves the bits of a 21-bit grid position: neighbours in space become neighbours in memory, so that
+// the splats of one vector are seen or unseen together.
+std::uint64_t morton(Vec3f p, Vec3f low, float cell) {
+    const auto spread = [](float v) {
+        std::uint64_t x = static_cast<std::uint64_t>(std::clamp(v, 0.f, 2097151.f));
+        x = (x | x << 32) & 0x1f00000000ffffull;
+        x = (x | x << 16) & 0x1f0000ff0000ffull;
+        x = (x | x << 8) & 0x100f00f00f00f00full;
+        x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+        return (x | x << 2) & 0x1249249249249249ull;
+    };
+    return spread((p.x - low.x) / cell) | spread((p.y - low.y) / cell) << 1 | spread((p.z - low.z) / cell) << 2;
+}
+
+void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::size_t>& chosen) {
+    Vec3f low{1e9f, 1e9f, 1e9f};
+    for (const std::size_t i : chosen) {
+        const Vec3f p = points[i].position_m;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    }
+    constexpr float kCellM = 0.02f;
+    std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+    keyed.reserve(chosen.size());
+    for (const std::size_t i : chosen) keyed.emplace_back(morton(points[i].position_m, low, kCellM), i);
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k] = keyed[k].second;
+}
+
+}  // namespace
+
+Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run) {
+    std::vector<std::size_t> chosen = draw(points, static_cast<std::size_t>(std::max(count, 0)), run);
+    order_in_space(points, chosen);
+    std::size_t all = 0;
+    for (const SurfacePoint& p : points) all += usable(p);
+    // Fewer discs must each cover more: the spacing grows with the root of the thinning.
+    const float thinning = chosen.empty() ? 1.f : std::sqrt(static_cast<float>(all) / static_cast<float>(chosen.size()));
+
+    Splats out;
+    out.resize(chosen.size());
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        const SurfacePoint& p = points[chosen[k]];
+        const float sigma = std::max(kOverlap * p.radius_m * thinning, 1e-4f);
+        const bool flat = dot(p.normal, p.normal) > 0.25f;
+        out.mean_m[k] = p.position_m;
+        out.log_scale[k] = {std::log(sigma), std::log(sigma), std::log(flat ? sigma * kThickness : sigma)};
+        if (flat) {
+            Vec3f s, t;
+            const Vec3f n = normalize(p.normal);
+            make_frame(n, s, t);
+            out.rotation[k] = quaternion_of(Mat3f::from_columns(s, t, n));
+        }
+        out.opacity_logit[k] = std::log(kOpacity / (1.f - kOpacity));
+        out.sh0[k] = (unit_from_srgb8(p.color) - Vec3f{0.5f, 0.5f, 0.5f}) / kSh0;
+    }
+    return out;
+}
+
+}  // namespace fastscene

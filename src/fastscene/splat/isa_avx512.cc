@@ -1,0 +1,3 @@
+// The inner loops for this instruction set; its compiler flags are in simd.cmake.
+#define FASTSCENE_ISA avx512
+#include "fastscene/splat/isa_kernel.h"

@@ -1,0 +1,113 @@
+// The fast renderer's inner loops, compiled once per instruction set (isa_*.cc) and chosen at run time.
+// Everything here is plain pointers: the caller (engine.cc) owns memory, threads and order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fastscene/splat/project.h"
+
+namespace fastscene::splat {
+
+inline constexpr int kBlock = 16;        // splats a vector
+inline constexpr int kTile = 16;         // pixels a tile side
+inline constexpr int kChunk = 64;        // splats blended at a time in a tile: one bit each in a 64-bit set
+inline constexpr int kSlotFloats = 12;   // 6 moments, 3 colors, blending weight, weight * error, unused
+
+// One visible splat on screen.
+struct alignas(64) Record {
+    float x, y, a, b, c, log2_opacity;      // Footprint
+    float color[3];
+    float depth_z;
+    float dy_per_dx, dx_per_dy;             // where alpha is largest along a column, along a row
+    std::uint32_t splat, first_slot;        // its gradient slots: one per tile of its rectangle, row-major
+    std::uint16_t tile_x, tile_y, tiles_wide, tiles_high;
+};
+static_assert(sizeof(Record) == 64);
+
+// Splats in blocks of 16: block k holds its 14 parameters one after the other, 16 floats each.
+struct ProjectJob {
+    const float* parameters;
+    std::int64_t count;
+    Lens<float> lens;
+    int width, height;
+    Record* records;  // records of splats [begin, end) are written from records[begin] on, in order
+};
+
+// Picture planes are row-major with `stride` floats a row and whole tiles: no bounds checks inside.
+struct Frame {
+    int width, height, tiles_x, tiles_y;
+    std::ptrdiff_t stride;
+    float* color[3];
+    float* transmittance;
+    float* depth;          // sum of weight * depth_z; null = not wanted
+    const float* v[3];     // dL/d color; zero outside the picture
+    const float* error[3]; // |difference| per channel
+    float background[3];
+    const Record* records;
+    const std::uint32_t* list;        // record numbers, tile after tile, front to back
+    const std::uint32_t* tile_begin;  // tiles + 1
+    std::uint16_t* masks;             // per list entry: which of the tile's 4x4 blocks of 4x4 pixels it touches
+    float* slots;
+};
+
+struct LossJob {
+    int width, height;
+    std::ptrdiff_t stride;
+    const float* color[3];
+    const std::uint8_t* target;  // interleaved sRGB
+    const std::uint8_t* weight;  // or null
+    float lambda;
+    float* p[3];                 // partial derivatives of the SSIM terms by its blurred inputs
+    float* q[3];
+    float* r[3];
+    float* v[3];
+    float* error[3];
+};
+struct LossSums {
+    double loss = 0, squared_error = 0;
+};
+
+struct UpdateJob {
+    float* parameters;
+    float* first_moment;
+    float* second_moment;
+    const Record* records;
+    const float* slots;
+    Lens<float> lens;
+    float rate[kParameters];    // Adam's step sizes, bias correction of the first moment included
+    float inv_sqrt_bias2;       // 1 / sqrt(1 - beta2^t)
+    float* seen_weight;         // += blending weight of each splat
+    float* seen_error;          // += blending weight * error
+    float* gradients;           // null, or where dL/dparameter goes instead of moving the parameters
+};
+
+struct Kernel {
+    const char* name;
+    // Returns the number of visible splats among [begin, end); begin is a multiple of kBlock.
+    std::int64_t (*project)(const ProjectJob&, std::int64_t begin, std::int64_t end);
+    void (*forward)(const Frame&, int tile);
+    void (*backward)(const Frame&, int tile);
+    // Floats of scratch memory the loss passes need for a picture of this stride.
+    std::ptrdiff_t (*loss_scratch)(std::ptrdiff_t stride);
+    LossSums (*loss_statistics)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
+    void (*loss_gradient)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
+    // Records [record_begin, record_end) belong to splats [begin, end).
+    void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end);
+};
+inline constexpr int kLossRows = 16;  // rows a loss piece handles at most
+
+namespace baseline {
+const Kernel& kernel();
+}
+namespace avx2 {
+const Kernel& kernel();
+}
+namespace avx512 {
+const Kernel& kernel();
+}
+// The best one this processor can run; `name` ("avx512", "avx2", "baseline") asks for one in particular.
+// Throws UsageError when the processor lacks it.
+const Kernel& choose_kernel(const char* name = nullptr);
+
+}  // namespace fastscene::splat

@@ -1,0 +1,251 @@
+// Lanes: 16 floats that behave like one number. Included once per instruction set, each time in the
+// namespace FASTSCENE_ISA: one 64-byte register with AVX-512, else two 32-byte halves (a 64-byte vector
+// type compiled for AVX2 is several times slower than two halves).
+#pragma once
+
+#ifndef FASTSCENE_ISA
+#error "define FASTSCENE_ISA before including this file"
+#endif
+
+#include <cstdint>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace fastscene::splat::FASTSCENE_ISA {
+
+inline constexpr int kLanes = 16;
+
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+
+struct Mask {
+    __mmask16 m;
+    friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask16>(a.m & b.m)}; }
+    std::uint32_t bits() const { return m; }
+};
+struct Lanes {
+    __m512 r;
+    Lanes() : r(_mm512_setzero_ps()) {}
+    Lanes(float x) : r(_mm512_set1_ps(x)) {}
+    explicit Lanes(__m512 x) : r(x) {}
+    static Lanes load(const float* p) { return Lanes(_mm512_loadu_ps(p)); }
+    void store(float* p) const { _mm512_storeu_ps(p, r); }
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.r + b.r); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.r - b.r); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.r * b.r); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.r / b.r); }
+    friend Lanes operator-(Lanes a) { return Lanes(-a.r); }
+    Lanes& operator+=(Lanes b) { return *this = *this + b; }
+    Lanes& operator-=(Lanes b) { return *this = *this - b; }
+    friend Mask operator<(Lanes a, Lanes b) { return {_mm512_cmp_ps_mask(a.r, b.r, _CMP_LT_OQ)}; }
+    friend Mask operator>(Lanes a, Lanes b) { return {_mm512_cmp_ps_mask(a.r, b.r, _CMP_GT_OQ)}; }
+    friend Mask operator<=(Lanes a, Lanes b) { return {_mm512_cmp_ps_mask(a.r, b.r, _CMP_LE_OQ)}; }
+    friend Mask operator>=(Lanes a, Lanes b) { return {_mm512_cmp_ps_mask(a.r, b.r, _CMP_GE_OQ)}; }
+};
+inline Lanes select(Mask m, Lanes yes, Lanes no) { return Lanes(_mm512_mask_mov_ps(no.r, m.m, yes.r)); }
+inline Lanes sqrt(Lanes a) { return Lanes(_mm512_sqrt_ps(a.r)); }
+inline Lanes min(Lanes a, Lanes b) { return Lanes(_mm512_min_ps(a.r, b.r)); }
+inline Lanes max(Lanes a, Lanes b) { return Lanes(_mm512_max_ps(a.r, b.r)); }
+inline Lanes abs(Lanes a) { return Lanes(_mm512_abs_ps(a.r)); }
+inline Lanes round_near(Lanes a) { return Lanes(_mm512_roundscale_ps(a.r, 8)); }
+// x * 2^n for integral n of any size.
+inline Lanes scale2(Lanes x, Lanes n) { return Lanes(_mm512_scalef_ps(x.r, n.r)); }
+// a = mantissa * 2^exponent with mantissa in [0.75, 1.5); a > 0.
+inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
+    mantissa.r = _mm512_getmant_ps(a.r, _MM_MANT_NORM_p75_1p5, _MM_MANT_SIGN_src);
+    exponent.r = _mm512_getexp_ps(a.r / mantissa.r);
+}
+inline Lanes reciprocal_estimate(Lanes a) { return Lanes(_mm512_rcp14_ps(a.r)); }
+
+#else
+
+typedef float Half __attribute__((vector_size(32)));
+typedef std::int32_t HalfBits __attribute__((vector_size(32)));
+
+struct Mask {
+    HalfBits lo, hi;
+    friend Mask operator&(Mask a, Mask b) { return {a.lo & b.lo, a.hi & b.hi}; }
+    std::uint32_t bits() const {
+        std::uint32_t out = 0;
+#if defined(__AVX__)
+        out = static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)lo)) | static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)hi)) << 8;
+#else
+        for (int i = 0; i < 8; ++i) out |= (lo[i] ? 1u : 0u) << i | (hi[i] ? 1u : 0u) << (i + 8);
+#endif
+        return out;
+    }
+};
+struct Lanes {
+    Half lo, hi;
+    Lanes() : lo{}, hi{} {}
+    Lanes(float x) : lo(x - Half{}), hi(x - Half{}) {}
+    Lanes(Half a, Half b) : lo(a), hi(b) {}
+    static Lanes load(const float* p) {
+        Lanes out;
+        __builtin_memcpy(&out.lo, p, 32);
+        __builtin_memcpy(&out.hi, p + 8, 32);
+        return out;
+    }
+    void store(float* p) const {
+        __builtin_memcpy(p, &lo, 32);
+        __builtin_memcpy(p + 8, &hi, 32);
+    }
+    friend Lanes operator+(Lanes a, Lanes b) { return {a.lo + b.lo, a.hi + b.hi}; }
+    friend Lanes operator-(Lanes a, Lanes b) { return {a.lo - b.lo, a.hi - b.hi}; }
+    friend Lanes operator*(Lanes a, Lanes b) { return {a.lo * b.lo, a.hi * b.hi}; }
+    friend Lanes operator/(Lanes a, Lanes b) { return {a.lo / b.lo, a.hi / b.hi}; }
+    friend Lanes operator-(Lanes a) { return {-a.lo, -a.hi}; }
+    Lanes& operator+=(Lanes b) { return *this = *this + b; }
+    Lanes& operator-=(Lanes b) { return *this = *this - b; }
+    friend Mask operator<(Lanes a, Lanes b) { return {a.lo < b.lo, a.hi < b.hi}; }
+    friend Mask operator>(Lanes a, Lanes b) { return {a.lo > b.lo, a.hi > b.hi}; }
+    friend Mask operator<=(Lanes a, Lanes b) { return {a.lo <= b.lo, a.hi <= b.hi}; }
+    friend Mask operator>=(Lanes a, Lanes b) { return {a.lo >= b.lo, a.hi >= b.hi}; }
+};
+inline Lanes select(Mask m, Lanes yes, Lanes no) { return {m.lo ? yes.lo : no.lo, m.hi ? yes.hi : no.hi}; }
+#if defined(__AVX2__)
+inline Lanes sqrt(Lanes a) { return {_mm256_sqrt_ps(a.lo), _mm256_sqrt_ps(a.hi)}; }
+inline Lanes min(Lanes a, Lanes b) { return {_mm256_min_ps(a.lo, b.lo), _mm256_min_ps(a.hi, b.hi)}; }
+inline Lanes max(Lanes a, Lanes b) { return {_mm256_max_ps(a.lo, b.lo), _mm256_max_ps(a.hi, b.hi)}; }
+#else
+inline Lanes sqrt(Lanes a) {
+    for (int i = 0; i < 8; ++i) a.lo[i] = __builtin_sqrtf(a.lo[i]), a.hi[i] = __builtin_sqrtf(a.hi[i]);
+    return a;
+}
+inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
+inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
+#endif
+inline Half abs(Half a) { return (Half)((HalfBits)a & 0x7fffffff); }
+inline Lanes abs(Lanes a) { return {abs(a.lo), abs(a.hi)}; }
+// Adding 1.5 * 2^23 pushes the fraction out of the mantissa; |a| < 2^22.
+inline Lanes round_near(Lanes a) {
+    const Lanes magic(12582912.f);
+    return (a + magic) - magic;
+}
+inline Half scale2(Half x, Half n) {
+    n = n < -126.f ? Half{} - 126.f : n > 127.f ? Half{} + 127.f : n;
+    return x * (Half)((__builtin_convertvector(n, HalfBits) + 127) << 23);
+}
+inline Lanes scale2(Lanes x, Lanes n) { return {scale2(x.lo, n.lo), scale2(x.hi, n.hi)}; }
+inline void split2(Half a, Half& mantissa, Half& exponent) {
+    const HalfBits bits = (HalfBits)a;
+    const HalfBits e = ((bits >> 23) & 255) - 127;
+    const Half m = (Half)((bits & 0x007fffff) | 0x3f800000);
+    const HalfBits big = m >= 1.5f;
+    mantissa = big ? m * 0.5f : m;
+    exponent = __builtin_convertvector(e - big, Half);
+}
+inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
+    split2(a.lo, mantissa.lo, exponent.lo);
+    split2(a.hi, mantissa.hi, exponent.hi);
+}
+inline Lanes reciprocal_estimate(Lanes a) { return Lanes(1.f) / a; }
+
+#endif
+
+// 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
+inline Lanes reciprocal(Lanes a) {
+    const Lanes r = reciprocal_estimate(a);
+    return r * (Lanes(2.f) - a * r);
+}
+
+// 2^x to 3e-06 relative (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]); the blending loops.
+inline Lanes exp2_fast(Lanes x) {
+    const Lanes n = round_near(x), f = x - n;
+    Lanes p(0.00966636852f);
+    p = p * f + Lanes(0.0559219758f);
+    p = p * f + Lanes(0.24022349f);
+    p = p * f + Lanes(0.693121045f);
+    p = p * f + Lanes(1.f);
+    return scale2(p, n);
+}
+// 2^x to float precision; the projection.
+inline Lanes exp2(Lanes x) {
+    x = min(max(x, Lanes(-200.f)), Lanes(200.f));
+    const Lanes n = round_near(x), f = x - n;
+    Lanes p(1.54035304e-4f);
+    p = p * f + Lanes(1.33335581e-3f);
+    p = p * f + Lanes(9.61812911e-3f);
+    p = p * f + Lanes(5.55041087e-2f);
+    p = p * f + Lanes(0.240226507f);
+    p = p * f + Lanes(0.693147181f);
+    p = p * f + Lanes(1.f);
+    return scale2(p, n);
+}
+inline Lanes exp(Lanes x) { return exp2(x * Lanes(1.44269504f)); }
+// log2 of a > 0 through atanh: ln m = 2 (s + s^3/3 + …), s = (m - 1) / (m + 1), |s| <= 0.2.
+inline Lanes log2(Lanes a) {
+    Lanes m, e;
+    split2(a, m, e);
+    const Lanes s = (m - Lanes(1.f)) / (m + Lanes(1.f)), z = s * s;
+    Lanes p(1.f / 9);
+    p = p * z + Lanes(1.f / 7);
+    p = p * z + Lanes(1.f / 5);
+    p = p * z + Lanes(1.f / 3);
+    p = p * z + Lanes(1.f);
+    return e + Lanes(2.88539008f) * s * p;
+}
+
+// Rows become columns, in place: after it, r[i] lane j is what r[j] lane i was.
+inline void transpose16(Lanes* r) {
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+    __m512 a[16], b[16];
+    for (int i = 0; i < 16; i += 2) {
+        a[i] = _mm512_unpacklo_ps(r[i].r, r[i + 1].r);
+        a[i + 1] = _mm512_unpackhi_ps(r[i].r, r[i + 1].r);
+    }
+    for (int i = 0; i < 16; i += 4)
+        for (int k = 0; k < 2; ++k) {
+            b[i + 2 * k] = _mm512_castpd_ps(_mm512_unpacklo_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
+            b[i + 2 * k + 1] = _mm512_castpd_ps(_mm512_unpackhi_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
+        }
+    // b[4 g + c] holds, in its 128-bit quarter q, column 4 q + c of rows 4 g .. 4 g + 3.
+    for (int c = 0; c < 4; ++c) {
+        const __m512 p = _mm512_shuffle_f32x4(b[c], b[4 + c], 0x88), q = _mm512_shuffle_f32x4(b[c], b[4 + c], 0xdd);
+        const __m512 s = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0x88), t = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0xdd);
+        r[c].r = _mm512_shuffle_f32x4(p, s, 0x88);
+        r[8 + c].r = _mm512_shuffle_f32x4(p, s, 0xdd);
+        r[4 + c].r = _mm512_shuffle_f32x4(q, t, 0x88);
+        r[12 + c].r = _mm512_shuffle_f32x4(q, t, 0xdd);
+    }
+#else
+    const auto transpose8 = [](Half* x) {
+        Half a[8], b[8];
+        constexpr HalfBits lo = {0, 8, 1, 9, 4, 12, 5, 13}, hi = {2, 10, 3, 11, 6, 14, 7, 15};
+        constexpr HalfBits lo2 = {0, 1, 8, 9, 4, 5, 12, 13}, hi2 = {2, 3, 10, 11, 6, 7, 14, 15};
+        constexpr HalfBits left = {0, 1, 2, 3, 8, 9, 10, 11}, right = {4, 5, 6, 7, 12, 13, 14, 15};
+        for (int i = 0; i < 8; i += 2) a[i] = __builtin_shuffle(x[i], x[i + 1], lo), a[i + 1] = __builtin_shuffle(x[i], x[i + 1], hi);
+        for (int i = 0; i < 8; i += 4)
+            for (int k = 0; k < 2; ++k) {
+                b[i + 2 * k] = __builtin_shuffle(a[i + k], a[i + k + 2], lo2);
+                b[i + 2 * k + 1] = __builtin_shuffle(a[i + k], a[i + k + 2], hi2);
+            }
+        for (int c = 0; c < 4; ++c) {
+            x[c] = __builtin_shuffle(b[c], b[4 + c], left);
+            x[4 + c] = __builtin_shuffle(b[c], b[4 + c], right);
+        }
+    };
+    Half q00[8], q01[8], q10[8], q11[8];
+    for (int i = 0; i < 8; ++i) q00[i] = r[i].lo, q01[i] = r[i].hi, q10[i] = r[i + 8].lo, q11[i] = r[i + 8].hi;
+    transpose8(q00);
+    transpose8(q01);
+    transpose8(q10);
+    transpose8(q11);
+    for (int i = 0; i < 8; ++i) r[i] = Lanes(q00[i], q10[i]), r[i + 8] = Lanes(q01[i], q11[i]);
+#endif
+}
+
+// Denormals off while alive: Adam's moments of unseen splats decay into them, and each costs a hundred cycles.
+class FlushDenormals {
+  public:
+#if defined(__x86_64__)
+    FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
+    ~FlushDenormals() { _mm_setcsr(before_); }
+
+  private:
+    unsigned before_;
+#endif
+};
+
+}  // namespace fastscene::splat::FASTSCENE_ISA

@@ -1,0 +1,24 @@
+// The few functions that the splat mathematics needs from a number type besides + - * /. Here for plain
+// floats; Jet (jet.h) and Lanes (lanes.h) bring their own, found by argument-dependent lookup.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+namespace fastscene::splat {
+
+template <std::floating_point F>
+F select(bool condition, F yes, F no) {
+    return condition ? yes : no;
+}
+template <std::floating_point F>
+F exp2_fast(F x) {
+    return std::exp2(x);
+}
+
+template <std::floating_point F>
+F reciprocal(F x) {
+    return F(1) / x;
+}
+
+}  // namespace fastscene::splat

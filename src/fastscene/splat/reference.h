@@ -1,0 +1,125 @@
+// The ruler: the same mathematics, one splat and one pixel at a time, over any number type. Slow, no tiles,
+// no early stop, no approximation. The kernel's results and gradients are measured against it.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "fastscene/scene/splats.h"
+#include "fastscene/scene/view.h"
+#include "fastscene/splat/blend_grad.h"
+#include "fastscene/splat/project_grad.h"
+
+namespace fastscene::splat {
+
+template <class F>
+struct ReferencePicture {
+    int width = 0, height = 0;
+    std::vector<PixelState<F>> pixels;
+    std::vector<F> depth_sum;
+};
+
+namespace detail {
+template <class F>
+struct Drawn {
+    std::size_t splat;
+    Projection<F> projection;
+    Footprint<F> footprint;
+    double half_x, half_y;  // of the box outside of which alpha < kMinAlpha
+};
+inline double plain(double x) { return x; }
+template <class F>
+double plain(F x) {
+    return x.value;
+}
+// Drawable splats, front to back; equal depths in order.
+template <class F>
+std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens) {
+    std::vector<Drawn<F>> out;
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        const Projection<F> p = project(splats[i], lens);
+        if (!is_drawable(splats[i], p)) continue;
+        const double reach2 = plain(reach2_of(p));
+        out.push_back({i, p, footprint_of(p, lens), std::sqrt(reach2 * plain(p.cov_xx)), std::sqrt(reach2 * plain(p.cov_yy))});
+    }
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.footprint.depth_z < b.footprint.depth_z; });
+    return out;
+}
+// Calls visit(pixel number, dx, dy) for every pixel the splat may show at.
+template <class F, class Visit>
+void each_pixel(const Drawn<F>& d, int width, int height, Visit&& visit) {
+    const double x = plain(d.footprint.x), y = plain(d.footprint.y);
+    const auto first = [](double v) { return static_cast<int>(std::max(0.0, std::floor(v - 0.5))); };
+    const auto last = [](double v, int size) { return static_cast<int>(std::min(size - 1.0, std::ceil(v - 0.5))); };
+    for (int py = first(y - d.half_y); py <= last(y + d.half_y, height); ++py)
+        for (int px = first(x - d.half_x); px <= last(x + d.half_x, width); ++px)
+            visit(static_cast<std::size_t>(py) * static_cast<std::size_t>(width) + static_cast<std::size_t>(px),
+                  F(px + 0.5) - d.footprint.x, F(py + 0.5) - d.footprint.y);
+}
+}  // namespace detail
+
+template <class F>
+ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens, int width, int height,
+                                     Vec3<F> background) {
+    ReferencePicture<F> out{width, height, {}, {}};
+    const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    out.pixels.assign(size, PixelState<F>{F(1), {}});
+    out.depth_sum.assign(size, F(0));
+    for (const auto& d : detail::draw_order(splats, lens))
+        detail::each_pixel(d, width, height, [&](std::size_t i, F dx, F dy) {
+            out.depth_sum[i] += blend(out.pixels[i], d.footprint, dx, dy) * d.footprint.depth_z;
+        });
+    for (auto& pixel : out.pixels) pixel.color += background * pixel.transmittance;
+    return out;
+}
+
+// dL/d(parameters) from v = dL/d(pixel color).
+template <class F>
+std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
+                                             const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v) {
+    std::vector<Gaussian<F>> out(splats.size());
+    for (auto& g : out) g.rotation.w = F(0);  // a gradient, not the identity rotation
+    std::vector<PixelGradState<F>> state(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) state[i] = {F(1), dot(v[i], picture.pixels[i].color), v[i]};
+    for (const auto& d : detail::draw_order(splats, lens)) {
+        PixelSums<F> sums;
+        detail::each_pixel(d, picture.width, picture.height, [&](std::size_t i, F dx, F dy) {
+            const BlendGrad<F> b = blend_grad(state[i], d.footprint, dx, dy);
+            sums.g += b.g;
+            sums.g_dx += b.g * dx;
+            sums.g_dy += b.g * dy;
+            sums.g_dxdx += b.g * dx * dx;
+            sums.g_dxdy += b.g * dx * dy;
+            sums.g_dydy += b.g * dy * dy;
+            sums.color += v[i] * b.weight;
+        });
+        out[d.splat] = project_grad(splats[d.splat], lens, d.projection, sums);
+    }
+    return out;
+}
+
+template <class F>
+std::vector<Gaussian<F>> gaussians_of(const Splats& s) {
+    std::vector<Gaussian<F>> out;
+    const auto wide = [](Vec3f a) { return Vec3<F>{F(a.x), F(a.y), F(a.z)}; };
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const Quatf q = s.rotation[i];
+        out.push_back({wide(s.mean_m[i]), wide(s.log_scale[i]), {F(q.w), F(q.x), F(q.y), F(q.z)}, F(s.opacity_logit[i]), wide(s.sh0[i])});
+    }
+    return out;
+}
+template <class F>
+Lens<F> lens_over(const Lens<float>& l) {
+    const auto wide = [](Vec3f a) { return Vec3<F>{F(a.x), F(a.y), F(a.z)}; };
+    return {{wide(l.rotation.row0), wide(l.rotation.row1), wide(l.rotation.row2)}, wide(l.translation),
+            F(l.fx), F(l.fy), F(l.cx), F(l.cy), F(l.min_u), F(l.max_u), F(l.min_v), F(l.max_v)};
+}
+
+struct ReferenceLoss {
+    double loss = 0, squared_error = 0;  // means over pixels and channels
+    std::vector<Vec3d> v;                // dL/d(pixel color)
+};
+// (1 - lambda) L1 + lambda (1 - SSIM), windows summed directly: O(121) a pixel.
+ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view, double lambda);
+
+}  // namespace fastscene::splat

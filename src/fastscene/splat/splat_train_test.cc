@@ -1,0 +1,143 @@
+// Training on a small room made of formulas.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "bench/textured_room.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/splat/relocate.h"
+#include "fastscene/splat/splat.h"
+#include "fastscene/splat/train.h"
+
+namespace fastscene {
+namespace {
+
+using Context = Run;  // inside a test, Run is a function of GoogleTest
+
+Context seeded(std::uint64_t seed) {
+    Context run;
+    run.seed = seed;
+    return run;
+}
+
+double psnr(const SplatPicture& picture, const View& truth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+        const Vec3f d = picture.color.pixels[i] - unit_from_srgb8(truth.color.pixels[i]);
+        sum += dot(d, d);
+    }
+    return -10 * std::log10(sum / (3.0 * static_cast<double>(truth.color.size())));
+}
+double mean_psnr(const Splats& splats, const std::vector<View>& views) {
+    double sum = 0;
+    for (const View& v : views) sum += psnr(render_splats(splats, v.camera, v.world_from_camera), v);
+    return sum / static_cast<double>(views.size());
+}
+const bench::RoomSet& small_room() {
+    static const bench::RoomSet set = bench::room_set(64, 3, 6000, 4, 2);
+    return set;
+}
+
+TEST(SplatTrain, RaisesPsnrAtPosesNeverSeen) {
+    const bench::RoomSet& set = small_room();
+    SplatParams params;
+    params.count = 5000;
+    params.steps = 300;
+    const Context run = seeded(3);
+    const double before = mean_psnr(initial_splats(set.train.points, params.count, run), set.held_out);
+    const FittedSplats fitted = fit_splats(set.train, params, run);
+    EXPECT_GT(mean_psnr(fitted.splats, set.held_out), before + 5);
+    ASSERT_GE(fitted.curve.size(), 3u);
+    EXPECT_EQ(fitted.curve.back().step, 300);
+    EXPECT_LT(fitted.curve.back().loss, 0.7f * fitted.curve.front().loss);
+    EXPECT_GT(fitted.curve.back().psnr, fitted.curve.front().psnr + 2);
+    EXPECT_EQ(fitted.splats.sh_degree, 0);
+    EXPECT_LE(fitted.splats.size(), 5000u);
+}
+
+TEST(SplatTrain, SameSeedSameBytesForAnyNumberOfThreads) {
+    SplatParams params;
+    params.count = 2000;
+    params.steps = 30;
+    const int before = thread_count();
+    set_threads(1);
+    const Splats one = fit_splats(small_room().train, params, seeded(5)).splats;
+    set_threads(2);
+    const Splats two = fit_splats(small_room().train, params, seeded(5)).splats;
+    const Splats other = fit_splats(small_room().train, params, seeded(6)).splats;
+    set_threads(before);
+    EXPECT_TRUE(one == two);
+    EXPECT_FALSE(one == other);
+}
+
+TEST(SplatTrain, PixelsOfNoWeightTeachNothing) {
+    ViewSet set = small_room().train;
+    set.views.resize(1);
+    View& view = set.views[0];
+    view.weight = ImageMask(view.color.width, view.color.height, 0);
+    SplatParams params;
+    params.count = 500;
+    params.steps = 5;
+    const Context run{};
+    EXPECT_TRUE(fit_splats(set, params, run).splats == initial_splats(set.points, params.count, run));
+}
+
+TEST(SplatTrain, StopsWhenAsked) {
+    std::stop_source source;
+    source.request_stop();
+    Context run;
+    run.stop = source.get_token();
+    EXPECT_THROW(fit_splats(small_room().train, SplatParams{}, run), Stopped);
+}
+
+TEST(SplatTrain, SaysWhatIsWrongWithTheViews) {
+    EXPECT_THROW(fit_splats({}, SplatParams{}, Context{}), Error);
+    ViewSet set = small_room().train;
+    set.points.clear();
+    EXPECT_THROW(fit_splats(set, SplatParams{}, Context{}), Error);
+    set = small_room().train;
+    set.views[1].camera.width += 1;
+    EXPECT_THROW(fit_splats(set, SplatParams{}, Context{}), Error);
+}
+
+TEST(SplatInit, DiscsLieOnTheirSurface) {
+    const auto& points = small_room().train.points;
+    const Splats s = initial_splats(points, 1000, seeded(1));
+    ASSERT_EQ(s.size(), 1000u);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const auto p = std::find_if(points.begin(), points.end(), [&](const SurfacePoint& q) { return q.position_m == s.mean_m[i]; });
+        ASSERT_NE(p, points.end());
+        EXPECT_GT(std::fabs(dot(matrix_of(s.rotation[i]).column(2), p->normal)), 0.999f);
+        EXPECT_LT(s.log_scale[i].z, s.log_scale[i].x - 1.f);
+        EXPECT_NEAR(0.5f + kSh0 * s.sh0[i].x, static_cast<float>(p->color.r) / 255.f, 1e-5);
+    }
+    EXPECT_EQ(initial_splats(points, 1 << 20, Context{}).size(), points.size());
+}
+
+// n copies of the shared opacity stacked up hide as much as the one did.
+TEST(SplatRelocate, CopiesTogetherLookLikeOne) {
+    for (const float opacity : {0.05f, 0.5f, 0.95f})
+        for (const int n : {2, 3, 8}) {
+            const splat::SharedLook look = splat::shared_look(opacity, n);
+            EXPECT_NEAR(1 - std::pow(1 - look.opacity, n), opacity, 1e-5);
+            EXPECT_GT(look.scale, 0.3f);
+            EXPECT_LT(look.scale, 1.001f);
+        }
+}
+
+TEST(SplatRelocate, TheDeadMoveToWhereTheErrorIs) {
+    Splats s = initial_splats(small_room().train.points, 200, Context{});
+    for (std::size_t i = 0; i < 5; ++i) s.opacity_logit[i] = -9;
+    splat::Cloud cloud(s, true);
+    cloud.seen_error[100] = 7.f;
+    EXPECT_EQ(splat::relocate(cloud, 1, 100), 5);
+    const Splats moved = cloud.splats();
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(moved.mean_m[i], s.mean_m[100]);
+    EXPECT_LT(moved.opacity_logit[100], s.opacity_logit[100]);
+    EXPECT_EQ(moved.opacity_logit[0], moved.opacity_logit[100]);
+    EXPECT_EQ(moved.mean_m[150], s.mean_m[150]);
+}
+
+}  // namespace
+}  // namespace fastscene
