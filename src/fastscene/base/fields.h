@@ -41,20 +41,19 @@ struct ToJson {
 };
 
 struct Check {
-    std::string_view section;
+    std::string_view section;  // empty: the flag is --<field>
+    std::string flag(std::string_view name) const { return section.empty() ? fmt::format("--{}", name) : fmt::format("--{}-{}", section, name); }
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds& bounds, std::string_view) {
         // Phrased so that NaN fails.
         if (!(static_cast<double>(value) >= bounds.low && static_cast<double>(value) <= bounds.high))
-            throw UsageError("--{}-{}: expected a number from {} to {}, found {}", section, name, bounds.low,
-                             bounds.high, value);
+            throw UsageError("{}: expected a number from {} to {}, found {}", flag(name), bounds.low, bounds.high, value);
     }
     void operator()(std::string_view, bool&, std::string_view) {}
     void operator()(std::string_view name, std::string& value, const Choices& choices, std::string_view) {
         for (const std::string& choice : choices.names)
             if (choice == value) return;
-        throw UsageError("--{}-{}: expected one of {}, found \"{}\"", section, name, fmt::join(choices.names, ", "),
-                         value);
+        throw UsageError("{}: expected one of {}, found \"{}\"", flag(name), fmt::join(choices.names, ", "), value);
     }
     void operator()(std::string_view, std::string&, std::string_view) {}
 };

@@ -43,6 +43,11 @@ RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParam
 // Backend "image". Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.
 Panorama panorama_from_image(const std::filesystem::path& picture);
 // Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres).
+// Zero means "not measured": such a pixel takes the nearest range of its row. Throws Error for another size, NaN, negative or all zero.
 ImageF range_from_file(const std::filesystem::path& map, EquirectSize size);
+// A wider panorama is reduced to `width` (even); a narrower one stays. Color is averaged over areas, range is picked (a mean
+// of two surfaces lies on neither). Clears `known`.
+Panorama reduced_panorama(const Panorama& panorama, int width);
+ImageF reduced_range(const ImageF& range, int width);
 
 }  // namespace fastscene

@@ -1,0 +1,135 @@
+// What is here, what is missing, and how to get it.
+#include <sys/statvfs.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/cli/program.h"
+#include "fastscene/cli/verb.h"
+#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/share.h"
+
+namespace fastscene::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Finding {
+    std::string what, state, remedy;  // remedy empty: all is well
+};
+
+std::string instruction_sets() {
+    std::string names;
+    const auto add = [&](bool has, const char* name) {
+        if (has) names += (names.empty() ? "" : " ") + std::string(name);
+    };
+#if defined(__x86_64__)
+    add(__builtin_cpu_supports("sse4.2"), "sse4.2");
+    add(__builtin_cpu_supports("avx"), "avx");
+    add(__builtin_cpu_supports("avx2"), "avx2");
+    add(__builtin_cpu_supports("fma"), "fma");
+    add(__builtin_cpu_supports("avx512f"), "avx512f");
+#endif
+    return names.empty() ? "baseline" : names;
+}
+
+double memory_gib(const std::string& field) {
+    std::ifstream info("/proc/meminfo");
+    for (std::string word; info >> word;)
+        if (word == field + ":") {
+            double kib = 0;
+            info >> kib;
+            return kib / (1024 * 1024);
+        }
+    return 0;
+}
+
+Finding memory() {
+    constexpr double kNeedGib = 4;  // what a standard run may take
+    const double have = memory_gib("MemAvailable");
+    return {"memory", fmt::format("{:.1f} GiB, {:.1f} available", memory_gib("MemTotal"), have),
+            have >= kNeedGib ? "" : "close other programs, or use --quality draft"};
+}
+
+Finding disk() {
+    struct statvfs info {};
+    if (::statvfs(".", &info) != 0) return {"disk here", "unknown", ""};
+    const double gib = static_cast<double>(info.f_bavail) * static_cast<double>(info.f_frsize) / (1 << 30);
+    return {"disk here", fmt::format("{:.1f} GiB free", gib), gib >= 1 ? "" : "a run takes up to 1 GiB: free some, or choose another folder with -o"};
+}
+
+// The packages named in a list of ours, one a line, # begins a comment.
+std::vector<std::string> packages_of(const fs::path& list) {
+    std::vector<std::string> names;
+    if (!fs::exists(list)) return names;
+    std::istringstream lines(read_file(list));
+    for (std::string line; std::getline(lines, line);) {
+        line = line.substr(0, line.find('#'));
+        std::istringstream words(line);
+        for (std::string word; words >> word;) names.push_back(word);
+    }
+    return names;
+}
+
+// What dpkg knows to be installed; the status file is its own record.
+bool is_installed(const std::string& status, const std::string& package) {
+    const auto at = status.find("\nPackage: " + package + "\nStatus: install ok installed");
+    return at != std::string::npos;
+}
+
+Finding packages(const std::string& name, const fs::path& list) {
+    std::vector<std::string> missing;
+    if (!fs::exists("/var/lib/dpkg/status")) return {name, "not a Debian system: see " + list.string(), ""};
+    const std::string status = "\n" + read_file("/var/lib/dpkg/status");
+    const std::vector<std::string> wanted = packages_of(list);
+    for (const std::string& package : wanted)
+        if (!is_installed(status, package)) missing.push_back(package);
+    if (missing.empty()) return {name, fmt::format("all {} installed", wanted.size()), ""};
+    return {name, fmt::format("{} of {} missing", missing.size(), wanted.size()),
+            fmt::format("apt-get install --no-install-recommends {}", fmt::join(missing, " "))};
+}
+
+Finding program(const std::string& name, const std::string& use, const std::string& remedy) {
+    const auto found = find_program(name);
+    return {name, found ? found->string() : "missing (" + use + ")", found ? "" : remedy};
+}
+
+std::vector<Finding> examine() {
+    const fs::path source(source_dir());
+    std::vector<Finding> all;
+    all.push_back({"fastscene", fmt::format("{} ({})", program_version(), build_json().at("compiler").get<std::string>()), ""});
+    all.push_back({"processor", instruction_sets(), ""});
+    all.push_back({"threads", std::to_string(thread_count()), ""});
+    all.push_back(memory());
+    all.push_back(disk());
+    all.push_back(packages("packages to build", source / "packaging/apt.txt"));
+    all.push_back(packages("packages to test", source / "packaging/apt-test.txt"));
+    const auto viewer = find_viewer_dir();
+    all.push_back({"viewer", viewer ? viewer->string() : "missing: scenes get no viewer.html", viewer ? "" : viewer_remedy()});
+    all.push_back(program("node", "to install the viewer", "apt-get install --no-install-recommends nodejs"));
+    all.push_back(program("npm", "to install the viewer", "apt-get install --no-install-recommends npm"));
+    all.push_back(program("ffmpeg", "optional: films", "apt-get install --no-install-recommends ffmpeg"));
+    all.push_back(program("colmap", "optional: to check the views with", "apt-get install --no-install-recommends colmap"));
+    return all;
+}
+
+}  // namespace
+
+Verb add_doctor(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("doctor", "What is here, what is missing, and how to get it.");
+    return {verb, [](const Session& session) {
+                std::string text;
+                Json json = Json::array();
+                for (const Finding& finding : examine()) {
+                    text += fmt::format("{} {:<18} {}\n", finding.remedy.empty() ? "ok  " : "MISS", finding.what, finding.state);
+                    if (!finding.remedy.empty()) text += fmt::format("     {:<18} -> {}\n", "", finding.remedy);
+                    json.push_back({{"what", finding.what}, {"state", finding.state}, {"ok", finding.remedy.empty()}, {"remedy", finding.remedy}});
+                }
+                text.pop_back();
+                session.print(text, json);
+            }};
+}
+
+}  // namespace fastscene::cli

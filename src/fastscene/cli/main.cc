@@ -1,0 +1,149 @@
+// fastscene VERB …: results on stdout, everything else on stderr. Exit code 0, 1 (failed), 2 (usage),
+// 128 + signal when stopped.
+#include <unistd.h>
+
+#include <iostream>
+
+#include "fastscene/base/check.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/cli/progress.h"
+#include "fastscene/cli/signals.h"
+#include "fastscene/cli/suggest.h"
+#include "fastscene/cli/verb.h"
+#include "fastscene/pipeline/build_info.h"
+
+namespace fastscene::cli {
+
+void Session::print(const std::string& text, const Json& json) const {
+    std::cout << (common.json ? json.dump(2, ' ', false, Json::error_handler_t::replace) : text) << std::endl;
+    if (!std::cout) throw Error("stdout: cannot be written");
+}
+
+namespace {
+
+void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
+    verb.add_option("--threads", common->threads, "Threads to use; 0 = all cores. The result is the same for any number.")
+        ->type_name("N")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+    verb.add_flag("--json", common->json, "Write the result to stdout as JSON.");
+    verb.add_option("--progress", common->progress, "How progress is shown on stderr.")
+        ->type_name("auto|plain|json|none")
+        ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
+        ->capture_default_str();
+}
+
+std::vector<std::string> flags_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+std::vector<std::string> verbs_of(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+    return names;
+}
+
+// The first argument that nobody took, and what may have been meant.
+std::string unknown_argument(const CLI::App& app, const std::vector<Verb>& verbs) {
+    std::string word;
+    std::vector<std::string> known = verbs_of(app);
+    std::string verb_name;
+    const std::vector<std::string> rest = app.remaining();
+    if (!rest.empty()) word = rest.front();
+    for (const Verb& verb : verbs) {
+        if (!verb.app->parsed()) continue;
+        verb_name = verb.app->get_name();
+        known = flags_of(*verb.app);
+        for (const std::string& argument : verb.app->remaining())
+            if (word.empty() || argument.starts_with("-")) {
+                word = argument;
+                break;
+            }
+    }
+    word = word.substr(0, word.find('='));
+    const std::string guess = nearest_word(word, known);
+    const std::string where = verb_name.empty() ? "" : verb_name + ": ";
+    std::string text = where + "unknown " + (word.starts_with("-") ? "flag " : verb_name.empty() ? "verb " : "argument ") + word;
+    if (!guess.empty()) text += "; did you mean " + guess + "?";
+    return text + " (fastscene " + (verb_name.empty() ? "" : verb_name + " ") + "--help lists what there is)";
+}
+
+int usage(const std::string& text) {
+    std::cerr << "fastscene: " << text << std::endl;
+    return 2;
+}
+
+int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
+    ProgressDisplay display(std::cerr, progress_style(common.progress, ::isatty(STDERR_FILENO) == 1));
+    const auto fail = [&](const std::string& text, int code) {
+        display.end_line();
+        std::cerr << "fastscene: " << text << std::endl;
+        return code;
+    };
+    try {
+        set_threads(common.threads);
+        verb.act({common, &display, signals.token()});
+        return 0;
+    } catch (const UsageError& e) {
+        return fail(e.what(), 2);
+    } catch (const Stopped&) {
+        return fail("stopped; what is finished stays, the same command goes on from there", 128 + signals.signal());
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory: close other programs, or use a lower --quality", 1);
+    } catch (const CheckFailed& e) {
+        return fail(std::string("a mistake of ours, please report it: ") + e.what(), 1);
+    } catch (const std::exception& e) {
+        return fail(e.what(), 1);
+    }
+}
+
+int run(int argc, char** argv) {
+    const SignalWatch signals;
+    CLI::App app("From a sentence to a 3D indoor scene you can walk through.", "fastscene");
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
+    bool version = false;
+    app.add_flag("--version", version, "Print the version and exit.");
+    const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app), add_walk(app),   add_views(app),  add_splat(app),
+                                  add_metrics(app), add_render(app),   add_view(app),  add_doctor(app), add_version(app)};
+    auto common = std::make_shared<Common>();
+    for (const Verb& verb : verbs) add_common_flags(*verb.app, common);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& e) {
+        return app.exit(e);  // --help
+    } catch (const CLI::ExtrasError&) {
+        return usage(unknown_argument(app, verbs));
+    } catch (const CLI::RequiredError& e) {
+        if (version) {
+            std::cout << "fastscene " << program_version() << std::endl;
+            return 0;
+        }
+        if (argc <= 1) {
+            std::cerr << app.help();
+            return 2;
+        }
+        if (!app.remaining().empty()) return usage(unknown_argument(app, verbs));
+        return usage(e.what());
+    } catch (const CLI::ParseError& e) {
+        return usage(e.what());
+    }
+    for (const Verb& verb : verbs)
+        if (verb.app->parsed()) return act(verb, *common, signals);
+    return 2;
+}
+
+}  // namespace
+}  // namespace fastscene::cli
+
+int main(int argc, char** argv) {
+    try {
+        return fastscene::cli::run(argc, argv);
+    } catch (const std::exception& e) {
+        std::cerr << "fastscene: " << e.what() << std::endl;
+        return 1;
+    }
+}

@@ -1,0 +1,109 @@
+#include "fastscene/cli/progress.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/json.h"
+
+namespace fastscene::cli {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+// A rewritten line is legible at this rate; more would only cost time.
+constexpr Seconds kLineEvery{0.1};
+// A log wants to be short: a line each tenth of the work, or when so long nothing was said.
+constexpr int kPlainStepPercent = 10;
+constexpr Seconds kPlainEvery{10};
+
+std::string clock_text(double seconds) {
+    const auto s = static_cast<long>(seconds + 0.5);
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+}  // namespace
+
+ProgressStyle progress_style(const std::string& name, bool is_terminal) {
+    if (name == "auto") return is_terminal ? ProgressStyle::line : ProgressStyle::plain;
+    if (name == "plain") return ProgressStyle::plain;
+    if (name == "json") return ProgressStyle::json;
+    if (name == "none") return ProgressStyle::none;
+    throw UsageError("--progress: expected auto, plain, json or none, found \"{}\"", name);
+}
+
+void ProgressDisplay::tell(const Event& event) {
+    const std::lock_guard guard(mutex_);
+    if (const auto* progress = std::get_if<ProgressEvent>(&event)) show(*progress);
+    if (const auto* note = std::get_if<NoteEvent>(&event); note && style_ != ProgressStyle::none) say("note", note->text);
+    if (const auto* warning = std::get_if<WarningEvent>(&event)) say("warning", warning->text);
+}
+
+void ProgressDisplay::end_line() {
+    if (line_length_ > 0) out_ << '\n' << std::flush;
+    line_length_ = 0;
+}
+
+void ProgressDisplay::say(const std::string& kind, const std::string& text) {
+    end_line();
+    if (style_ == ProgressStyle::json)
+        out_ << Json{{"event", kind}, {"text", text}}.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+    else
+        out_ << (kind == "note" ? "" : kind + ": ") << text << std::endl;
+}
+
+// The work is taken to go on as fast as it went so far.
+double ProgressDisplay::seconds_left(const ProgressEvent& event) const {
+    if (event.done <= 0) return -1;
+    const double spent = Seconds(Clock::now() - begin_).count();
+    return spent * static_cast<double>(event.total - event.done) / static_cast<double>(event.done);
+}
+
+void ProgressDisplay::show(const ProgressEvent& event) {
+    if (style_ == ProgressStyle::none) return;
+    const auto now = Clock::now();
+    if (event.work != work_ || event.done == 0) {
+        if (event.work != work_) end_line();
+        work_ = event.work;
+        begin_ = now;
+        shown_ = {};
+        shown_percent_ = -1;
+    }
+    const int percent = static_cast<int>(100 * event.done / event.total);
+    const bool finished = event.done >= event.total;
+    const Seconds since = now - shown_;
+    if (style_ == ProgressStyle::line) {
+        if (!finished && since < kLineEvery) return;
+    } else {
+        const bool due = percent >= shown_percent_ + kPlainStepPercent || since >= kPlainEvery || shown_percent_ < 0;
+        if (!due && !(finished && shown_percent_ < 100)) return;
+    }
+    if (finished && shown_percent_ == 100) return;
+    shown_ = now;
+    shown_percent_ = percent;
+
+    const double left = seconds_left(event);
+    if (style_ == ProgressStyle::json) {
+        Json json{{"event", "progress"}, {"work", event.work}, {"done", event.done}, {"total", event.total}};
+        if (left >= 0) json["seconds_left"] = left;
+        out_ << json.dump() << std::endl;
+        return;
+    }
+    const double spent = Seconds(now - begin_).count();
+    std::string text = fmt::format("{:<28} {:>3} %", event.work, percent);
+    if (finished)
+        text += fmt::format("  {} spent", clock_text(spent));
+    else if (left >= 0 && spent > 0.5)
+        text += fmt::format("  {} left", clock_text(left));
+    if (style_ == ProgressStyle::plain) {
+        out_ << text << std::endl;
+        return;
+    }
+    const std::size_t length = text.size();
+    if (length < line_length_) text.append(line_length_ - length, ' ');
+    out_ << '\r' << text << std::flush;
+    line_length_ = length;
+}
+
+}  // namespace fastscene::cli

@@ -1,0 +1,42 @@
+// What the terminal shows of the library's events, on stderr.
+#pragma once
+
+#include <chrono>
+#include <iosfwd>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "fastscene/base/events.h"
+
+namespace fastscene::cli {
+
+// `line`: one line, rewritten. `plain`: a line now and then, for logs. `json`: one object a line. `none`: warnings only.
+enum class ProgressStyle { line, plain, json, none };
+// Throws UsageError for an unknown name; "auto" is a line on a terminal, plain lines elsewhere.
+ProgressStyle progress_style(const std::string& name, bool is_terminal);
+
+class ProgressDisplay : public EventSink {
+  public:
+    ProgressDisplay(std::ostream& out, ProgressStyle style) : out_(out), style_(style) {}
+    ~ProgressDisplay() override { end_line(); }
+    void tell(const Event& event) override;
+    // Leaves the rewritten line, so that other text can follow.
+    void end_line();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void show(const ProgressEvent& event);
+    void say(const std::string& kind, const std::string& text);
+    double seconds_left(const ProgressEvent& event) const;
+
+    std::ostream& out_;
+    ProgressStyle style_;
+    std::mutex mutex_;
+    std::string work_;                 // the work that is going on
+    Clock::time_point begin_, shown_;  // when it began, and when something was last shown of it
+    int shown_percent_ = -1;
+    std::size_t line_length_ = 0;      // of the rewritten line on screen; 0 = none
+};
+
+}  // namespace fastscene::cli

@@ -1,0 +1,27 @@
+// The flags that say what scene is wanted, shared by make and the verbs of the stages.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fastscene/cli/flags.h"
+#include "fastscene/cli/verb.h"
+#include "fastscene/pipeline/pipeline.h"
+
+namespace fastscene::cli {
+
+struct RequestFlags {
+    std::string prompt, picture, range_map, out;
+    std::string quality = "standard";
+    std::optional<std::uint64_t> seed;
+    bool force = false, strict = false, has_quality = false;
+    std::shared_ptr<Given> given = std::make_shared<Given>();
+};
+
+// For verbs that start a run from a prompt or a picture: make, panorama.
+Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence, const std::string& last_stage);
+// For verbs that go on with the run in a folder: depth, walk, views, splat. Settings that no flag changes are those of run.json.
+Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence);
+
+}  // namespace fastscene::cli

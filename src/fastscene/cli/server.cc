@@ -1,0 +1,43 @@
+// The one file that knows httplib: its macros and its compile time stay here.
+#include "fastscene/cli/server.h"
+
+#include <httplib.h>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/io/viewer.h"
+#include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/share.h"
+
+namespace fastscene::cli {
+namespace {
+
+std::string settings_of(const RunFolder& folder) {
+    const Vec3f target = world_from_camera_at({}, best_yaw_deg(folder), 0) * Vec3f{0, 0, 1};
+    return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
+}
+
+}  // namespace
+
+void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port, std::stop_token stop,
+                 const std::function<void(const std::string&)>& ready) {
+    if (!viewer_dir && !std::filesystem::exists(folder.viewer_html())) throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
+    httplib::Server server;
+    server.set_tcp_nodelay(true);
+    const std::string settings = viewer_dir ? settings_of(folder) : "";
+    server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
+        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=/splat/scene.compressed.ply" : "/viewer.html");
+    });
+    server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) { response.set_content(settings, "application/json"); });
+    server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");
+    if (viewer_dir) server.set_mount_point("/viewer", viewer_dir->string());
+    server.set_mount_point("/", folder.root.string());
+
+    const int bound = port == 0 ? server.bind_to_any_port("127.0.0.1") : (server.bind_to_port("127.0.0.1", port) ? port : -1);
+    if (bound <= 0) throw Error("--port {}: cannot listen on 127.0.0.1:{}: is another program there? Choose another port, or 0 for any", port, port);
+    ready("http://127.0.0.1:" + std::to_string(bound) + "/");
+    const std::stop_callback stopper(stop, [&] { server.stop(); });
+    if (!stop.stop_requested()) server.listen_after_bind();
+}
+
+}  // namespace fastscene::cli

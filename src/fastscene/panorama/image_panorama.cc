@@ -1,0 +1,121 @@
+// Backend "image": the user's own panorama and range map. Both come from outside and are believed in nothing.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/panorama/panorama.h"
+
+namespace fastscene {
+namespace {
+
+constexpr int kLeastWidth = 64;      // below this a "panorama" is an icon
+constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB: the most that a desktop can hold
+
+void check_panorama_size(const std::filesystem::path& path, PictureInfo info) {
+    if (info.width != 2 * info.height)
+        throw Error("{}: expected a panorama twice as wide as high (equirectangular), found {} x {}", path.string(), info.width,
+                    info.height);
+    if (!(info.width >= kLeastWidth && info.width <= kGreatestWidth))
+        throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth, kGreatestWidth,
+                    info.width, info.height);
+}
+
+// A range map says 0 where nothing was measured. Such a pixel takes the range of the nearest measured one of its
+// row (the row is a circle); a row without any becomes sky.
+void fill_unmeasured(ImageF& range) {
+    const int w = range.width;
+    for (int y = 0; y < range.height; ++y) {
+        const std::vector<float> row(range.row(y), range.row(y) + w);
+        std::vector<int> left(row.size(), -1);  // distance to the nearest measured pixel on the left, -1 = none
+        std::vector<int> right(row.size(), -1);
+        for (int i = 0, d = -1; i < 2 * w; ++i) {
+            const auto x = static_cast<std::size_t>(i % w);
+            d = row[x] > 0.f ? 0 : d < 0 ? -1 : d + 1;
+            left[x] = d;
+        }
+        for (int i = 2 * w - 1, d = -1; i >= 0; --i) {
+            const auto x = static_cast<std::size_t>(i % w);
+            d = row[x] > 0.f ? 0 : d < 0 ? -1 : d + 1;
+            right[x] = d;
+        }
+        for (int x = 0; x < w; ++x) {
+            const int l = left[static_cast<std::size_t>(x)], r = right[static_cast<std::size_t>(x)];
+            if (l == 0) continue;
+            if (l < 0)
+                range.at(x, y) = std::numeric_limits<float>::infinity();
+            else
+                range.at(x, y) = row[static_cast<std::size_t>(wrap_column(l <= r ? x - l : x + r, w))];
+        }
+    }
+}
+
+}  // namespace
+
+Panorama panorama_from_image(const std::filesystem::path& picture) {
+    check_panorama_size(picture, picture_info(picture));  // before decoding: a huge picture is refused cheaply
+    Panorama panorama;
+    panorama.color = linear_from_srgb8(load_rgb8(picture));
+    check_panorama_size(picture, {panorama.color.width, panorama.color.height});
+    return panorama;
+}
+
+ImageF range_from_file(const std::filesystem::path& map, EquirectSize size) {
+    const PictureInfo info = picture_info(map);
+    if (info.width != size.width || info.height != size.height)
+        throw Error("{}: expected a range map of the panorama's size, {} x {}, found {} x {}", map.string(), size.width, size.height,
+                    info.width, info.height);
+    ImageF range = load_float(map);
+    std::size_t measured = 0;
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x) {
+            const float r = range.at(x, y);
+            if (!(r >= 0.f))  // NaN fails too
+                throw Error("{}: expected ranges in metres, 0 or more, found {} at column {}, row {}", map.string(), r, x, y);
+            if (r > 0.f && std::isfinite(r)) ++measured;
+        }
+    if (measured == 0)
+        throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
+    fill_unmeasured(range);
+    return range;
+}
+
+Panorama reduced_panorama(const Panorama& panorama, int width) {
+    const int w = panorama.color.width, h = panorama.color.height;
+    if (width >= w) return panorama;
+    FASTSCENE_CHECK(width > 0 && width % 2 == 0);
+    // Each new pixel is the mean over its area: first along the rows, then along the columns.
+    const auto shrink = [](int from, int to, int i, auto&& add) {
+        const double scale = static_cast<double>(from) / to, begin = i * scale, end = (i + 1) * scale;
+        for (int x = static_cast<int>(begin); x < from && x < end; ++x) {
+            const double share = (std::min<double>(end, x + 1) - std::max<double>(begin, x)) / scale;
+            add(x, static_cast<float>(share));
+        }
+    };
+    Panorama out = panorama;
+    const int height = width / 2;
+    ImageColor narrow(width, h);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < width; ++x)
+            shrink(w, width, x, [&](int from, float share) { narrow.at(x, y) += panorama.color.at(from, y) * share; });
+    out.color = ImageColor(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            shrink(h, height, y, [&](int from, float share) { out.color.at(x, y) += narrow.at(x, from) * share; });
+    if (!panorama.range.empty()) out.range = reduced_range(panorama.range, width);
+    out.known = {};
+    return out;
+}
+
+ImageF reduced_range(const ImageF& range, int width) {
+    if (width >= range.width) return range;
+    FASTSCENE_CHECK(width > 0 && width % 2 == 0);
+    ImageF out(width, width / 2);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x)
+            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width), (2 * y + 1) * range.height / (2 * out.height));
+    return out;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,24 @@
+#include "fastscene/panorama/panorama.h"
+
+namespace fastscene {
+
+std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run) {
+    auto room = std::make_shared<TracedRoom>(make_room(prompt, run));
+    room->gather_light(params.trace, run);
+    return room;
+}
+
+RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run) {
+    if (params.width % 2 != 0)
+        throw UsageError("--panorama-width: expected an even number of pixels, found {}", params.width);
+    RoomPanorama made;
+    made.prompt = understand_prompt(prompt, params.strict);
+    made.room = make_traced_room(made.prompt, params, run);
+    Shot shot = made.room->panorama({}, {params.width, params.width / 2}, {.color = true, .range = true, .object = true}, run);
+    made.panorama.color = std::move(shot.color);
+    made.panorama.range = std::move(shot.range);
+    made.object_of_pixel = std::move(shot.object);
+    return made;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,64 @@
+#include "fastscene/pipeline/camera_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/json.h"
+#include "fastscene/base/error.h"
+
+namespace fastscene {
+namespace {
+
+// Angles are continued so that neighbouring keys differ by at most half a turn.
+float nearest_turn(float angle_deg, float reference_deg) { return angle_deg - 360.f * std::round((angle_deg - reference_deg) / 360.f); }
+
+template <class T>
+T catmull_rom(T a, T b, T c, T d, float t) {
+    return (b * 2.f + (c - a) * t + (a * 2.f - b * 5.f + c * 4.f - d) * (t * t) + (b * 3.f - a - c * 3.f + d) * (t * t * t)) * 0.5f;
+}
+
+CameraKey key_from_json(const Json& json) {
+    const Json& p = json.at("position_m");
+    return {json.value("time_s", 0.f), {p.at(0), p.at(1), p.at(2)}, json.value("yaw_deg", 0.f), json.value("pitch_deg", 0.f)};
+}
+
+}  // namespace
+
+int CameraPath::frames() const { return 1 + static_cast<int>((keys.back().time_s - keys.front().time_s) * fps + 0.5f); }
+
+CameraKey CameraPath::at(float time_s) const {
+    if (!(time_s > keys.front().time_s)) return keys.front();
+    if (!(time_s < keys.back().time_s)) return keys.back();
+    const auto next = std::upper_bound(keys.begin(), keys.end(), time_s, [](float t, const CameraKey& key) { return t < key.time_s; });
+    const auto i = static_cast<std::size_t>(next - keys.begin());
+    const CameraKey &b = keys[i - 1], &c = keys[i];
+    const CameraKey &a = keys[i >= 2 ? i - 2 : i - 1], &d = keys[std::min(i + 1, keys.size() - 1)];
+    const float t = (time_s - b.time_s) / (c.time_s - b.time_s);
+    const float smooth = t * t * (3.f - 2.f * t);
+    return {time_s, catmull_rom(a.position_m, b.position_m, c.position_m, d.position_m, t),
+            b.yaw_deg + (nearest_turn(c.yaw_deg, b.yaw_deg) - b.yaw_deg) * smooth, b.pitch_deg + (c.pitch_deg - b.pitch_deg) * smooth};
+}
+
+CameraPath load_camera_path(const std::filesystem::path& path) {
+    const Json json = read_json(path);
+    CameraPath camera;
+    try {
+        camera.fps = json.value("fps", camera.fps);
+        camera.fov_deg = json.value("fov_deg", camera.fov_deg);
+        if (json.contains("size")) camera.width = json.at("size").at(0), camera.height = json.at("size").at(1);
+        for (const Json& key : json.at("keys")) camera.keys.push_back(key_from_json(key));
+    } catch (const Json::exception& e) {
+        throw Error("{}: expected fps, fov_deg, size and keys with time_s, position_m, yaw_deg, pitch_deg: {}", path.string(), e.what());
+    }
+    if (camera.keys.empty()) throw Error("{}: expected at least one key, found none", path.string());
+    for (std::size_t i = 1; i < camera.keys.size(); ++i)
+        if (!(camera.keys[i].time_s > camera.keys[i - 1].time_s))
+            throw Error("{}: expected times that grow, found {} after {}", path.string(), camera.keys[i].time_s, camera.keys[i - 1].time_s);
+    if (!(camera.fps > 0.f && camera.fps <= 1000.f)) throw Error("{}: expected fps above 0, found {}", path.string(), camera.fps);
+    if (!(camera.fov_deg >= 1.f && camera.fov_deg <= 170.f)) throw Error("{}: expected fov_deg from 1 to 170, found {}", path.string(), camera.fov_deg);
+    if (camera.width < 1 || camera.height < 1 || camera.width > 16384 || camera.height > 16384)
+        throw Error("{}: expected a size from 1 to 16384, found {} x {}", path.string(), camera.width, camera.height);
+    return camera;
+}
+
+}  // namespace fastscene

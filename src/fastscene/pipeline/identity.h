@@ -1,0 +1,23 @@
+// What a run is a run of: its prompt or its picture, and its seed. A folder belongs to one of them.
+#pragma once
+
+#include <string>
+
+#include "fastscene/pipeline/pipeline.h"
+
+namespace fastscene {
+
+// Reads the source as far as needed to be sure that it can be used, and warns about what was not understood; nothing is
+// written. Throws UsageError or Error as make_scene does.
+void check_source(const SceneSource& source, const PanoramaParams& params, const Run& run);
+
+// Hash of the prompt, or of the contents of the picture and its range map.
+std::string identity_of(const SceneSource& source);
+// For people: the prompt, or the picture's name.
+std::string title_of(const SceneSource& source);
+
+// Writes run.json. Throws UsageError when the folder holds another source's or another seed's run, or files under our
+// names that no run made; with `start_over` those are removed instead.
+void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uint64_t seed);
+
+}  // namespace fastscene

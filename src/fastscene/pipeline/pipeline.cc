@@ -1,0 +1,131 @@
+#include "fastscene/pipeline/pipeline.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/stage_cache.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+// Tells what a stage says with the stage's name before it.
+class StageEvents : public EventSink {
+  public:
+    StageEvents(std::string_view stage, EventSink* sink) : stage_(stage), sink_(sink) {}
+    void tell(const Event& event) override {
+        if (!sink_) return;
+        if (const auto* progress = std::get_if<ProgressEvent>(&event))
+            sink_->tell(ProgressEvent{stage_ + ": " + progress->work, progress->done, progress->total});
+        else
+            sink_->tell(event);
+    }
+
+  private:
+    std::string stage_;
+    EventSink* sink_;
+};
+
+// The stages in their order: each hangs on the results of all before it, and none is made after the last one asked for.
+class Stream {
+  public:
+    Stream(const RunFolder& folder, const SceneRequest& request, const Run& run)
+        : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity_of(request.source)} {}
+
+    // `make` writes the stage's files into the directory it is given.
+    void stage(std::string_view name, const Json& params, const std::function<void(const fs::path& out, const Run& run)>& make) {
+        if (!done_.empty() && done_.back().name == last_stage_) return;
+        StageEvents events(name, run_.events);
+        const Run stage_run{run_.seed, &events, run_.stop};
+        done_.push_back(run_stage(folder_.root, name, stage_key(name, params, inputs_, run_.seed), stage_run,
+                                  [&](const fs::path& out) { make(out, stage_run); }));
+        inputs_.push_back(done_.back().result);
+        if (done_.back().skipped) run_.note(fmt::format("{}: already made", name));
+    }
+    const std::vector<StageRecord>& done() const { return done_; }
+
+  private:
+    const RunFolder& folder_;
+    std::string last_stage_;
+    const Run& run_;
+    std::vector<std::string> inputs_;
+    std::vector<StageRecord> done_;
+};
+
+Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& request, const RunFolder& folder, const Run& run) {
+    Json report;
+    report["prompt"] = request.source.prompt;
+    if (!request.source.picture.empty()) report["picture"] = request.source.picture.string();
+    report["seed"] = run.seed;
+    report["quality"] = request.quality;
+    report["versions"] = build_json();
+    report["threads"] = thread_count();
+    Cost total;
+    Json costs = Json::object();
+    for (const StageRecord& stage : stages) {
+        costs[stage.name] = {{"seconds", stage.cost.seconds},
+                             {"cpu_seconds", stage.cost.cpu_seconds},
+                             {"peak_memory_bytes", stage.cost.peak_memory_bytes},
+                             {"hash", stage.result}};
+        total.seconds += stage.cost.seconds;
+        total.cpu_seconds += stage.cost.cpu_seconds;
+        total.peak_memory_bytes = std::max(total.peak_memory_bytes, stage.cost.peak_memory_bytes);
+    }
+    report["seconds"] = total.seconds;
+    report["cpu_seconds"] = total.cpu_seconds;
+    report["peak_memory_bytes"] = total.peak_memory_bytes;
+    report["stages"] = costs;
+    Json made = Json::array();
+    for (const std::string& name : RunFolder::owned())
+        if (name != "metrics" && (name == "report.json" || fs::exists(folder.root / name))) made.push_back(name);
+    report["made"] = made;
+    return report;
+}
+
+// What people look at hangs on the splats alone; it is made again only when they changed or a file is gone.
+bool is_shared(const RunFolder& folder, const StageRecord& splat) {
+    for (const fs::path& path : {folder.report_json(), folder.viewer_html(), folder.preview_jpg(), folder.credits_txt()})
+        if (!fs::exists(path)) return false;
+    try {
+        return read_json(folder.report_json()).at("stages").at("splat").at("hash") == splat.result;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
+    check_params(request.params);
+    check_source(request.source, request.params.panorama, run);
+    make_directories(folder.root);
+    const FolderLock lock(folder.root);
+    claim_folder(folder, request, run.seed);
+
+    const SceneSource& source = request.source;
+    const SceneParams& params = request.params;
+    Stream stream(folder, request, run);
+    stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
+    stream.stage("depth", Json::object(), [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, folder, out, r); });
+    stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) { make_walk(folder, params.walk, out, r); });
+    stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
+    stream.stage("splat", fields_json(params.splat), [&](const fs::path& out, const Run& r) { make_splat(folder, params.splat, out, r); });
+
+    const std::vector<StageRecord>& done = stream.done();
+    if (done.back().name == "splat" && !is_shared(folder, done.back())) {
+        run.check_stop();
+        share_scene(folder, title_of(source), run);
+    }
+    const Json report = report_of(done, request, folder, run);
+    write_json(folder.report_json(), report);
+    return report;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,41 @@
+// All settings of a run, and the three presets that fill them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/panorama/panorama.h"
+#include "fastscene/splat/splat.h"
+#include "fastscene/views/views.h"
+#include "fastscene/walk/walk.h"
+
+namespace fastscene {
+
+struct SceneParams {
+    PanoramaParams panorama;
+    WalkParams walk;
+    ViewsParams views;
+    SplatParams splat;
+};
+// Calls v(section, params struct) for each stage that has settings, in stream order.
+template <class V>
+void visit_sections(SceneParams& p, V&& v) {
+    v("panorama", p.panorama);
+    v("walk", p.walk);
+    v("views", p.views);
+    v("splat", p.splat);
+}
+
+std::vector<std::string> qualities();  // "draft", "standard", "high"
+// Throws UsageError for an unknown name.
+SceneParams params_of_quality(std::string_view quality);
+
+// By section and field, as in run.json, and back. Fields that the JSON lacks keep the value they have in `base`.
+Json json_of_params(const SceneParams& params);
+SceneParams params_from_json(const Json& json, const SceneParams& base);
+// Throws UsageError naming the flag that is out of bounds.
+void check_params(SceneParams params);
+
+}  // namespace fastscene

@@ -1,0 +1,53 @@
+// The run folder: the names of everything that a run leaves on disk. Other tools rely on them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fastscene {
+
+// The stages that make files, in stream order: name of the directory and of the verb.
+inline constexpr std::string_view kStages[] = {"panorama", "depth", "walk", "views", "splat"};
+
+struct RunFolder {
+    std::filesystem::path root;
+
+    std::filesystem::path run_json() const { return root / "run.json"; }
+    std::filesystem::path report_json() const { return root / "report.json"; }
+    std::filesystem::path viewer_html() const { return root / "viewer.html"; }
+    std::filesystem::path preview_jpg() const { return root / "preview.jpg"; }
+    std::filesystem::path credits_txt() const { return root / "credits.txt"; }
+
+    std::filesystem::path stage(std::string_view name) const { return root / name; }
+    std::filesystem::path panorama_color() const { return root / "panorama" / "color.png"; }
+    std::filesystem::path prompt_json() const { return root / "panorama" / "prompt.json"; }
+    std::filesystem::path room_json() const { return root / "panorama" / "room.json"; }
+    std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }
+    std::filesystem::path walk() const { return root / "walk"; }
+    std::filesystem::path views() const { return root / "views"; }
+    std::filesystem::path scene_ply() const { return root / "splat" / "scene.ply"; }
+    std::filesystem::path scene_compressed_ply() const { return root / "splat" / "scene.compressed.ply"; }
+    std::filesystem::path metrics() const { return root / "metrics"; }
+
+    // Everything above that a run owns, relative to the root.
+    static std::vector<std::string> owned();
+};
+
+// "A cozy bedroom, 3 chairs" -> "a-cozy-bedroom-3-chairs": letters and digits, at most 60 of them; "scene" if none are left.
+std::string slug_of(std::string_view text);
+
+// One program at a time works on a folder. Throws Error when another one does. Released with the object, or with the process.
+class FolderLock {
+  public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+}  // namespace fastscene

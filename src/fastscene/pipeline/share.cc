@@ -1,0 +1,120 @@
+#include "fastscene/pipeline/share.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <set>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/json.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/io/viewer.h"
+#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/stages.h"
+#include "fastscene/splat/splat.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr float kPreviewFovDeg = 95.f;  // wide enough for half a room, narrow enough to keep its corners straight
+constexpr int kPreviewWidth = 1280, kPreviewHeight = 720;
+constexpr float kPreviewPitchDeg = -6.f;  // furniture stands below eye height
+
+float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180.f; }
+
+std::set<std::string> sources_of(const RunFolder& folder) {
+    std::set<std::string> sources;
+    for (const Json& object : read_json(folder.room_json()).value("objects", Json::array()))
+        if (const std::string source = object.value("source", ""); !source.empty()) sources.insert(source);
+    return sources;
+}
+
+std::string credits_of(const RunFolder& folder, const std::optional<fs::path>& viewer_dir) {
+    std::string text = fmt::format("This scene was made by fastscene {}.\n", program_version());
+    const std::set<std::string> sources = sources_of(folder);
+    if (!sources.empty()) text += "\nFurniture and surfaces:\n";
+    for (const std::string& source : sources)
+        text += source == "built-in" ? "  built-in: part of fastscene (Apache-2.0)\n" : "  " + source + "\n";
+    text += "\nviewer.html contains the SuperSplat viewer and the PlayCanvas engine (MIT).\n";
+    if (viewer_dir)
+        if (const fs::path license = viewer_dir->parent_path() / "LICENSE"; fs::exists(license)) text += "\n" + read_file(license);
+    return text;
+}
+
+}  // namespace
+
+Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg) {
+    return {rotation_about(Vec3f{0, 1, 0}, radians(yaw_deg)) * rotation_about(Vec3f{1, 0, 0}, radians(pitch_deg)), position_m};
+}
+
+ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
+    const SplatPicture picture = render_splats(splats, camera, world_from_camera);
+    ImageRgb8 out(camera.width, camera.height);
+    std::transform(picture.color.pixels.begin(), picture.color.pixels.end(), out.pixels.begin(),
+                   [](Vec3f c) { return Rgb8{byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; });
+    return out;
+}
+
+float best_yaw_deg(const RunFolder& folder) {
+    const Panorama first = load_first_panorama(folder);
+    const EquirectSize size = first.size();
+    // Per column, over the rows that a level camera sees: how much detail, and how far away (in doublings of a metre).
+    std::vector<double> column(static_cast<std::size_t>(size.width));
+    for (int x = 0; x < size.width; ++x)
+        for (int y = size.height / 3; y < size.height * 3 / 4; ++y) {
+            const Vec3f here = first.color.at(x, y), right = first.color.at(wrap_column(x + 1, size.width), y);
+            const double detail = std::abs(srgb_from_linear(luminance(here)) - srgb_from_linear(luminance(right)));
+            const float range = first.range.at(x, y);
+            const double far = std::isfinite(range) ? std::log2(1.0 + std::min(range, 8.f)) : 1.0;
+            column[static_cast<std::size_t>(x)] += std::min(detail, 0.1) * 20 + far;
+        }
+    constexpr int kYaws = 24;
+    const int half_field = static_cast<int>(static_cast<float>(size.width) * kPreviewFovDeg / 720.f);
+    double best = -1;
+    float yaw_deg = 0;
+    for (int i = 0; i < kYaws; ++i) {
+        const int center = size.width / 2 + i * size.width / kYaws;
+        double sum = 0;
+        for (int d = -half_field; d <= half_field; ++d) sum += column[static_cast<std::size_t>(wrap_column(center + d, size.width))];
+        if (sum > best) {
+            best = sum;
+            yaw_deg = 360.f * static_cast<float>(i) / kYaws;
+        }
+    }
+    return yaw_deg;
+}
+
+std::optional<fs::path> find_viewer_dir() {
+    std::vector<fs::path> places;
+    if (const char* place = std::getenv("FASTSCENE_VIEWER_DIR"); place && *place) places.emplace_back(place);
+    places.push_back(fs::path(source_dir()) / "web/node_modules/@playcanvas/supersplat-viewer/public");
+    for (const fs::path& place : places)
+        if (fs::exists(place / "index.html") && fs::exists(place / "index.js")) return place;
+    return {};
+}
+
+std::string viewer_remedy() {
+    return fmt::format("the viewer's files are missing: run `npm ci --ignore-scripts` in {}/web, or name their folder in FASTSCENE_VIEWER_DIR",
+                       source_dir());
+}
+
+void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
+    const Splats splats = load_splat_ply(folder.scene_ply());
+    const float yaw_deg = best_yaw_deg(folder);
+    const Rigid world_from_camera = world_from_camera_at({}, yaw_deg, kPreviewPitchDeg);
+    const Pinhole camera = Pinhole::with_fov(kPreviewWidth, kPreviewHeight, kPreviewFovDeg);
+    save_jpeg(folder.preview_jpg(), picture_of(splats, camera, world_from_camera));
+
+    const auto viewer_dir = find_viewer_dir();
+    if (viewer_dir)
+        save_viewer_html(folder.viewer_html(), splats, {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f}, *viewer_dir);
+    else
+        run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
+    write_file(folder.credits_txt(), credits_of(folder, viewer_dir));
+}
+
+}  // namespace fastscene

@@ -1,0 +1,32 @@
+// What a run leaves for people: a page to walk through the scene, a picture of it, and who is to be thanked.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "fastscene/base/run.h"
+#include "fastscene/geometry/pinhole.h"
+#include "fastscene/image/image.h"
+#include "fastscene/pipeline/run_folder.h"
+#include "fastscene/scene/splats.h"
+
+namespace fastscene {
+
+// Yaw turns right about the world's down axis, pitch looks up; no roll.
+Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg);
+// The splats as an 8-bit picture on black.
+ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera);
+
+// The yaw in degrees, of 24 around panorama 0, with the most to see: detail and depth in a wide picture's field.
+float best_yaw_deg(const RunFolder& folder);
+
+// The folder of the viewer's page: $FASTSCENE_VIEWER_DIR, or where npm put it in the checkout. Absent when neither holds one.
+std::optional<std::filesystem::path> find_viewer_dir();
+// How to get it, as a sentence for people.
+std::string viewer_remedy();
+
+// Writes viewer.html, preview.jpg and credits.txt. A missing viewer is a warning: the scene is not lost for it.
+void share_scene(const RunFolder& folder, const std::string& title, const Run& run);
+
+}  // namespace fastscene

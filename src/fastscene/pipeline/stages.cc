@@ -1,0 +1,134 @@
+#include "fastscene/pipeline/stages.h"
+
+#include <cmath>
+
+#include "fastscene/base/file.h"
+#include "fastscene/depth/depth.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/io/view_io.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+ImageColor load_color(const fs::path& path) { return linear_from_srgb8(load_rgb8(path)); }
+
+ImageMask mask_from_known(const Image<Known>& known, int width, int height) {
+    ImageMask mask(width, height, static_cast<std::uint8_t>(Known::original));
+    for (std::size_t i = 0; i < known.pixels.size(); ++i) mask.pixels[i] = static_cast<std::uint8_t>(known.pixels[i]);
+    return mask;
+}
+Image<Known> known_from_mask(const ImageMask& mask) {
+    Image<Known> known(mask.width, mask.height);
+    for (std::size_t i = 0; i < mask.pixels.size(); ++i) known.pixels[i] = static_cast<Known>(mask.pixels[i]);
+    return known;
+}
+
+// Row by row, 4 x 4. A float written as a double and read back is the same float.
+Json json_from_pose(const Rigid& pose) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3f row = i == 0 ? pose.rotation.row0 : i == 1 ? pose.rotation.row1 : pose.rotation.row2;
+        rows.push_back({row.x, row.y, row.z, pose.translation[i]});
+    }
+    rows.push_back({0, 0, 0, 1});
+    return rows;
+}
+Rigid pose_from_json(const Json& rows) {
+    const auto row = [&](std::size_t i) { return Vec3f{rows.at(i).at(0), rows.at(i).at(1), rows.at(i).at(2)}; };
+    return {{row(0), row(1), row(2)}, {rows.at(0).at(3), rows.at(1).at(3), rows.at(2).at(3)}};
+}
+
+std::string name_of_viewpoint(std::size_t i) { return fmt::format("{:03}", i); }
+
+}  // namespace
+
+void make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
+    Json prompt, room;
+    Panorama panorama;
+    if (source.picture.empty()) {
+        RoomPanorama made = panorama_from_prompt(source.prompt, params, run);
+        panorama = std::move(made.panorama);
+        prompt = to_json(made.prompt);
+        room = room_json(made.room->room(), made.object_of_pixel);
+    } else {
+        panorama = reduced_panorama(panorama_from_image(source.picture), params.width);
+        prompt = {{"text", source.prompt}, {"picture", source.picture.filename().string()}};
+        room = {{"objects", Json::array()}};
+    }
+    save_png(out / "color.png", srgb8_from_linear(panorama.color));
+    write_json(out / "prompt.json", prompt);
+    write_json(out / "room.json", room);
+}
+
+void make_depth(const SceneSource& source, const PanoramaParams& params, const RunFolder& folder, const fs::path& out, const Run& run) {
+    const PictureInfo info = picture_info(folder.panorama_color());
+    const EquirectSize size{info.width, info.height};
+    ImageF range;
+    if (source.picture.empty()) {
+        // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
+        PromptSpec prompt = understand_prompt(source.prompt, params.strict);
+        range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
+    } else {
+        const PictureInfo original = picture_info(source.picture);
+        range = reduced_range(range_from_file(source.range_map, {original.width, original.height}), size.width);
+    }
+    save_exr(out / "range.exr", range);
+}
+
+Panorama load_first_panorama(const RunFolder& folder) {
+    Panorama panorama;
+    panorama.color = load_color(folder.panorama_color());
+    panorama.range = load_float(folder.depth_range());
+    return panorama;
+}
+
+void make_walk(const RunFolder& folder, const WalkParams& params, const fs::path& out, const Run& run) {
+    const std::vector<Panorama> walked = walk_through(load_first_panorama(folder), params, run);
+    Json poses = Json::array();
+    for (std::size_t i = 0; i < walked.size(); ++i) {
+        run.check_stop();
+        const Panorama& panorama = walked[i];
+        const std::string name = name_of_viewpoint(i);
+        make_directories(out / name);
+        save_png(out / name / "color.png", srgb8_from_linear(panorama.color));
+        save_exr(out / name / "range.exr", panorama.range);
+        save_png(out / name / "known.png", mask_from_known(panorama.known, panorama.color.width, panorama.color.height));
+        poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(panorama.world_from_pano)}});
+    }
+    write_json(out / "poses.json", {{"panoramas", poses}});
+}
+
+std::vector<Panorama> load_walk(const RunFolder& folder) {
+    const fs::path path = folder.walk() / "poses.json";
+    const Json json = read_json(path);
+    std::vector<Panorama> panoramas;
+    try {
+        for (const Json& entry : json.at("panoramas")) {
+            const fs::path directory = folder.walk() / entry.at("name").get<std::string>();
+            panoramas.push_back({load_color(directory / "color.png"), load_float(directory / "range.exr"),
+                                 known_from_mask(load_mask_png(directory / "known.png")), pose_from_json(entry.at("world_from_pano"))});
+        }
+    } catch (const Json::exception& e) {
+        throw Error("{}: expected panoramas with name and world_from_pano: {}", path.string(), e.what());
+    }
+    return panoramas;
+}
+
+void make_views(const RunFolder& folder, const ViewsParams& params, const fs::path& out, const Run& run) {
+    save_views(out, project_views(load_walk(folder), params, run));
+}
+
+void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
+    const FittedSplats fitted = fit_splats(load_views(folder.views()), params, run);
+    save_splat_ply(out / "scene.ply", fitted.splats);
+    save_compressed_ply(out / "scene.compressed.ply", fitted.splats);
+    Json curve = Json::array();
+    for (const CurvePoint& point : fitted.curve)
+        curve.push_back({{"step", point.step}, {"loss", point.loss}, {"psnr", point.psnr}});
+    write_json(out / "curve.json", {{"curve", curve}});
+}
+
+}  // namespace fastscene

@@ -1,0 +1,35 @@
+// The stages as they meet the disk: each reads what the stages before it wrote and writes its own files.
+// A stage always starts from the files, even right after they were made: a color that went through 8 bits is
+// not the color before it, and a resumed run must end in the same bytes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fastscene/pipeline/quality.h"
+#include "fastscene/pipeline/run_folder.h"
+#include "fastscene/scene/panorama.h"
+
+namespace fastscene {
+
+// What a scene is made from: a sentence, or a panorama of the user's with its range map.
+struct SceneSource {
+    std::string prompt;
+    std::filesystem::path picture;  // empty: the prompt is furnished and traced
+    std::filesystem::path range_map;
+};
+
+// Each writes the files of its stage into `out` (run_folder.h has their names).
+void make_panorama(const SceneSource& source, const PanoramaParams& params, const std::filesystem::path& out, const Run& run);
+void make_depth(const SceneSource& source, const PanoramaParams& params, const RunFolder& folder, const std::filesystem::path& out,
+                const Run& run);
+void make_walk(const RunFolder& folder, const WalkParams& params, const std::filesystem::path& out, const Run& run);
+void make_views(const RunFolder& folder, const ViewsParams& params, const std::filesystem::path& out, const Run& run);
+void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
+
+// Panorama 0 with its range, and the whole walk, as the files have them.
+Panorama load_first_panorama(const RunFolder& folder);
+std::vector<Panorama> load_walk(const RunFolder& folder);
+
+}  // namespace fastscene
