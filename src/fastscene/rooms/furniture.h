@@ -1,0 +1,58 @@
+// Furniture: parametric pieces, built from a class, a style and a few wishes.
+//
+// Object frame: x right, y UP, z towards the piece's front, metres.
+//   Mount::floor and surface: the origin is the center of the base (y = 0 is the floor, or the top it stands on).
+//   Mount::wall: the origin is on the wall, at the center of the back and the lower edge: z in [0, size z], y in [0, size y].
+//   Mount::ceiling: the origin is on the ceiling; the piece hangs down: y in [-size y, 0].
+// Floor pieces span z in [-size z / 2, size z / 2]; those with against_wall have their back at -size z / 2.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fastscene/rooms/style.h"
+#include "fastscene/scene/room.h"
+
+namespace fastscene {
+
+enum class Mount : std::uint8_t { floor, wall, ceiling, surface };
+
+// A top where small things may stand: the rectangle |x - center.x| <= half.x, |z - center.z| <= half.y at y = center.y.
+struct Surface {
+    Vec3f center;
+    Vec2f half;
+};
+
+struct Piece {
+    std::string klass;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;               // Mesh::material = index into materials
+    Vec3f size_m;                           // of the bounding box
+    float clearance_front_m = 0.f;          // free floor wanted in front (+z)
+    float clearance_side_m = 0.f;           // … at each side
+    std::vector<Surface> surfaces;          // free tops, largest first
+    Mount mount = Mount::floor;
+    bool against_wall = false;
+    float hang_height_m = 0.f;              // Mount::wall: usual height of the lower edge above the floor
+    int main_material = 0;                  // the one that color and material wishes change
+};
+
+struct PieceRequest {
+    std::string klass;
+    const Style* style = nullptr;           // must not be null
+    std::optional<Vec3f> color{};           // linear albedo of the main surface
+    std::string color_name{}, material{}, pattern{};  // names, "" = as the style has it; color wins over color_name
+    float size_factor = 1.f;                // of the usual size, in [0.5, 2]
+    std::uint64_t seed = 0;
+    Vec3f size_m{};                         // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
+                                            // pictures, mirrors, shelves, tables (see furniture_*.cc), others scale to it
+};
+
+// Throws Error for an unknown class. Deterministic in the request.
+Piece make_piece(const PieceRequest& request);
+
+// Every class make_piece knows, sorted: "armchair", "bed", "bed_single", …
+const std::vector<std::string>& piece_classes();
+
+}  // namespace fastscene
