@@ -1,0 +1,28 @@
+// What one file format gives to image_io.cc, which chooses by the file's first bytes. Private to io/.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "fastscene/base/error.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+
+// A decoder refuses more than this before it asks for memory.
+inline constexpr int kMaxPictureSide = 32768;
+
+PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);
+ImageRgb8 load_png_rgb8(const std::filesystem::path& path);
+ImageF load_png_float(const std::filesystem::path& path, float unit);
+
+PictureInfo jpeg_info(const std::filesystem::path& path, std::string_view bytes);
+ImageRgb8 load_jpeg(const std::filesystem::path& path);
+
+PictureInfo exr_info(const std::filesystem::path& path);
+ImageF load_exr(const std::filesystem::path& path);
+
+PictureInfo pfm_info(const std::filesystem::path& path, std::string_view bytes);
+ImageF load_pfm(const std::filesystem::path& path);
+
+}  // namespace fastscene

@@ -1,0 +1,53 @@
+#include "fastscene/io/image_io.h"
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/formats.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { png, jpeg, exr, pfm };
+
+// By content, not by name: users rename files.
+Format format_of(const fs::path& path, std::string_view bytes) {
+    if (bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n") return Format::png;
+    if (bytes.substr(0, 2) == "\xff\xd8") return Format::jpeg;
+    if (bytes.substr(0, 4) == "\x76\x2f\x31\x01") return Format::exr;
+    if (bytes.substr(0, 2) == "Pf" || bytes.substr(0, 2) == "PF") return Format::pfm;
+    throw Error("{}: expected a PNG, JPEG, OpenEXR or PFM picture, found {}", path.string(),
+                bytes.empty() ? "an empty file" : "something else");
+}
+
+}  // namespace
+
+PictureInfo picture_info(const fs::path& path) {
+    const std::string bytes = read_file(path);
+    switch (format_of(path, bytes)) {
+        case Format::png: return png_info(path, bytes);
+        case Format::jpeg: return jpeg_info(path, bytes);
+        case Format::exr: return exr_info(path);
+        case Format::pfm: return pfm_info(path, bytes);
+    }
+    return {};
+}
+
+ImageRgb8 load_rgb8(const fs::path& path) {
+    switch (format_of(path, read_file(path))) {
+        case Format::png: return load_png_rgb8(path);
+        case Format::jpeg: return load_jpeg(path);
+        default: throw Error("{}: expected a color picture (PNG or JPEG), found a float map", path.string());
+    }
+}
+
+ImageF load_float(const fs::path& path, float png_unit) {
+    switch (format_of(path, read_file(path))) {
+        case Format::png: return load_png_float(path, png_unit);
+        case Format::exr: return load_exr(path);
+        case Format::pfm: return load_pfm(path);
+        default: throw Error("{}: expected a float map (EXR, PFM or 16-bit PNG), found a JPEG", path.string());
+    }
+}
+
+}  // namespace fastscene

@@ -1,0 +1,113 @@
+#include "fastscene/io/viewer.h"
+
+#include <string>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/base/json.h"
+#include "fastscene/io/splat_io.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string base64(std::string_view bytes) {
+    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = bytes.size() - i;
+        const auto byte = [&](std::size_t k) { return k < left ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0u; };
+        const std::uint32_t v = byte(0) << 16 | byte(1) << 8 | byte(2);
+        out += kDigits[v >> 18 & 63];
+        out += kDigits[v >> 12 & 63];
+        out += left > 1 ? kDigits[v >> 6 & 63] : '=';
+        out += left > 2 ? kDigits[v & 63] : '=';
+    }
+    return out;
+}
+
+// Replaces the one occurrence of `what`. The viewer is pinned exactly; a page without the pattern is another version.
+void replace_once(std::string& page, std::string_view what, std::string_view by, const fs::path& file) {
+    const std::size_t at = page.find(what);
+    if (at == std::string::npos)
+        throw Error("{}: expected \"{}\" in this page of @playcanvas/supersplat-viewer 1.36.2, found another version", file.string(), what);
+    page.replace(at, what.size(), by);
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+}
+
+std::string html_escaped(std::string text) {
+    replace_all(text, "&", "&amp;");
+    replace_all(text, "<", "&lt;");
+    return text;
+}
+
+// The package's licence, and that of the engine inside it, travel with the page.
+std::string notices(const fs::path& viewer_dir) {
+    std::string text = "Made by fastscene. Shown by @playcanvas/supersplat-viewer and the PlayCanvas engine (MIT):\n";
+    for (const fs::path& file : {viewer_dir / "LICENSE", viewer_dir.parent_path() / "LICENSE"})
+        if (fs::exists(file)) {
+            text += read_file(file);
+            break;
+        }
+    replace_all(text, "--", "- -");
+    return text;
+}
+
+Json viewer_point(Vec3f world) { return {-world.x, -world.y, world.z}; }
+
+}  // namespace
+
+std::string viewer_settings(const ViewerScene& scene) {
+    const Json off = {{"enabled", false}};
+    Json effects = {{"sharpness", off}, {"bloom", off}, {"grading", off}, {"vignette", off}, {"fringing", off}};
+    effects["sharpness"]["amount"] = 0;
+    effects["bloom"].update(Json{{"intensity", 1}, {"blurLevel", 2}});
+    effects["grading"].update(Json{{"brightness", 0}, {"contrast", 1}, {"saturation", 1}, {"tint", {1, 1, 1}}});
+    effects["vignette"].update(Json{{"intensity", 0.5}, {"inner", 0.3}, {"outer", 0.75}, {"curvature", 1}});
+    effects["fringing"]["intensity"] = 0.5;
+    const Json camera = {{"position", viewer_point(scene.camera_position_m)}, {"target", viewer_point(scene.camera_target_m)}, {"fov", scene.fov_deg}};
+    const Json settings = {{"version", 2}, {"tonemapping", "none"}, {"highPrecisionRendering", false}, {"background", {{"color", {0, 0, 0}}}},
+                           {"postEffectSettings", effects}, {"animTracks", Json::array()}, {"cameras", Json::array({Json{{"initial", camera}}})},
+                           {"annotations", Json::array()}, {"startMode", "default"}};
+    return settings.dump();
+}
+
+void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerScene& scene, const fs::path& viewer_dir) {
+    const fs::path index = viewer_dir / "index.html";
+    std::string page = read_file(index), css = read_file(viewer_dir / "index.css"), script = read_file(viewer_dir / "index.js");
+
+    // A module that is part of the page exports nothing.
+    const std::string_view exported = "export { createViewer };";
+    const std::size_t at = script.rfind(exported);
+    if (at == std::string::npos) throw Error("{}: expected \"{}\", found another version of the viewer", (viewer_dir / "index.js").string(), exported);
+    script.erase(at, exported.size());
+    // No map file travels along.
+    if (const std::size_t map = script.rfind("//# sourceMappingURL="); map != std::string::npos) script.erase(map);
+    replace_all(script, "</script", "<\\/script");
+
+    Json bootstrap = {{"settings", Json::parse(viewer_settings(scene))},
+                      {"contentUrl", "data:application/octet-stream;base64," + base64(compressed_ply_bytes(splats))},
+                      {"contentFilename", "scene.compressed.ply"}};
+    std::string boot = bootstrap.dump();
+    replace_all(boot, "</", "<\\/");
+
+    // The longest text goes in last, so that no pattern is searched for inside it.
+    replace_once(page, "<link rel=\"stylesheet\" href=\"./index.css\" />", "<style>" + css + "</style>", index);
+    replace_once(page, "<title>SuperSplat Viewer</title>", "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
+    const std::size_t import_at = page.find("import { createViewer } from './index.js';");
+    if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);
+    const std::size_t boot_at = page.find("id=\"sse-bootstrap\"");
+    if (boot_at == std::string::npos) throw Error("{}: expected id=\"sse-bootstrap\", found another version of the viewer", index.string());
+    const std::size_t begin = page.find('>', boot_at) + 1, end = page.find("</script>", begin);
+    if (end == std::string::npos) throw Error("{}: expected </script> after sse-bootstrap, found none", index.string());
+    page.replace(begin, end - begin, boot);
+    replace_once(page, "import { createViewer } from './index.js';", script, index);
+    write_file(path, page);
+}
+
+}  // namespace fastscene
