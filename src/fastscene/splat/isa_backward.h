@@ -37,7 +37,8 @@ inline Moments moments_of(const Lanes* g) {
     return {sum(one), sum(x), first(one), sum(xx), first(x), second(one)};
 }
 
-inline void flush_batch(Batch& batch, const BlockTargets& target, float (*sums)[16]) {
+// Kept out of line: inside the blending loop it would take that loop's registers.
+[[gnu::noinline]] inline void flush_batch(Batch& batch, const BlockTargets& target, float (*sums)[16]) {
     for (int i = batch.count; i < 16; ++i) batch.g[i] = batch.weight[i] = Lanes(0.f);
     for (int i = batch.count; i < 16; ++i) batch.center_dx[i] = batch.center_dy[i] = 0;
     transpose16(batch.g);

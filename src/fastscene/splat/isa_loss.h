@@ -23,8 +23,8 @@ alignas(64) inline constexpr float kColumns[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8
 
 inline std::ptrdiff_t scratch_row(std::ptrdiff_t stride) { return stride + 2 * kMargin; }
 inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) {
-    // Source rows of four maps, and one column-blurred row of each.
-    return scratch_row(stride) * (kMaps * kScratchRows + kMaps + 2);
+    // Source rows of four maps, one column-blurred row of each, and a row of weights.
+    return scratch_row(stride) * (kMaps * kScratchRows + kMaps + 1);
 }
 
 // out[x] = sum over taps of window * rows[tap][x], for whole vectors covering `width`; the rest stays 0.
@@ -44,11 +44,14 @@ inline void target_row(const LossJob& job, int channel, int y, float* out) {
     const std::uint8_t* in = job.target + static_cast<std::ptrdiff_t>(y) * job.width * 3 + channel;
     for (int x = 0; x < job.width; ++x) out[x] = static_cast<float>(in[3 * x]) * (1.f / 255);
 }
-inline Lanes pixel_weights(const LossJob& job, int x, int y) {
-    alignas(64) float w[kLanes];
-    const std::uint8_t* in = job.weight ? job.weight + static_cast<std::ptrdiff_t>(y) * job.width : nullptr;
-    for (int i = 0; i < kLanes; ++i) w[i] = x + i < job.width ? (in ? static_cast<float>(in[x + i]) * (1.f / 255) : 1.f) : 0.f;
-    return Lanes::load(w);
+// Ones (or the view's weights) over the picture's columns, zeros beyond.
+inline void weight_row(const LossJob& job, int y, float* out) {
+    if (job.weight) {
+        const std::uint8_t* in = job.weight + static_cast<std::ptrdiff_t>(y) * job.width;
+        for (int x = 0; x < job.width; ++x) out[x] = static_cast<float>(in[x]) * (1.f / 255);
+    } else {
+        for (int x = 0; x < job.width; ++x) out[x] = 1.f;
+    }
 }
 inline double sum_of(Lanes a) {
     alignas(64) float v[kLanes];
@@ -64,11 +67,18 @@ inline LossSums loss_statistics(const LossJob& job, int channel, int row_begin, 
     const std::ptrdiff_t row_floats = scratch_row(job.stride);
     const auto source = [&](int map, int row) { return scratch + (map * kScratchRows + row) * row_floats + kMargin; };
     const auto blurred = [&](int map) { return scratch + (kMaps * kScratchRows + map) * row_floats + kMargin; };
-    __builtin_memset(scratch, 0, static_cast<std::size_t>(loss_scratch(job.stride)) * sizeof(float));
+    float* const weights = blurred(kMaps);
+    __builtin_memset(blurred(0) - kMargin, 0, static_cast<std::size_t>((kMaps + 1) * row_floats) * sizeof(float));
     for (int row = 0; row < row_end - row_begin + 2 * kReach; ++row) {
         const int y = row_begin - kReach + row;
-        if (y < 0 || y >= job.height) continue;
+        if (y < 0 || y >= job.height) {
+            for (int map = 0; map < kMaps; ++map)
+                __builtin_memset(source(map, row), 0, static_cast<std::size_t>(job.stride) * sizeof(float));
+            continue;
+        }
         float *x1 = source(0, row), *y1 = source(1, row), *squares = source(2, row), *product = source(3, row);
+        // The last vector may reach beyond the picture: zeros there.
+        if (job.width % kLanes) Lanes(0.f).store(x1 + job.width), Lanes(0.f).store(y1 + job.width);
         __builtin_memcpy(x1, job.color[channel] + y * job.stride, static_cast<std::size_t>(job.width) * sizeof(float));
         target_row(job, channel, y, y1);
         for (int i = 0; i < job.width; i += kLanes) {
@@ -86,6 +96,7 @@ inline LossSums loss_statistics(const LossJob& job, int channel, int row_begin, 
             for (int k = 0; k < kTaps; ++k) rows[k] = source(map, y - row_begin + k);
             blur_down(rows, job.width, blurred(map));
         }
+        weight_row(job, y, weights);
         Lanes loss, squared;
         const float *x1 = source(0, y - row_begin + kReach), *y1 = source(1, y - row_begin + kReach);
         for (int x = 0; x < job.width; x += kLanes) {
@@ -96,7 +107,7 @@ inline LossSums loss_statistics(const LossJob& job, int channel, int row_begin, 
             const Lanes b1 = mm + Lanes(kC1), b2 = ss - mm + Lanes(kC2);
             const Lanes inv_b1 = reciprocal(b1), inv_b2 = reciprocal(b2), inv = inv_b1 * inv_b2;
             const Lanes ssim = a1 * a2 * inv;
-            const Lanes w = pixel_weights(job, x, y), difference = Lanes::load(x1 + x) - Lanes::load(y1 + x);
+            const Lanes w = Lanes::load(weights + x), difference = Lanes::load(x1 + x) - Lanes::load(y1 + x);
             loss += w * (Lanes(1.f - job.lambda) * abs(difference) + Lanes(job.lambda) * (Lanes(1.f) - ssim));
             squared += w * difference * difference;
             const Lanes k = w * Lanes(-job.lambda * scale);
@@ -117,11 +128,11 @@ inline LossSums loss_statistics(const LossJob& job, int channel, int row_begin, 
 inline void loss_gradient(const LossJob& job, int channel, int row_begin, int row_end, float* scratch) {
     const FlushDenormals flush;
     const std::ptrdiff_t row_floats = scratch_row(job.stride);
-    __builtin_memset(scratch, 0, static_cast<std::size_t>(row_floats * (kMaps + 2)) * sizeof(float));
+    __builtin_memset(scratch, 0, static_cast<std::size_t>(row_floats * 6) * sizeof(float));
     const auto row_at = [&](int i) { return scratch + i * row_floats + kMargin; };
     const float* maps[3] = {job.p[channel], job.q[channel], job.r[channel]};
     const float* zeros = row_at(4);
-    float* target = row_at(3);
+    float *target = row_at(3), *weights = row_at(5);
     const float scale = (1.f - job.lambda) / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height));
     for (int y = row_begin; y < row_end; ++y) {
         for (int map = 0; map < 3; ++map) {
@@ -133,10 +144,11 @@ inline void loss_gradient(const LossJob& job, int channel, int row_begin, int ro
             blur_down(rows, job.width, row_at(map));
         }
         target_row(job, channel, y, target);
+        weight_row(job, y, weights);
         const float* color = job.color[channel] + y * job.stride;
         float* out = job.v[channel] + y * job.stride;
         for (int x = 0; x < job.width; x += kLanes) {
-            const Lanes c = Lanes::load(color + x), t = Lanes::load(target + x), w = pixel_weights(job, x, y);
+            const Lanes c = Lanes::load(color + x), t = Lanes::load(target + x), w = Lanes::load(weights + x);
             const Lanes sign = select(c > t, Lanes(1.f), select(c < t, Lanes(-1.f), Lanes(0.f)));
             const Lanes slope = w * Lanes(scale) * sign + blur_along(row_at(0) + x) +
                                 Lanes(2.f) * c * blur_along(row_at(1) + x) + t * blur_along(row_at(2) + x);

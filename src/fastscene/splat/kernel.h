@@ -95,7 +95,7 @@ struct Kernel {
     // Records [record_begin, record_end) belong to splats [begin, end).
     void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end);
 };
-inline constexpr int kLossRows = 16;  // rows a loss piece handles at most
+inline constexpr int kLossRows = 32;  // rows a loss piece handles at most
 
 namespace baseline {
 const Kernel& kernel();
