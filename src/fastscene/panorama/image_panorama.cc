@@ -25,28 +25,26 @@ void check_panorama_size(const std::filesystem::path& path, PictureInfo info) {
 // A range map says 0 where nothing was measured. Such a pixel takes the range of the nearest measured one of its
 // row (the row is a circle); a row without any becomes sky.
 void fill_unmeasured(ImageF& range) {
-    const int w = range.width;
+    const auto w = static_cast<std::size_t>(range.width);
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<float> row(w);
+    std::vector<std::size_t> left(w), right(w);  // steps to the nearest measured pixel on that side
+    const auto measure = [&](std::vector<std::size_t>& steps, bool leftward) {
+        std::size_t d = kNone;
+        for (std::size_t i = 0; i < 2 * w; ++i) {  // twice around, to see across the seam
+            const std::size_t x = leftward ? i % w : w - 1 - i % w;
+            d = row[x] > 0.f ? 0 : d == kNone ? kNone : d + 1;
+            steps[x] = d;
+        }
+    };
     for (int y = 0; y < range.height; ++y) {
-        const std::vector<float> row(range.row(y), range.row(y) + w);
-        std::vector<int> left(row.size(), -1);  // distance to the nearest measured pixel on the left, -1 = none
-        std::vector<int> right(row.size(), -1);
-        for (int i = 0, d = -1; i < 2 * w; ++i) {
-            const auto x = static_cast<std::size_t>(i % w);
-            d = row[x] > 0.f ? 0 : d < 0 ? -1 : d + 1;
-            left[x] = d;
-        }
-        for (int i = 2 * w - 1, d = -1; i >= 0; --i) {
-            const auto x = static_cast<std::size_t>(i % w);
-            d = row[x] > 0.f ? 0 : d < 0 ? -1 : d + 1;
-            right[x] = d;
-        }
-        for (int x = 0; x < w; ++x) {
-            const int l = left[static_cast<std::size_t>(x)], r = right[static_cast<std::size_t>(x)];
-            if (l == 0) continue;
-            if (l < 0)
-                range.at(x, y) = std::numeric_limits<float>::infinity();
-            else
-                range.at(x, y) = row[static_cast<std::size_t>(wrap_column(l <= r ? x - l : x + r, w))];
+        row.assign(range.row(y), range.row(y) + w);
+        measure(left, true);
+        measure(right, false);
+        for (std::size_t x = 0; x < w; ++x) {
+            if (left[x] == 0) continue;
+            const std::size_t nearest = left[x] <= right[x] ? x + w - left[x] : x + right[x];
+            range.row(y)[x] = left[x] == kNone ? std::numeric_limits<float>::infinity() : row[nearest % w];
         }
     }
 }

@@ -1,0 +1,92 @@
+# Sourced by ./fastscene and ./test: installs what is missing and builds. Needs bash and apt only.
+# `root` is the checkout. Everything said here goes to stderr.
+
+say() { printf '%s\n' "fastscene: $*" >&2; }
+fail() { say "$*"; exit 1; }
+
+# Runs a command as root.
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"
+  elif command -v sudo >/dev/null; then sudo "$@"
+  else fail "needs root or sudo to run: $*"
+  fi
+}
+
+# Runs a command with its output in a log, shown only when it fails.
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
+  rm -f "$log"
+  return "$status"
+}
+
+# The packages of the named lists that dpkg does not know to be installed.
+missing_packages() {
+  local package
+  sed 's/#.*//' "$@" | while read -r package; do
+    [ -n "$package" ] || continue
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || printf '%s\n' "$package"
+  done
+}
+
+apt_install() {
+  export DEBIAN_FRONTEND=noninteractive
+  [ -z "$apt_is_fresh" ] && { quietly as_root apt-get update || fail "apt-get update failed: is the network there?"; }
+  apt_is_fresh=1
+  quietly as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" || fail "apt-get install failed"
+}
+apt_is_fresh=
+
+# install_packages LIST…
+install_packages() {
+  command -v dpkg-query >/dev/null || { say "not a Debian system: the packages named in packaging/*.txt must be there already"; return 0; }
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [ "${#missing[@]}" = 0 ] && return 0
+  say "installing ${#missing[@]} Debian packages (some minutes, once): ${missing[*]}"
+  apt_install "${missing[@]}"
+}
+
+# The viewer's page comes from npm, exactly as web/package-lock.json pins it.
+install_viewer() {
+  local installed=$root/web/node_modules/.package-lock.json
+  [ -f "$root/web/package-lock.json" ] || return 0
+  [ -f "$installed" ] && ! [ "$root/web/package-lock.json" -nt "$installed" ] && return 0
+  local missing=()
+  command -v node >/dev/null || missing+=(nodejs)
+  command -v npm >/dev/null || missing+=(npm)
+  if [ "${#missing[@]}" != 0 ]; then
+    say "installing ${missing[*]} (once)"
+    apt_install "${missing[@]}"
+  fi
+  say "installing the viewer (once)"
+  (cd "$root/web" && quietly npm ci --ignore-scripts --omit=dev --no-audit --no-fund) || fail "npm ci failed in web/: is the network there?"
+  touch "$installed"
+}
+
+# build_target TARGET…: configures once, then lets ninja find out what has changed.
+build_targets() {
+  local build=$root/build/release
+  if ! [ -f "$build/build.ninja" ]; then
+    say "configuring"
+    # A half-made build folder of an earlier try would be believed.
+    rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+    (cd "$root" && quietly cmake --preset release) || fail "cmake failed"
+  fi
+  # The dry run says whether there is anything to announce; it also costs the least when there is not.
+  if ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
+  say "building (some minutes the first time)"
+  quietly ninja -C "$build" "$@" || fail "the build failed"
+}
+
+# Whether everything was installed for this state of the lists; keeps the second start quick and off the network.
+stamp_is_good() {
+  local stamp=$root/build/installed-$1; shift
+  [ -f "$stamp" ] || return 1
+  local file
+  for file in "$@"; do [ "$file" -nt "$stamp" ] && return 1; done
+  return 0
+}
+set_stamp() { mkdir -p "$root/build" && touch "$root/build/installed-$1"; }
