@@ -101,18 +101,40 @@ void make_walk(const RunFolder& folder, const WalkParams& params, const fs::path
     write_json(out / "poses.json", {{"panoramas", poses}});
 }
 
-std::vector<Panorama> load_walk(const RunFolder& folder) {
+namespace {
+
+struct Viewpoint {
+    std::string name;
+    Rigid world_from_pano;
+};
+
+std::vector<Viewpoint> load_viewpoints(const RunFolder& folder) {
     const fs::path path = folder.walk() / "poses.json";
     const Json json = read_json(path);
-    std::vector<Panorama> panoramas;
+    std::vector<Viewpoint> viewpoints;
     try {
-        for (const Json& entry : json.at("panoramas")) {
-            const fs::path directory = folder.walk() / entry.at("name").get<std::string>();
-            panoramas.push_back({load_color(directory / "color.png"), load_float(directory / "range.exr"),
-                                 known_from_mask(load_mask_png(directory / "known.png")), pose_from_json(entry.at("world_from_pano"))});
-        }
+        for (const Json& entry : json.at("panoramas"))
+            viewpoints.push_back({entry.at("name").get<std::string>(), pose_from_json(entry.at("world_from_pano"))});
     } catch (const Json::exception& e) {
         throw Error("{}: expected panoramas with name and world_from_pano: {}", path.string(), e.what());
+    }
+    return viewpoints;
+}
+
+}  // namespace
+
+std::vector<Rigid> load_walk_poses(const RunFolder& folder) {
+    std::vector<Rigid> poses;
+    for (const Viewpoint& viewpoint : load_viewpoints(folder)) poses.push_back(viewpoint.world_from_pano);
+    return poses;
+}
+
+std::vector<Panorama> load_walk(const RunFolder& folder) {
+    std::vector<Panorama> panoramas;
+    for (const Viewpoint& viewpoint : load_viewpoints(folder)) {
+        const fs::path directory = folder.walk() / viewpoint.name;
+        panoramas.push_back({load_color(directory / "color.png"), load_float(directory / "range.exr"),
+                             known_from_mask(load_mask_png(directory / "known.png")), viewpoint.world_from_pano});
     }
     return panoramas;
 }

@@ -31,5 +31,7 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const std::f
 // Panorama 0 with its range, and the whole walk, as the files have them.
 Panorama load_first_panorama(const RunFolder& folder);
 std::vector<Panorama> load_walk(const RunFolder& folder);
+// world_from_pano of every panorama of the walk, without the pictures.
+std::vector<Rigid> load_walk_poses(const RunFolder& folder);
 
 }  // namespace fastscene
