@@ -1,0 +1,80 @@
+#include "fastscene/geometry/reproject.h"
+
+#include <algorithm>
+
+#include "fastscene/base/parallel.h"
+
+namespace fastscene {
+namespace {
+
+// The pixel at any integer position: columns wrap, rows beyond a pole come back half a turn away.
+const Vec3f& pixel_on_sphere(const ImageColor& image, int x, int y) {
+    if (y < 0) {
+        y = -1 - y;
+        x += image.width / 2;
+    } else if (y >= image.height) {
+        y = 2 * image.height - 1 - y;
+        x += image.width / 2;
+    }
+    return image.at(wrap_column(x, image.width), std::clamp(y, 0, image.height - 1));
+}
+
+// Samples a side so that samples lie no farther apart than the source's pixels.
+int samples_a_side(double target_angle, double source_angle) {
+    return std::clamp(static_cast<int>(std::ceil(target_angle / source_angle - 0.05)), 1, 16);
+}
+
+// Means of n x n samples a pixel: direction(px, py) says where to look.
+template <class Direction>
+ImageColor resample(const ImageColor& equirect, int width, int height, int n, const Direction& direction) {
+    ImageColor out(width, height);
+    const EquirectSize size{equirect.width, equirect.height};
+    const float step = 1.f / static_cast<float>(n);
+    parallel_for(height, 8, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < width; ++x) {
+                Vec3f sum;
+                for (int j = 0; j < n; ++j)
+                    for (int i = 0; i < n; ++i) {
+                        const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) * step,
+                                       static_cast<float>(y) + (static_cast<float>(j) + 0.5f) * step};
+                        sum += sample_equirect(equirect, pixel_of_direction(direction(at), size));
+                    }
+                out.at(x, y) = sum * (step * step);
+            }
+    });
+    return out;
+}
+
+}  // namespace
+
+Vec3f sample_equirect(const ImageColor& equirect, Vec2f pixel) {
+    const float fx = std::floor(pixel.x - 0.5f), fy = std::floor(pixel.y - 0.5f);
+    const float u = pixel.x - 0.5f - fx, v = pixel.y - 0.5f - fy;
+    const int x = static_cast<int>(fx), y = static_cast<int>(fy);
+    return lerp(lerp(pixel_on_sphere(equirect, x, y), pixel_on_sphere(equirect, x + 1, y), u),
+                lerp(pixel_on_sphere(equirect, x, y + 1), pixel_on_sphere(equirect, x + 1, y + 1), u), v);
+}
+
+Vec3f sample_flat(const ImageColor& picture, Vec2f pixel) {
+    const float px = std::clamp(pixel.x - 0.5f, 0.f, static_cast<float>(picture.width - 1));
+    const float py = std::clamp(pixel.y - 0.5f, 0.f, static_cast<float>(picture.height - 1));
+    const int x = static_cast<int>(px), y = static_cast<int>(py);
+    const int x1 = std::min(x + 1, picture.width - 1), y1 = std::min(y + 1, picture.height - 1);
+    const float u = px - static_cast<float>(x), v = py - static_cast<float>(y);
+    return lerp(lerp(picture.at(x, y), picture.at(x1, y), u), lerp(picture.at(x, y1), picture.at(x1, y1), u), v);
+}
+
+ImageColor pinhole_from_equirect(const ImageColor& equirect, const Pinhole& camera, const Mat3f& pano_from_camera) {
+    const int n = samples_a_side(1.0 / static_cast<double>(camera.fx), 2 * std::numbers::pi / equirect.width);
+    return resample(equirect, camera.width, camera.height, n,
+                    [&](Vec2f at) { return pano_from_camera * camera.direction_at(at); });
+}
+
+ImageColor equirect_from_equirect(const ImageColor& equirect, EquirectSize size, const Mat3f& source_from_target) {
+    const int n = samples_a_side(1.0 / size.width, 1.0 / equirect.width);
+    return resample(equirect, size.width, size.height, n,
+                    [&](Vec2f at) { return source_from_target * direction_at(at, size); });
+}
+
+}  // namespace fastscene

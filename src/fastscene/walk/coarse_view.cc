@@ -1,0 +1,248 @@
+#include "fastscene/walk/coarse_view.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "fastscene/base/parallel.h"
+
+namespace fastscene {
+namespace {
+
+constexpr int kBandRows = 32;          // rows of the target that one piece of work owns
+constexpr float kEdgeSlack = 0.01f;    // triangles overlap by a hundredth, so that rounding opens no cracks
+constexpr float kSkyRange = 0.5f * kFarthestRange;
+
+struct Corner {
+    Vec3f point;   // from the target position
+    Vec2f pixel;   // where the target sees it
+    Vec2f uv;      // place in the cell of four colors
+};
+using Colors = std::array<Vec3f, 4>;   // left top, right top, left bottom, right bottom
+
+struct Band {
+    CoarseView& view;
+    const Image<Vec3f>& direction;
+    int begin, end;
+};
+
+// Rows and columns that a triangle can touch. Columns may lie outside the picture: they wrap.
+struct Box {
+    int x0, x1, y0, y1;
+};
+Box box_of(const Corner& a, const Corner& b, const Corner& c, EquirectSize size) {
+    const float w = static_cast<float>(size.width), h = static_cast<float>(size.height);
+    const auto near_a = [&](float x) { return x - a.pixel.x > 0.5f * w ? x - w : a.pixel.x - x > 0.5f * w ? x + w : x; };
+    const float bx = near_a(b.pixel.x), cx = near_a(c.pixel.x);
+    const float x0 = std::min({a.pixel.x, bx, cx}), x1 = std::max({a.pixel.x, bx, cx});
+    float y0 = std::min({a.pixel.y, b.pixel.y, c.pixel.y}), y1 = std::max({a.pixel.y, b.pixel.y, c.pixel.y});
+    // A straight edge bulges towards the pole; next to a pole a triangle may even hold it.
+    const float turn = (x1 - x0) / w;
+    const float bulge = turn * turn * h * 2.f;
+    if (y0 < 0.5f * h) y0 -= bulge;
+    if (y1 > 0.5f * h) y1 += bulge;
+    if (turn > 0.25f) {
+        if (y0 < 0.3f * h) y0 = 0;
+        if (y1 > 0.7f * h) y1 = h;
+        return {0, size.width - 1, static_cast<int>(std::floor(y0 - 0.51f)), static_cast<int>(std::ceil(y1 - 0.49f))};
+    }
+    return {static_cast<int>(std::ceil(x0 - 0.51f)), static_cast<int>(std::floor(x1 - 0.49f)),
+            static_cast<int>(std::ceil(y0 - 0.51f)), static_cast<int>(std::floor(y1 - 0.49f))};
+}
+
+Vec3f bilinear(const Colors& c, float u, float v) {
+    return lerp(lerp(c[0], c[1], u), lerp(c[2], c[3], u), v);
+}
+
+// Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
+void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, const Colors& colors, std::int16_t plane) {
+    const EquirectSize size{band.view.color.width, band.view.color.height};
+    const Box box = box_of(a, b, c, size);
+    const int y0 = std::max(box.y0, band.begin), y1 = std::min(box.y1, band.end - 1);
+    if (y0 > y1 || box.x0 > box.x1) return;
+    const Vec3f na = cross(b.point, c.point), nb = cross(c.point, a.point), nc = cross(a.point, b.point);
+    const float volume = dot(a.point, na);
+    if (volume == 0.f || !std::isfinite(volume)) return;
+    const float sign = volume > 0 ? 1.f : -1.f;
+    for (int y = y0; y <= y1; ++y)
+        for (int column = box.x0; column <= box.x1; ++column) {
+            const int x = wrap_column(column, size.width);
+            const Vec3f d = band.direction.at(x, y);
+            const float ea = dot(d, na) * sign, eb = dot(d, nb) * sign, ec = dot(d, nc) * sign;
+            const float sum = ea + eb + ec;
+            const float slack = -kEdgeSlack * sum;
+            if (!(sum > 0.f) || ea < slack || eb < slack || ec < slack) continue;
+            const float t = volume * sign / sum;
+            float& range = band.view.range.at(x, y);
+            if (!(t < range)) continue;
+            range = t;
+            const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
+            band.view.color.at(x, y) = bilinear(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
+            band.view.plane.at(x, y) = plane;
+            band.view.cover.at(x, y) = sign > 0 ? Cover::front : Cover::back;
+        }
+}
+
+// One source as seen from the target: corners' places, and the rows of the target that each row of cells touches.
+struct Placed {
+    const WarpSource& source;
+    EquirectSize source_size, size;
+    Vec3f shift;   // source position seen from the target
+    Image<Vec3f> point;
+    Image<Vec2f> pixel;
+    std::vector<Vec2f> rows;   // least and greatest picture row of a source row's corners
+
+    Placed(const WarpSource& s, EquirectSize target, Vec3f position)
+        : source(s), source_size{s.color.width, s.color.height}, size(target), shift(s.position - position),
+          point(s.color.width, s.color.height), pixel(s.color.width, s.color.height), rows(static_cast<std::size_t>(s.color.height)) {
+        parallel_for(source_size.height, 16, [&](std::int64_t begin, std::int64_t end) {
+            for (int y = static_cast<int>(begin); y < end; ++y) place_row(y);
+        });
+    }
+    void place_row(int y) {
+        Vec2f span{1e9f, -1e9f};
+        for (int x = 0; x < source_size.width; ++x) {
+            if (!used(x, y)) continue;
+            point.at(x, y) = shift + direction_of_pixel(x, y, source_size) / source.inverse_range.at(x, y);
+            pixel.at(x, y) = pixel_of_direction(point.at(x, y), size);
+            span = {std::min(span.x, pixel.at(x, y).y), std::max(span.y, pixel.at(x, y).y)};
+        }
+        rows[static_cast<std::size_t>(y)] = span;
+    }
+    bool used(int x, int y) const { return source.used.empty() || source.used.at(x, y); }
+
+    Corner corner(int x, int y, Vec2f uv) const { return {point.at(x, y), pixel.at(x, y), uv}; }
+    Corner corner_at(Vec2f at, float inverse, Vec2f uv) const {
+        const Vec3f p = shift + direction_at(at, source_size) / inverse;
+        return {p, pixel_of_direction(p, size), uv};
+    }
+};
+
+// The slope of the inverse range at a pixel, from the neighbours on its own surface.
+Vec2f slope_at(const WarpSource& s, int x, int y) {
+    const int w = s.color.width, h = s.color.height;
+    const float q = s.inverse_range.at(x, y);
+    const auto used = [&](int x1, int y1) { return s.used.empty() || s.used.at(x1, y1); };
+    const int left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
+    float before = 0, after = 0;
+    bool has_before = !(s.cuts.at(left, y) & kCutRight) && used(left, y), has_after = !(s.cuts.at(x, y) & kCutRight) && used(right, y);
+    if (has_before) before = q - s.inverse_range.at(left, y);
+    if (has_after) after = s.inverse_range.at(right, y) - q;
+    // Of two slopes the flatter one: a crease must not be flung outward.
+    const auto choose = [](bool b, float vb, bool a, float va) {
+        if (a && b) return va * vb <= 0 ? 0.f : std::fabs(va) < std::fabs(vb) ? va : vb;
+        return a ? va : b ? vb : 0.f;
+    };
+    Vec2f slope;
+    slope.x = choose(has_before, before, has_after, after);
+    has_before = y > 0 && !(s.cuts.at(x, y - 1) & kCutDown) && used(x, y - 1);
+    has_after = y + 1 < h && !(s.cuts.at(x, y) & kCutDown) && used(x, y + 1);
+    if (has_before) before = q - s.inverse_range.at(x, y - 1);
+    if (has_after) after = s.inverse_range.at(x, y + 1) - q;
+    slope.y = choose(has_before, before, has_after, after);
+    return slope;
+}
+
+// At a silhouette every pixel keeps its own quarter of the cell, a piece of its tangent plane in its own color.
+void draw_quarter(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below) {
+    const WarpSource& s = placed.source;
+    const float q = s.inverse_range.at(x, y);
+    const Vec2f slope = slope_at(s, x, y);
+    const float dx = right ? -0.5f : 0.5f, dy = below ? -0.5f : 0.5f;
+    const auto at = [&](float ox, float oy) {
+        const float inverse = std::clamp(q + slope.x * ox + slope.y * oy, 0.8f * q, 1.25f * q);
+        const float px = static_cast<float>(cell_x + (right ? 1 : 0)) + 0.5f + ox, py = static_cast<float>(cell_y + (below ? 1 : 0)) + 0.5f + oy;
+        return placed.corner_at({px, py}, inverse, {0.5f, 0.5f});
+    };
+    // Corners in picture order, so that the front stays the front.
+    const float x0 = std::min(dx, 0.f), x1 = std::max(dx, 0.f), y0 = std::min(dy, 0.f), y1 = std::max(dy, 0.f);
+    const Corner a = at(x0, y0), b = at(x1, y0), c = at(x0, y1), d = at(x1, y1);
+    const Vec3f color = s.color.at(x, y);
+    const Colors colors{color, color, color, color};
+    const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
+    draw(band, a, b, c, colors, plane);
+    draw(band, b, d, c, colors, plane);
+}
+
+void draw_cell(const Band& band, const Placed& placed, int x, int y) {
+    const WarpSource& s = placed.source;
+    const int r = wrap_column(x + 1, s.color.width);
+    const bool u00 = placed.used(x, y), u10 = placed.used(r, y), u01 = placed.used(x, y + 1), u11 = placed.used(r, y + 1);
+    if (!(u00 || u10 || u01 || u11)) return;
+    const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) && !(s.cuts.at(r, y) & kCutDown) &&
+                       !(s.cuts.at(x, y + 1) & kCutRight);
+    if (!whole) {
+        if (u00) draw_quarter(band, placed, x, y, x, y, false, false);
+        if (u10) draw_quarter(band, placed, r, y, x, y, true, false);
+        if (u01) draw_quarter(band, placed, x, y + 1, x, y, false, true);
+        if (u11) draw_quarter(band, placed, r, y + 1, x, y, true, true);
+        return;
+    }
+    const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0}), c = placed.corner(x, y + 1, {0, 1}),
+                 d = placed.corner(r, y + 1, {1, 1});
+    const float top = std::min({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y}), bottom = std::max({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y});
+    const float margin = 0.05f * static_cast<float>(placed.size.height);
+    if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
+    const Colors colors{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)};
+    const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
+    draw(band, a, b, c, colors, plane);
+    draw(band, b, d, c, colors, plane);
+}
+
+// Between the outermost row and the pole: a fan about the row's mean.
+void draw_cap(const Band& band, const Placed& placed, bool top) {
+    const WarpSource& s = placed.source;
+    const int w = s.color.width, y = top ? 0 : s.color.height - 1;
+    Vec3f color;
+    float inverse = 0;
+    for (int x = 0; x < w; ++x) {
+        if (!placed.used(x, y)) return;
+        color += s.color.at(x, y) / static_cast<float>(w);
+        inverse += s.inverse_range.at(x, y) / static_cast<float>(w);
+    }
+    const Corner pole = placed.corner_at({0.5f * static_cast<float>(w), top ? 0.f : static_cast<float>(s.color.height)}, inverse, {0.5f, 1.f});
+    for (int x = 0; x < w; ++x) {
+        const int r = wrap_column(x + 1, w);
+        const Colors colors{s.color.at(x, y), s.color.at(r, y), color, color};
+        const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0});
+        const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
+        if (top) draw(band, b, a, pole, Colors{colors[1], colors[0], color, color}, plane);
+        else draw(band, a, b, pole, colors, plane);
+    }
+}
+
+void draw_source(const Band& band, const Placed& placed) {
+    const int h = placed.source_size.height;
+    const float margin = 0.06f * static_cast<float>(placed.size.height);
+    const auto touches = [&](float low, float high) {
+        return high + margin >= static_cast<float>(band.begin) && low - margin <= static_cast<float>(band.end);
+    };
+    for (int y = 0; y + 1 < h; ++y) {
+        const Vec2f a = placed.rows[static_cast<std::size_t>(y)], b = placed.rows[static_cast<std::size_t>(y) + 1];
+        if (!touches(std::min(a.x, b.x), std::max(a.y, b.y))) continue;
+        for (int x = 0; x < placed.source_size.width; ++x) draw_cell(band, placed, x, y);
+    }
+    draw_cap(band, placed, true);
+    draw_cap(band, placed, false);
+}
+
+}  // namespace
+
+CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
+    CoarseView view{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
+                    Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)};
+    Image<Vec3f> direction(size.width, size.height);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) direction.at(x, y) = direction_of_pixel(x, y, size);
+    for (const WarpSource& source : sources) {
+        const Placed placed(source, size, position);
+        parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
+            draw_source({view, direction, static_cast<int>(begin), static_cast<int>(end)}, placed);
+        });
+    }
+    for (float& range : view.range.pixels)
+        if (range > kSkyRange) range = std::numeric_limits<float>::infinity();
+    return view;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,39 @@
+// Coarse view (the paper's CVS): panoramas with range, seen from another position. The paper throws single
+// pixels; here the pixels are the corners of a mesh, so there are no cracks, and every target pixel asks
+// with its own ray, so seam and poles are places like any other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fastscene/geometry/range_edges.h"
+#include "fastscene/scene/panorama.h"
+
+namespace fastscene {
+
+inline constexpr std::int16_t kNoPlane = -1;
+
+// A panorama made ready to be warped.
+struct WarpSource {
+    ImageColor color;             // far sides of silhouettes cleaned of the near side's color
+    ImageF inverse_range;         // 1/metres
+    ImageMask cuts;               // range_edges
+    Image<std::int16_t> plane;    // which plane of the scene a pixel lies on, or kNoPlane
+    ImageMask used;               // pixels that take part; empty = all
+    Vec3f position;               // in the frame of panorama 0; all panoramas have its orientation
+};
+WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& plane, const ImageMask& used,
+                            Vec3f position);
+
+enum class Cover : std::uint8_t { hole, front, back };  // back: a surface seen from behind hides what lies beyond
+
+struct CoarseView {
+    ImageColor color;
+    ImageF range;                 // from the new position; +inf where nothing is
+    Image<std::int16_t> plane;
+    Image<Cover> cover;
+};
+// The sources as seen from `position`, the nearest surface winning. Deterministic for any number of threads.
+CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position);
+
+}  // namespace fastscene

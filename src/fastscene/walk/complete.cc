@@ -1,0 +1,138 @@
+#include "fastscene/walk/complete.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/geometry/cubemap.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kNearShare = 0.8f;     // of the rim's far range: what is nearer belongs to the foreground
+constexpr int kRim = 2;                // pixels about a hole that make its rim
+constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
+
+// Would panorama 0 have seen this point, had it been a surface? Then there is none.
+bool is_known_free(Vec3f p, const ImageF& range) {
+    const EquirectSize size{range.width, range.height};
+    const Vec2f at = pixel_of_direction(p, size);
+    const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+    return length(p) < 0.97f * seen - 0.02f;
+}
+
+// The nearest plane that the ray may end on; nothing when every plane contradicts panorama 0.
+bool fill_from_planes(CoarseView& view, int x, int y, Vec3f position, const WalkWorld& world) {
+    const Vec3f d = direction_of_pixel(x, y, {view.color.width, view.color.height});
+    float nearest = std::numeric_limits<float>::infinity();
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < world.planes.size(); ++i) {
+        const PlanePicture& picture = world.planes[i];
+        const float towards = dot(picture.plane.normal, d);
+        if (picture.empty() || !(towards < -1e-3f)) continue;
+        const float t = (picture.plane.offset - dot(picture.plane.normal, position)) / towards;
+        if (!(t > 0.02f && t < nearest)) continue;
+        const Vec3f p = position + d * t;
+        if (!picture.reaches(p) || is_known_free(p, world.first_range)) continue;
+        nearest = t;
+        best = i;
+    }
+    if (!std::isfinite(nearest)) return false;
+    view.range.at(x, y) = nearest;
+    view.color.at(x, y) = world.planes[best].color_at(position + d * nearest);
+    view.plane.at(x, y) = static_cast<std::int16_t>(best);
+    return true;
+}
+
+// Known pixels on the rim of each connected hole that are clearly nearer than most of the rim: foreground, which
+// must not run into the hole.
+void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageMask& unknown, ImageMask& foreground) {
+    const int w = rest.width, h = rest.height;
+    ImageMask visited(w, h);
+    for (int sy = 0; sy < h; ++sy)
+        for (int sx = 0; sx < w; ++sx) {
+            if (!rest.at(sx, sy) || visited.at(sx, sy)) continue;
+            std::vector<std::pair<int, int>> stack{{sx, sy}}, rim;
+            visited.at(sx, sy) = 1;
+            while (!stack.empty()) {
+                const auto [x, y] = stack.back();
+                stack.pop_back();
+                for (int j = std::max(0, y - kRim); j <= std::min(h - 1, y + kRim); ++j)
+                    for (int i = x - kRim; i <= x + kRim; ++i) {
+                        const int c = wrap_column(i, w);
+                        if (!unknown.at(c, j)) rim.push_back({c, j});
+                        else if (rest.at(c, j) && !visited.at(c, j)) {
+                            visited.at(c, j) = 1;
+                            stack.push_back({c, j});
+                        }
+                    }
+            }
+            if (rim.empty()) continue;
+            std::vector<float> ranges;
+            for (const auto& [x, y] : rim) ranges.push_back(view.range.at(x, y));
+            const auto far = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() * 7 / 10);
+            std::nth_element(ranges.begin(), far, ranges.end());
+            for (const auto& [x, y] : rim)
+                if (view.range.at(x, y) < kNearShare * *far) foreground.at(x, y) = 1;
+        }
+}
+
+// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face.
+void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
+    const int w = rest.width, h = rest.height;
+    const EquirectSize size{w, h};
+    ImageMask avoid = rest;
+    {
+        ImageMask foreground(w, h);
+        mark_foreground(view, rest, rest, foreground);
+        for (std::size_t i = 0; i < avoid.size(); ++i) avoid.pixels[i] |= foreground.pixels[i];
+    }
+    const auto reference = make_inpainter("harmonic");   // range is geometry, not paint
+    const int face_size = std::max(16, w / 4);
+    const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
+    for (const CubeFace face : kCubeFaces) {
+        const Mat3f pano_from_camera = pano_from_face(face);
+        ImageColor color(face_size, face_size), inverse(face_size, face_size);
+        ImageMask hole(face_size, face_size);
+        bool any = false;
+        for (int y = 0; y < face_size; ++y)
+            for (int x = 0; x < face_size; ++x) {
+                const Vec2f at = pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+                const int px = wrap_column(static_cast<int>(at.x), w), py = std::min(static_cast<int>(at.y), h - 1);
+                const float q = inverse_range(view.range.at(px, py));
+                color.at(x, y) = view.color.at(px, py);
+                inverse.at(x, y) = {q, q, q};
+                hole.at(x, y) = avoid.at(px, py);
+                any |= rest.at(px, py) != 0;
+            }
+        if (!any) continue;
+        color = world.inpainter->fill(color, hole, run);
+        inverse = reference->fill(inverse, hole, run);
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                if (!rest.at(x, y)) continue;
+                const Vec3f d = direction_of_pixel(x, y, size);
+                if (face_of_direction(d) != face) continue;
+                const Vec2f at = *camera.project(transpose(pano_from_camera) * d);
+                view.color.at(x, y) = sample_flat(color, at);
+                view.range.at(x, y) = 1.f / std::max(sample_flat(inverse, at).x, 1.f / kFarthestRange);
+                view.plane.at(x, y) = kNoPlane;
+            }
+    }
+}
+
+}  // namespace
+
+void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, const WalkWorld& world, const Run& run) {
+    ImageMask rest(hole.width, hole.height);
+    parallel_for(hole.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < hole.width; ++x) {
+                if (!hole.at(x, y) || view.cover.at(x, y) == Cover::back) continue;   // a back keeps its own range and color
+                rest.at(x, y) = !fill_from_planes(view, x, y, position, world);
+            }
+    });
+    if (std::any_of(rest.pixels.begin(), rest.pixels.end(), [](std::uint8_t v) { return v != 0; })) fill_rest(view, rest, world, run);
+}
+
+}  // namespace fastscene
