@@ -1,5 +1,6 @@
 #include "fastscene/io/colmap.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -187,6 +188,7 @@ std::vector<View> load_colmap_views(const fs::path& dir) {
         Vec3d t;
         t.x = in.get<double>(), t.y = in.get<double>(), t.z = in.get<double>();
         if (!(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.1)) in.refuse("expected a unit quaternion, found zero");
+        if (!(std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z))) in.refuse("expected a finite translation, found another");
         const Rigidd world_from_camera = inverse(Rigidd{matrix_of(q), t});
         const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
         const Mat3d& r = world_from_camera.rotation;

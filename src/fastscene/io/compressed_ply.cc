@@ -18,6 +18,7 @@ constexpr std::size_t kChunk = 256;
 
 std::uint32_t unorm(float v, int bits) {
     const float top = static_cast<float>((1u << bits) - 1u);
+    if (!(v > 0.f)) return 0;  // NaN too
     return static_cast<std::uint32_t>(std::floor(std::clamp(v, 0.f, 1.f) * top + 0.5f));
 }
 

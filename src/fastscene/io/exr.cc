@@ -30,7 +30,9 @@ PictureInfo exr_info(const fs::path& path) {
     try {
         const Imf::InputFile file(path.c_str());
         const Imath::Box2i box = file.header().dataWindow();
-        return {box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
+        // A broken window may span more than an int.
+        const auto side = [](int low, int high) { return static_cast<int>(std::min<std::int64_t>(std::int64_t{high} - low + 1, 0x7fffffff)); };
+        return {side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
     } catch (const std::exception& e) {
         refuse(path, e);
     }
@@ -38,7 +40,7 @@ PictureInfo exr_info(const fs::path& path) {
 
 ImageF load_exr(const fs::path& path) {
     const PictureInfo info = exr_info(path);
-    if (info.width < 1 || info.height < 1 || info.width > kMaxPictureSide || info.height > kMaxPictureSide)
+    if (!plausible_size(info.width, info.height))
         throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, info.width, info.height);
     try {
         Imf::InputFile file(path.c_str());

@@ -54,6 +54,11 @@ bool decode(std::string_view bytes, bool header_only, int& width, int& height, s
     jpeg_read_header(&info, TRUE);
     width = static_cast<int>(info.image_width);
     height = static_cast<int>(info.image_height);
+    if (!header_only && !plausible_size(width, height)) {
+        jpeg_destroy_decompress(&info);
+        message = fmt::format("{} x {} pixels", width, height);
+        return false;
+    }
     if (!header_only) {
         const bool ink = info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK;
         info.out_color_space = ink ? JCS_CMYK : JCS_RGB;

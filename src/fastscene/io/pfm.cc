@@ -40,7 +40,7 @@ PictureInfo pfm_info(const fs::path& path, std::string_view bytes) {
 ImageF load_pfm(const fs::path& path) {
     const std::string bytes = read_file(path);
     const Header header = parse(path, bytes);
-    if (header.width < 1 || header.height < 1 || header.width > kMaxPictureSide || header.height > kMaxPictureSide)
+    if (!plausible_size(header.width, header.height))
         throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, header.width, header.height);
     const std::size_t expected = header.data + std::size_t{4} * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     if (bytes.size() < expected) throw Error("{}: expected {} bytes for {} x {} floats, found {}", path.string(), expected, header.width, header.height, bytes.size());

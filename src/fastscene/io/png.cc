@@ -19,6 +19,7 @@ struct Source {
     const std::string* bytes;
     std::size_t at = 0;
     std::string message;
+    std::vector<png_bytep> rows;  // here, not on the stack: setjmp loses changes of locals
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -37,8 +38,8 @@ enum class Wanted { rgb8, gray8, gray16 };
 
 // Rows as asked for: 3 or 1 bytes, or 2 bytes big endian, a pixel.
 bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, std::vector<png_byte>& pixels, std::string& message) {
-    Source source{&bytes, 0, {}};
-    std::vector<png_bytep> rows;
+    Source source{&bytes, 0, {}, {}};
+    std::vector<png_bytep>& rows = source.rows;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     png_infop info = png_create_info_struct(png);
     if (setjmp(png_jmpbuf(png))) {
@@ -50,9 +51,13 @@ bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, st
     png_set_user_limits(png, kMaxPictureSide, kMaxPictureSide);
     png_read_info(png, info);
     const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
+    if (wanted == Wanted::gray16 && (depth != 16 || type & PNG_COLOR_MASK_COLOR)) png_error(png, "not 16-bit gray");
+    // Deflate shrinks at most about 1032 times: a short file with a huge header is refused before memory is asked for.
+    if (!plausible_size(png_get_image_width(png, info), png_get_image_height(png, info)) ||
+        png_get_rowbytes(png, info) * png_get_image_height(png, info) / 1100 > bytes.size())
+        png_error(png, "a size that the file cannot hold");
     png_set_expand(png);
     if (wanted != Wanted::gray16) png_set_scale_16(png);
-    if (wanted == Wanted::gray16 && depth < 16) png_set_expand_16(png);
     if (type & PNG_COLOR_MASK_ALPHA || png_get_valid(png, info, PNG_INFO_tRNS)) {
         png_color_16 black{};
         png_set_background(png, &black, PNG_BACKGROUND_GAMMA_SCREEN, 0, 1.0);
@@ -84,7 +89,7 @@ std::vector<png_byte> decoded(const fs::path& path, Wanted wanted, int& width, i
 }
 
 bool encode(const png_byte* pixels, int width, int height, int type, int depth, std::string& out, std::string& message) {
-    Source state{nullptr, 0, {}};
+    Source state{nullptr, 0, {}, {}};
     std::vector<png_bytep> rows(static_cast<std::size_t>(height));
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
     png_infop info = png_create_info_struct(png);

@@ -51,14 +51,16 @@ Splats load_splat_ply(const std::filesystem::path& path) {
     while (3 * splats.rest_coefficients() < rest && splats.sh_degree < 3) ++splats.sh_degree;
     if (3 * splats.rest_coefficients() != rest)
         throw Error("{}: expected 0, 9, 24 or 45 properties f_rest_*, found {}", path.string(), rest);
-    splats.resize(v.count);
 
     const auto three = [&](std::array<const char*, 3> names) {
         return std::array<int, 3>{ply.property(v, names[0]), ply.property(v, names[1]), ply.property(v, names[2])};
     };
     const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}), scale = three({"scale_0", "scale_1", "scale_2"});
     const auto rot = three({"rot_1", "rot_2", "rot_3"});
-    const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity"), first_rest = Ply::find(v, "f_rest_0");
+    const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity");
+    std::vector<int> rest_at;
+    for (int k = 0; k < rest; ++k) rest_at.push_back(ply.property(v, fmt::format("f_rest_{}", k)));
+    splats.resize(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         const auto vec = [&](const std::array<int, 3>& p) { return Vec3f{ply.number(v, i, p[0]), ply.number(v, i, p[1]), ply.number(v, i, p[2])}; };
         splats.mean_m[i] = vec(mean);
@@ -68,7 +70,7 @@ Splats load_splat_ply(const std::filesystem::path& path) {
         const Vec3f xyz = vec(rot);
         splats.rotation[i] = {ply.number(v, i, w), xyz.x, xyz.y, xyz.z};
         for (int k = 0; k < rest; ++k)
-            splats.sh_rest[i * static_cast<std::size_t>(rest) + static_cast<std::size_t>(k)] = ply.number(v, i, first_rest + k);
+            splats.sh_rest[i * static_cast<std::size_t>(rest) + static_cast<std::size_t>(k)] = ply.number(v, i, rest_at[static_cast<std::size_t>(k)]);
     }
     // A file of degree 3 whose higher bands are all zero is degree 0: that is how we write generated rooms.
     if (splats.sh_degree > 0) {

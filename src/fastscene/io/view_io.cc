@@ -1,5 +1,7 @@
 #include "fastscene/io/view_io.h"
 
+#include <algorithm>
+
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
@@ -38,7 +40,7 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
         SurfacePoint& p = points[i];
         p.position_m = {ply.number(v, i, x), ply.number(v, i, y), ply.number(v, i, z)};
         if (nx >= 0 && ny >= 0 && nz >= 0) p.normal = {ply.number(v, i, nx), ply.number(v, i, ny), ply.number(v, i, nz)};
-        const auto byte = [&](int property) { return static_cast<std::uint8_t>(ply.value(v, i, property)); };
+        const auto byte = [&](int property) { return static_cast<std::uint8_t>(std::min(std::max(0.0, ply.value(v, i, property)), 255.0)); };
         p.color = {byte(r), byte(g), byte(b)};
         if (radius >= 0) p.radius_m = ply.number(v, i, radius);
     }

@@ -54,7 +54,9 @@ std::string notices(const fs::path& viewer_dir) {
             text += read_file(file);
             break;
         }
-    replace_all(text, "--", "- -");
+    // Two dashes in a row would end the comment.
+    for (std::size_t i = 1; i < text.size(); ++i)
+        if (text[i] == '-' && text[i - 1] == '-') text.insert(i, " ");
     return text;
 }
 
