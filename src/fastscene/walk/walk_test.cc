@@ -1,0 +1,224 @@
+#include "fastscene/walk/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/image/color.h"
+#include "fastscene/image/ssim.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/scene/synthetic.h"
+#include "fastscene/walk/coarse_view.h"
+
+namespace fastscene {
+namespace {
+
+constexpr EquirectSize kSize{512, 256};
+const Vec3f kElsewhere{0.35f, -0.15f, 0.25f};
+
+WarpSource source_of(const Panorama& p) { return make_warp_source(p.color, p.range, {}, {}, p.world_from_pano.translation); }
+
+// Nonzero where a window of +-`reach` pixels holds a range edge.
+ImageMask near_edges(const ImageF& range, int reach) {
+    const ImageMask cuts = range_edges(range);
+    ImageMask out(range.width, range.height);
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x)
+            if (cuts.at(x, y) & (kFarSide | kNearSide))
+                for (int j = std::max(0, y - reach); j <= std::min(range.height - 1, y + reach); ++j)
+                    for (int i = x - reach; i <= x + reach; ++i) out.at(wrap_column(i, range.width), j) = 1;
+    return out;
+}
+
+// Pixels of a true panorama at `position` whose surface the one at the origin did not see.
+ImageMask true_holes(const SyntheticWorld& world, const Panorama& truth, Vec3f position) {
+    ImageMask out(truth.color.width, truth.color.height);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const Vec3f p = position + direction_of_pixel(x, y, truth.size()) * truth.range.at(x, y);
+            out.at(x, y) = trace_synthetic(world, {}, normalize(p)).range < length(p) * 0.995f - 0.003f;
+        }
+    return out;
+}
+
+ImageMask grown(const ImageMask& mask, int reach) {
+    ImageMask out(mask.width, mask.height);
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x)
+            if (mask.at(x, y))
+                for (int j = std::max(0, y - reach); j <= std::min(mask.height - 1, y + reach); ++j)
+                    for (int i = x - reach; i <= x + reach; ++i) out.at(wrap_column(i, mask.width), j) = 1;
+    return out;
+}
+
+double share_inside(const ImageMask& a, const ImageMask& b) {
+    double all = 0, inside = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a.pixels[i]) {
+            ++all;
+            inside += b.pixels[i] != 0;
+        }
+    return all > 0 ? inside / all : 1;
+}
+
+TEST(CoarseView, AgreesWithTruthOnSmoothSurfaces) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::smooth);
+    const Panorama first = render_synthetic(world, {}, kSize), truth = render_synthetic(world, kElsewhere, kSize);
+    const CoarseView view = coarse_view({source_of(first)}, kSize, kElsewhere);
+    ImageMask counts = near_edges(truth.range, 2);
+    for (std::size_t i = 0; i < counts.size(); ++i) counts.pixels[i] = !counts.pixels[i] && view.cover.pixels[i] == Cover::front;
+    const double db = psnr(srgb8_from_linear(view.color), srgb8_from_linear(truth.color), counts);
+    RecordProperty("psnr", std::to_string(db));
+    EXPECT_GE(db, 38);
+    std::vector<float> errors;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts.pixels[i]) errors.push_back(std::fabs(view.range.pixels[i] - truth.range.pixels[i]) / truth.range.pixels[i]);
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100), errors.end());
+    EXPECT_LT(errors[errors.size() * 99 / 100], 0.01f);
+}
+
+TEST(CoarseView, HolesAreDisocclusions) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const Panorama first = render_synthetic(world, {}, kSize), truth = render_synthetic(world, kElsewhere, kSize);
+    const CoarseView view = coarse_view({source_of(first)}, kSize, kElsewhere);
+    ImageMask found(kSize.width, kSize.height);
+    for (std::size_t i = 0; i < found.size(); ++i) found.pixels[i] = view.cover.pixels[i] != Cover::front;
+    const ImageMask wanted = true_holes(world, truth, kElsewhere);
+    EXPECT_GE(share_inside(found, grown(wanted, 1)), 0.95);   // precision
+    EXPECT_GE(share_inside(wanted, grown(found, 1)), 0.95);   // recall
+}
+
+TEST(CoarseView, AnEmptyRoomHasNoHoleAnywhere) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    world.boxes.clear();
+    const Panorama first = render_synthetic(world, {}, kSize, 1);
+    for (const Vec3f position : {Vec3f{}, Vec3f{0.7f, 0, 0}, Vec3f{0, 0.6f, 0}, Vec3f{0, -0.6f, 0}, Vec3f{-0.4f, 0.3f, -0.9f}}) {
+        const CoarseView view = coarse_view({source_of(first)}, kSize, position);
+        EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::hole), 0) << position.x << ' ' << position.y << ' ' << position.z;
+        EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::back), 0);
+    }
+}
+
+TEST(Viewpoints, StayInFreeSpaceNearEarlierOnes) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const Panorama first = render_synthetic(world, {}, kSize, 1);
+    for (const int count : {0, 1, 5, 8, 14, 20}) {
+        WalkParams params;
+        params.viewpoints = count;
+        const std::vector<Vec3f> points = choose_viewpoints(first, params);
+        ASSERT_EQ(static_cast<int>(points.size()), count);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_LE(length(points[i]), params.reach_m * 1.001f);
+            EXPECT_LE(length(points[i]), params.clearance * trace_synthetic(world, {}, normalize(points[i])).range * 1.02f);
+            float nearest = length(points[i]);
+            for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(points[i] - points[j]));
+            EXPECT_LE(nearest, params.reach_m * 1.001f);
+        }
+    }
+}
+
+// Holes as a careless program fills them: the farther end of each row's gap goes on.
+ImageColor naive_fill(const CoarseView& view) {
+    ImageColor out = view.color;
+    const int w = out.width;
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < w; ++x) {
+            if (view.cover.at(x, y) == Cover::front) continue;
+            int left = x - 1, right = x + 1;
+            while (left > x - w && view.cover.at(wrap_column(left, w), y) != Cover::front) --left;
+            while (right < x + w && view.cover.at(wrap_column(right, w), y) != Cover::front) ++right;
+            const int a = wrap_column(left, w), b = wrap_column(right, w);
+            out.at(x, y) = view.color.at(view.range.at(a, y) > view.range.at(b, y) ? a : b, y);
+        }
+    return out;
+}
+
+TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::planks);
+    const Panorama first = render_synthetic(world, {}, kSize);
+    WalkParams params;
+    params.viewpoints = 4;
+    const std::vector<Panorama> walked = walk_through(first, params, {});
+    ASSERT_EQ(walked.size(), 5u);
+    EXPECT_EQ(walked[0].color, first.color);
+    EXPECT_EQ(walked[0].range, first.range);
+    double ours = 0, naive = 0;
+    for (std::size_t k = 1; k < walked.size(); ++k) {
+        const Panorama& panorama = walked[k];
+        const Vec3f position = panorama.world_from_pano.translation;
+        const Panorama truth = render_synthetic(world, position, kSize);
+        const CoarseView alone = coarse_view({source_of(first)}, kSize, position);
+        ImageMask holes(kSize.width, kSize.height);
+        for (std::size_t i = 0; i < holes.size(); ++i) {
+            holes.pixels[i] = panorama.known.pixels[i] != Known::original;
+            // Observed pixels are the warp's, bit for bit.
+            if (!holes.pixels[i]) {
+                ASSERT_EQ(panorama.color.pixels[i], alone.color.pixels[i]);
+            }
+            ASSERT_GT(panorama.range.pixels[i], 0.f);
+        }
+        ours += mean_squared_error(srgb8_from_linear(panorama.color), srgb8_from_linear(truth.color), holes) / 4;
+        naive += mean_squared_error(srgb8_from_linear(naive_fill(alone)), srgb8_from_linear(truth.color), holes) / 4;
+        if (const char* folder = std::getenv("FASTSCENE_TEST_PICTURES")) {
+            const auto name = [&](const char* what) { return fmt::format("{}/walk_{}_{}.png", folder, k, what); };
+            save_png(name("ours"), srgb8_from_linear(panorama.color));
+            save_png(name("truth"), srgb8_from_linear(truth.color));
+            ImageColor coarse = alone.color;
+            for (std::size_t i = 0; i < coarse.size(); ++i)
+                if (holes.pixels[i]) coarse.pixels[i] = alone.cover.pixels[i] == Cover::back ? Vec3f{0, 0, 1} : Vec3f{1, 0, 1};
+            save_png(name("coarse"), srgb8_from_linear(coarse));
+        }
+    }
+    std::printf("PSNR in holes: ours %.2f dB, naive far side %.2f dB\n", psnr_of_mse(ours), psnr_of_mse(naive));
+    EXPECT_GT(psnr_of_mse(ours), psnr_of_mse(naive) + 2);
+}
+
+TEST(Walk, AWallAndFloorBehindABoxContinue) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    world.boxes = {{{-0.5f, 0.3f, 1.5f}, {0.5f, 1.5f, 1.55f}, {0.6f, 0.1f, 0.1f}, SyntheticPaint::plain}};   // a thin screen
+    const Panorama first = render_synthetic(world, {}, kSize);
+    WalkParams params;
+    params.viewpoints = 3;
+    for (const Panorama& panorama : walk_through(first, params, {})) {
+        const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
+        const ImageMask edges = near_edges(truth.range, 2);
+        int good = 0, all = 0;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (edges.pixels[i] || panorama.known.pixels[i] == Known::original) continue;
+            const bool near = std::fabs(panorama.range.pixels[i] - truth.range.pixels[i]) < 0.03f * truth.range.pixels[i];
+            good += near && length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.03f;
+            ++all;
+        }
+        EXPECT_GE(good, all * 95 / 100) << all;
+    }
+}
+
+TEST(Walk, SameBytesForAnyNumberOfThreads) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::checker, SyntheticPaint::planks);
+    const Panorama first = render_synthetic(world, {}, {128, 64}, 1);
+    WalkParams params;
+    params.viewpoints = 2;
+    set_threads(1);
+    const auto one = walk_through(first, params, {});
+    set_threads(2);
+    const auto two = walk_through(first, params, {});
+    set_threads(0);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].color, two[i].color);
+        EXPECT_EQ(one[i].range, two[i].range);
+        EXPECT_EQ(one[i].known, two[i].known);
+    }
+}
+
+TEST(Walk, RefusesWhatIsNoRangeMap) {
+    Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {64, 32}, 1);
+    first.range.at(3, 4) = std::nanf("");
+    EXPECT_THROW(walk_through(first, {}, {}), Error);
+    first.range = {};
+    EXPECT_THROW(walk_through(first, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace fastscene
