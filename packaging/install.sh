@@ -49,11 +49,13 @@ install_packages() {
   apt_install "${missing[@]}"
 }
 
-# The viewer's page comes from npm, exactly as web/package-lock.json pins it.
-install_viewer() {
-  local installed=$root/web/node_modules/.package-lock.json
-  [ -f "$root/web/package-lock.json" ] || return 0
-  [ -f "$installed" ] && ! [ "$root/web/package-lock.json" -nt "$installed" ] && return 0
+# install_npm [--omit=dev]: the viewer's page, and without --omit=dev the readers that the tests ask, exactly as
+# web/package-lock.json pins them.
+install_npm() {
+  local lock=$root/web/package-lock.json modules=$root/web/node_modules
+  local last=$modules/@playcanvas/splat-transform/package.json
+  if [ "${1:-}" = --omit=dev ]; then last=$modules/@playcanvas/supersplat-viewer/package.json; fi
+  [ -f "$last" ] && [ -f "$modules/.complete" ] && cmp -s "$lock" "$modules/.complete" && return 0
   local missing=()
   command -v node >/dev/null || missing+=(nodejs)
   command -v npm >/dev/null || missing+=(npm)
@@ -61,12 +63,12 @@ install_viewer() {
     say "installing ${missing[*]} (once)"
     apt_install "${missing[@]}"
   fi
-  say "installing the viewer (once)"
-  (cd "$root/web" && quietly npm ci --ignore-scripts --omit=dev --no-audit --no-fund) || fail "npm ci failed in web/: is the network there?"
-  touch "$installed"
+  say "installing the npm packages of web/ (once)"
+  (cd "$root/web" && quietly npm ci --ignore-scripts --no-audit --no-fund "$@") || fail "npm ci failed in web/: is the network there?"
+  cp "$lock" "$modules/.complete"
 }
 
-# build_target TARGET…: configures once, then lets ninja find out what has changed.
+# build_targets TARGET…: configures once, then lets ninja find out what has changed.
 build_targets() {
   local build=$root/build/release
   if ! [ -f "$build/build.ninja" ]; then

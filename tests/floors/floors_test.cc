@@ -113,7 +113,7 @@ TEST(Floors, TheDrawingAndTheBuildNameTheSameRooms) {
 TEST(Floors, EveryFolderIsARoom) {
     const Drawing drawn = drawing();
     for (const auto& entry : fs::directory_iterator(kRoot / "src/fastscene"))
-        if (entry.is_directory()) EXPECT_TRUE(drawn.floor.contains(entry.path().filename().string())) << entry.path();
+        EXPECT_TRUE(!entry.is_directory() || drawn.floor.contains(entry.path().filename().string())) << entry.path();
 }
 
 TEST(Floors, TheBuildLinksOnlyWhatTheDrawingAllows) {
@@ -136,9 +136,10 @@ TEST(Floors, SourcesIncludeDownwardAndThroughFrontDoors) {
         if (to == include.room) continue;
         ++checked;
         EXPECT_TRUE(drawing_allows(drawn, include.room, to)) << text << ": not downward";
-        if (include.room != "cli") EXPECT_TRUE(rooms.at(include.room).uses.contains(to)) << text << ": not among its USES";
-        if (drawn.floor.at(include.room) == 5 && drawn.floor.at(to) == 5)
+        EXPECT_TRUE(include.room == "cli" || rooms.at(include.room).uses.contains(to)) << text << ": not among its USES";
+        if (drawn.floor.at(include.room) == 5 && drawn.floor.at(to) == 5) {
             EXPECT_EQ(target, fs::path(to) / (to + ".h")) << text << ": stages meet at front headers only";
+        }
     }
     EXPECT_GT(checked, 50u);
 }
@@ -153,8 +154,8 @@ TEST(Floors, ForeignLibrariesStayInTheirRooms) {
     for (const Include& include : includes()) {
         if (include.is_test) continue;
         for (const auto& [library, rooms] : rules)
-            if (include.target.starts_with(library))
-                EXPECT_NE(std::find(rooms.begin(), rooms.end(), include.room), rooms.end()) << include.file << " includes " << include.target;
+            EXPECT_TRUE(!include.target.starts_with(library) || std::find(rooms.begin(), rooms.end(), include.room) != rooms.end())
+                << include.file << " includes " << include.target;
     }
 }
 

@@ -24,12 +24,12 @@ namespace {
 void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
     verb.add_option("--threads", common->threads, "Threads to use; 0 = all cores. The result is the same for any number.")
         ->type_name("N")
-        ->check(CLI::Range(0, 4096))
+        ->check(CLI::Range(0, 4096).description(""))
         ->capture_default_str();
     verb.add_flag("--json", common->json, "Write the result to stdout as JSON.");
     verb.add_option("--progress", common->progress, "How progress is shown on stderr.")
         ->type_name("auto|plain|json|none")
-        ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
+        ->check(CLI::IsMember({"auto", "plain", "json", "none"}).description(""))
         ->capture_default_str();
 }
 

@@ -17,7 +17,7 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
     });
     app.add_option("--quality", flags->quality, "Preset that fills all settings below.")
         ->type_name("draft|standard|high")
-        ->check(CLI::IsMember(qualities()))
+        ->check(CLI::IsMember(qualities()).description(""))
         ->default_str(flags->quality)
         ->each([flags = flags.get()](const std::string&) { flags->has_quality = true; });
 }
