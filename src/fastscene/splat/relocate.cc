@@ -8,11 +8,15 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr float kDeadOpacity = 0.005f;
-constexpr double kMostMoved = 0.05;   // of all splats at a time: the picture must recover between moves
-constexpr int kMostCopies = 8;
+constexpr float kDeadOpacity = 0.005f;  // nowhere above 1/255 for long
+constexpr int kLogit = 10;
 
-double opacity_of(float logit) { return 1 / (1 + std::exp(-static_cast<double>(logit))); }
+// Two halves of one splat along its longest axis: sizes and places chosen so that together they look much
+// like it did (the sum of the two, 0.75 sigma wide and 1.2 sigma apart, is within 4 % of one of 1 sigma).
+constexpr float kHalfOffset = 0.6f, kHalfSize = 0.75f;
+constexpr double kHalfDensity = 0.72;   // of -ln(1 - opacity)
+
+double opacity_of(const Cloud& c, std::int64_t i) { return 1 / (1 + std::exp(-static_cast<double>(c.parameters[c.at(i, kLogit)]))); }
 
 bool is_finite_splat(const Cloud& cloud, std::int64_t i) {
     double sum = 0;
@@ -20,73 +24,83 @@ bool is_finite_splat(const Cloud& cloud, std::int64_t i) {
     return sum < 1e9;
 }
 
-}  // namespace
-
-SharedLook shared_look(float opacity, int copies) {
-    const double one = 1 - std::pow(1 - static_cast<double>(opacity), 1.0 / copies);
-    double denominator = 0;
-    for (int i = 1; i <= copies; ++i) {
-        double binomial = 1, power = one;
-        for (int k = 0; k <= i - 1; ++k) {
-            denominator += binomial * (k % 2 ? -1 : 1) / std::sqrt(k + 1.0) * power;
-            power *= one;
-            binomial = binomial * (i - 1 - k) / (k + 1);
-        }
+// The splats to move, in order.
+std::vector<std::int64_t> useless_splats(const Cloud& cloud, double fraction) {
+    std::vector<float> weights(cloud.seen_weight.begin(), cloud.seen_weight.begin() + cloud.count);
+    const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(cloud.count));
+    float limit = -1;
+    if (rank > 0) {
+        std::nth_element(weights.begin(), weights.begin() + rank, weights.end());
+        limit = weights[static_cast<std::size_t>(rank)];
     }
-    return {static_cast<float>(one), static_cast<float>(opacity / denominator)};
+    std::vector<std::int64_t> out;
+    for (std::int64_t i = 0; i < cloud.count; ++i)
+        if (cloud.seen_weight[static_cast<std::size_t>(i)] < limit || !(opacity_of(cloud, i) >= kDeadOpacity) || !is_finite_splat(cloud, i))
+            out.push_back(i);
+    return out;
 }
 
-std::int64_t relocate(Cloud& cloud, std::uint64_t seed, int step) {
-    std::vector<std::int64_t> dead, alive;
-    std::vector<double> error_up_to;  // running sum over `alive`
+// `count` different splats drawn with chances after their error, none of them in `excluded` (sorted).
+std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<std::int64_t>& excluded, std::size_t count, Random random) {
+    std::vector<std::int64_t> candidates;
+    std::vector<double> up_to;  // running sum of the errors
     double sum = 0;
+    auto skip = excluded.begin();
     for (std::int64_t i = 0; i < cloud.count; ++i) {
-        const double opacity = opacity_of(cloud.parameters[cloud.at(i, 10)]);
-        if (!(opacity >= kDeadOpacity) || !is_finite_splat(cloud, i)) {
-            dead.push_back(i);
+        if (skip != excluded.end() && *skip == i) {
+            ++skip;
             continue;
         }
-        sum += std::max(0.f, cloud.seen_error[static_cast<std::size_t>(i)]);
-        alive.push_back(i);
-        error_up_to.push_back(sum);
+        const float error = cloud.seen_error[static_cast<std::size_t>(i)];
+        if (!(error > 0)) continue;
+        candidates.push_back(i);
+        up_to.push_back(sum += error);
     }
-    dead.resize(std::min(dead.size(), static_cast<std::size_t>(kMostMoved * static_cast<double>(cloud.count)) + 1));
-    std::int64_t moved = 0;
-    if (sum > 0 && !dead.empty()) {
-        std::vector<int> copies(static_cast<std::size_t>(cloud.count), 1);
-        std::vector<std::int64_t> source(dead.size());
-        Random random(seed, "splat.relocate", static_cast<std::uint64_t>(step));
-        for (std::int64_t& s : source) {
-            const double at = sum * random.uniform();
-            const auto k = std::min<std::ptrdiff_t>(std::upper_bound(error_up_to.begin(), error_up_to.end(), at) - error_up_to.begin(),
-                                                    static_cast<std::ptrdiff_t>(alive.size()) - 1);
-            s = alive[static_cast<std::size_t>(k)];
-            copies[static_cast<std::size_t>(s)] = std::min(copies[static_cast<std::size_t>(s)] + 1, kMostCopies);
-        }
-        for (std::size_t k = 0; k < dead.size(); ++k) {
-            const std::int64_t to = dead[k], from = source[k];
-            for (int p = 0; p < kParameters; ++p) {
-                cloud.parameters[cloud.at(to, p)] = cloud.parameters[cloud.at(from, p)];
-                cloud.first_moment[cloud.at(to, p)] = cloud.second_moment[cloud.at(to, p)] = 0;
-            }
-            ++moved;
-        }
-        const auto share = [&](std::int64_t i, int n) {
-            const auto opacity = static_cast<float>(std::min(opacity_of(cloud.parameters[cloud.at(i, 10)]), 0.995));
-            const SharedLook l = shared_look(opacity, n);
-            cloud.parameters[cloud.at(i, 10)] = std::log(l.opacity / (1 - l.opacity));
-            for (int p = 3; p < 6; ++p) cloud.parameters[cloud.at(i, p)] += std::log(l.scale);
-        };
-        for (std::size_t k = 0; k < dead.size(); ++k) share(dead[k], copies[static_cast<std::size_t>(source[k])]);
-        for (const std::int64_t i : alive)
-            if (copies[static_cast<std::size_t>(i)] > 1) {
-                share(i, copies[static_cast<std::size_t>(i)]);
-                for (int p = 0; p < kParameters; ++p) cloud.first_moment[cloud.at(i, p)] = cloud.second_moment[cloud.at(i, p)] = 0;
-            }
+    std::vector<std::int64_t> out;
+    if (candidates.empty()) return out;
+    std::vector<bool> taken(candidates.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto found = std::upper_bound(up_to.begin(), up_to.end(), sum * random.uniform()) - up_to.begin();
+        const auto c = static_cast<std::size_t>(std::min<std::ptrdiff_t>(found, static_cast<std::ptrdiff_t>(candidates.size()) - 1));
+        if (!taken[c]) out.push_back(candidates[c]);
+        taken[c] = true;
     }
+    return out;
+}
+
+// Splat `to` becomes the second half of splat `from`; both start with fresh moments.
+void split(Cloud& cloud, std::int64_t from, std::int64_t to) {
+    auto& x = cloud.parameters;
+    std::size_t axis = 0;
+    for (std::size_t a = 1; a < 3; ++a)
+        if (x[cloud.at(from, 3 + static_cast<int>(a))] > x[cloud.at(from, 3 + static_cast<int>(axis))]) axis = a;
+    const auto get = [&](int p) { return x[cloud.at(from, p)]; };
+    const Vec3f along = matrix_of(Quatf{get(6), get(7), get(8), get(9)}).column(axis);
+    const int scale = 3 + static_cast<int>(axis);
+    const Vec3f offset = along * (kHalfOffset * std::exp(get(scale)));
+    const double opacity = 1 - std::pow(1 - std::min(opacity_of(cloud, from), 0.995), kHalfDensity);
+    x[cloud.at(from, scale)] += std::log(kHalfSize);
+    x[cloud.at(from, kLogit)] = static_cast<float>(std::log(opacity / (1 - opacity)));
+    for (int p = 0; p < kParameters; ++p) {
+        x[cloud.at(to, p)] = get(p);
+        for (const std::int64_t i : {from, to}) cloud.first_moment[cloud.at(i, p)] = cloud.second_moment[cloud.at(i, p)] = 0;
+    }
+    for (int a = 0; a < 3; ++a) {
+        x[cloud.at(from, a)] -= offset[static_cast<std::size_t>(a)];
+        x[cloud.at(to, a)] += offset[static_cast<std::size_t>(a)];
+    }
+}
+
+}  // namespace
+
+std::int64_t relocate(Cloud& cloud, const Relocation& how, std::uint64_t seed, int step) {
+    const std::vector<std::int64_t> useless = useless_splats(cloud, how.useless_fraction);
+    const std::vector<std::int64_t> sources =
+        splats_to_split(cloud, useless, useless.size(), Random(seed, "splat.relocate", static_cast<std::uint64_t>(step)));
+    for (std::size_t k = 0; k < sources.size(); ++k) split(cloud, sources[k], useless[k]);
     std::fill(cloud.seen_weight.begin(), cloud.seen_weight.end(), 0.f);
     std::fill(cloud.seen_error.begin(), cloud.seen_error.end(), 0.f);
-    return moved;
+    return static_cast<std::int64_t>(sources.size());
 }
 
 }  // namespace fastscene::splat

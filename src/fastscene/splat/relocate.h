@@ -1,5 +1,7 @@
-// Density control with a fixed number of splats (after Kheradmand et al. 2024, "3D Gaussian Splatting as
-// Markov Chain Monte Carlo"): splats that show nothing move onto ones that have much error to explain.
+// Density control with a fixed number of splats, in the spirit of Kheradmand et al. 2024 ("3D Gaussian
+// Splatting as Markov Chain Monte Carlo"): splats that show next to nothing move to where there is most
+// error to explain. No opacity reset and no limit on size on screen or in the world: both take for granted
+// that the cameras stand around the scene, and ours stand in its middle.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +10,12 @@
 
 namespace fastscene::splat {
 
-// Opacity and scale factor of each of `copies` splats that lie in one place and together should look like one
-// splat of this opacity (equation 9 there).
-struct SharedLook {
-    float opacity, scale;
+struct Relocation {
+    double useless_fraction = 0.03;  // of all splats: the ones with the least blending weight
 };
-SharedLook shared_look(float opacity, int copies);
 
-// Moves the dead and clears the statistics. Returns how many moved.
-std::int64_t relocate(Cloud& cloud, std::uint64_t seed, int step);
+// Moves the dead and the useless, each onto a splat drawn by its error, which becomes two along its
+// longest axis; clears the statistics. Returns how many moved.
+std::int64_t relocate(Cloud& cloud, const Relocation& how, std::uint64_t seed, int step);
 
 }  // namespace fastscene::splat

@@ -20,7 +20,7 @@ struct SplatParams {
     int count = 200000;                // Gaussians; fixed: memory is known in advance
     int steps = 3000;
     float lambda_dssim = 0.2f;
-    float learning_rate_mean_m = 1e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
+    float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {

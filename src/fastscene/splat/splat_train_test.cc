@@ -71,6 +71,27 @@ TEST(SplatTrain, SameSeedSameBytesForAnyNumberOfThreads) {
     EXPECT_FALSE(one == other);
 }
 
+// The first steps of both backends are the same up to rounding.
+TEST(SplatTrain, BackendsTakeTheSameSteps) {
+    ViewSet set = small_room().train;
+    set.views.resize(2);
+    SplatParams params;
+    params.count = 400;
+    params.steps = 3;
+    const FittedSplats fast = fit_splats(set, params, Context{});
+    params.backend = "reference";
+    const FittedSplats slow = fit_splats(set, params, Context{});
+    EXPECT_NEAR(fast.curve.back().loss, slow.curve.back().loss, 1e-4f);
+    double far = 0, moved = 0;
+    const Splats start = initial_splats(set.points, params.count, Context{});
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        far += length(fast.splats.mean_m[i] - slow.splats.mean_m[i]);
+        moved += length(slow.splats.mean_m[i] - start.mean_m[i]);
+    }
+    EXPECT_GT(moved, 0);
+    EXPECT_LT(far, 0.05 * moved);
+}
+
 TEST(SplatTrain, PixelsOfNoWeightTeachNothing) {
     ViewSet set = small_room().train;
     set.views.resize(1);
@@ -115,28 +136,40 @@ TEST(SplatInit, DiscsLieOnTheirSurface) {
     EXPECT_EQ(initial_splats(points, 1 << 20, Context{}).size(), points.size());
 }
 
-// n copies of the shared opacity stacked up hide as much as the one did.
-TEST(SplatRelocate, CopiesTogetherLookLikeOne) {
-    for (const float opacity : {0.05f, 0.5f, 0.95f})
-        for (const int n : {2, 3, 8}) {
-            const splat::SharedLook look = splat::shared_look(opacity, n);
-            EXPECT_NEAR(1 - std::pow(1 - look.opacity, n), opacity, 1e-5);
-            EXPECT_GT(look.scale, 0.3f);
-            EXPECT_LT(look.scale, 1.001f);
-        }
-}
-
+// A dead splat and the one with all the error become two neighbours along its longest axis.
 TEST(SplatRelocate, TheDeadMoveToWhereTheErrorIs) {
     Splats s = initial_splats(small_room().train.points, 200, Context{});
-    for (std::size_t i = 0; i < 5; ++i) s.opacity_logit[i] = -9;
+    s.opacity_logit[3] = -9;
+    s.log_scale[100].y += 1;
     splat::Cloud cloud(s, true);
     cloud.seen_error[100] = 7.f;
-    EXPECT_EQ(splat::relocate(cloud, 1, 100), 5);
+    EXPECT_EQ(splat::relocate(cloud, {.useless_fraction = 0}, 1, 100), 1);
     const Splats moved = cloud.splats();
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(moved.mean_m[i], s.mean_m[100]);
+    EXPECT_LT(length((moved.mean_m[3] + moved.mean_m[100]) * 0.5f - s.mean_m[100]), 1e-5f);
+    const Vec3f apart = normalize(moved.mean_m[3] - moved.mean_m[100]);
+    EXPECT_GT(std::fabs(dot(apart, matrix_of(s.rotation[100]).column(1))), 0.999f);
     EXPECT_LT(moved.opacity_logit[100], s.opacity_logit[100]);
-    EXPECT_EQ(moved.opacity_logit[0], moved.opacity_logit[100]);
+    EXPECT_EQ(moved.opacity_logit[3], moved.opacity_logit[100]);
     EXPECT_EQ(moved.mean_m[150], s.mean_m[150]);
+    EXPECT_EQ(cloud.seen_error[100], 0.f);
+}
+
+TEST(SplatRelocate, SplittingHardlyChangesThePicture) {
+    const Splats s = initial_splats(small_room().train.points, 3000, Context{});
+    splat::Cloud cloud(s, true);
+    for (std::int64_t i = 0; i < cloud.count; ++i) {
+        cloud.seen_error[static_cast<std::size_t>(i)] = 1;
+        cloud.seen_weight[static_cast<std::size_t>(i)] = i % 60 ? 1.f : 0.f;
+    }
+    EXPECT_GT(splat::relocate(cloud, {.useless_fraction = 0.03}, 1, 100), 40);
+    const View& view = small_room().train.views[0];
+    View before = view;
+    const SplatPicture picture = render_splats(s, view.camera, view.world_from_camera);
+    for (std::size_t i = 0; i < before.color.size(); ++i) {
+        const Vec3f c = picture.color.pixels[i];
+        before.color.pixels[i] = {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)};
+    }
+    EXPECT_GT(psnr(render_splats(cloud.splats(), view.camera, view.world_from_camera), before), 30);
 }
 
 }  // namespace

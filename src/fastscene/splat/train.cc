@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "fastscene/base/random.h"
-#include "fastscene/splat/engine.h"
 #include "fastscene/splat/relocate.h"
+#include "fastscene/splat/stepper.h"
 
 namespace fastscene::splat {
 namespace {
@@ -72,20 +72,20 @@ FittedSplats fit(const ViewSet& set, const SplatParams& params, const TrainTunin
     const Splats start = initial_splats(set.points, params.count, run);
     if (start.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
     Cloud cloud(start, true);
-    Engine engine(choose_kernel());
+    const std::unique_ptr<Stepper> stepper = make_stepper(params.backend);
     ViewOrder order(set.views.size(), run.seed);
     Progress progress(run, "splat", params.steps);
     FittedSplats out;
     Curve curve;
     constexpr int kCurveSteps = 50;
+    // A splat is useless only if no view needs it: judge after every view has been seen.
+    const int relocate_every = std::max(tuning.relocate_every, static_cast<int>(set.views.size()));
     for (int step = 1; step <= params.steps; ++step) {
         run.check_stop();
         const View& view = set.views[order.next()];
         const float done = static_cast<float>(step - 1) / static_cast<float>(params.steps);
-        engine.render(cloud, view.camera, view.world_from_camera, {}, false);
-        curve.add(engine.differentiate(view, params.lambda_dssim));
-        engine.step(cloud, rates_at(done, params, tuning), step);
-        if (tuning.relocate && step % tuning.relocate_every == 0 && done < tuning.relocate_until) relocate(cloud, run.seed, step);
+        curve.add(stepper->step(cloud, view, params.lambda_dssim, rates_at(done, params, tuning), step));
+        if (step % relocate_every == 0 && done < tuning.relocate_until) relocate(cloud, {tuning.relocate_fraction}, run.seed, step);
         if (step % kCurveSteps == 0 || step == params.steps) curve.close(step, out.curve);
         progress.advance();
     }
