@@ -1,0 +1,87 @@
+#include "fastscene/views/views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fastscene/image/color.h"
+#include "fastscene/scene/synthetic.h"
+
+namespace fastscene {
+namespace {
+
+constexpr EquirectSize kSize{512, 256};
+
+SyntheticWorld room() { return SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::smooth); }
+ViewsParams small_params() {
+    ViewsParams params;
+    params.size = 64;
+    params.points = 5000;
+    return params;
+}
+
+TEST(Views, CoverTheWholeSphereAndShowTheRoom) {
+    const ViewSet set = project_views({render_synthetic(room(), {}, kSize, 1)}, small_params(), {});
+    ASSERT_EQ(set.views.size(), 14u);
+    std::set<std::string> names;
+    for (const View& view : set.views) {
+        names.insert(view.name);
+        EXPECT_TRUE(view.weight.empty());
+        const Mat3f& m = view.world_from_camera.rotation;
+        EXPECT_LT(length(cross(m.column(0), m.column(1)) - m.column(2)), 1e-5f);
+        double error = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const Vec3f d = normalize(m * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+                const Rgb8 wanted = srgb8_from_linear(trace_synthetic(room(), {}, d).color);
+                error += std::abs(wanted.g - view.color.at(x, y).g);
+            }
+        EXPECT_LT(error / (64 * 64), 2.5) << view.name;
+    }
+    EXPECT_EQ(names.size(), 14u);
+    EXPECT_EQ(*names.begin(), "000_00.png");
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, {64, 32});
+            EXPECT_TRUE(std::any_of(set.views.begin(), set.views.end(), [&](const View& view) {
+                const auto at = view.camera.project(transpose(view.world_from_camera.rotation) * d);
+                return at && at->x >= 0 && at->x <= 64 && at->y >= 0 && at->y <= 64;
+            }));
+        }
+}
+
+TEST(Views, InventedPixelsCountLess) {
+    Panorama panorama = render_synthetic(room(), {0.2f, 0, 0}, kSize, 1);
+    panorama.known = Image<Known>(kSize.width, kSize.height, Known::invented);
+    const ViewsParams params = small_params();
+    const ViewSet set = project_views({render_synthetic(room(), {}, kSize, 1), panorama}, params, {});
+    ASSERT_EQ(set.views.size(), 28u);
+    EXPECT_TRUE(set.views[0].weight.empty());
+    for (const std::uint8_t w : set.views[14].weight.pixels) EXPECT_LE(w, params.weight_invented);
+}
+
+TEST(Points, LieOnTheSurfacesTheyName) {
+    const ViewSet set = project_views({render_synthetic(room(), {}, kSize, 1)}, small_params(), {});
+    EXPECT_NEAR(static_cast<double>(set.points.size()), 5000, 10);
+    double area = 0;
+    for (const SurfacePoint& p : set.points) {
+        const Vec3f d = normalize(p.position_m);
+        EXPECT_NEAR(trace_synthetic(room(), {}, d).range, length(p.position_m), 0.02f * length(p.position_m));
+        EXPECT_NEAR(length(p.normal), 1, 1e-4);
+        EXPECT_LT(dot(p.normal, d), 0);
+        area += static_cast<double>(p.radius_m * p.radius_m);
+    }
+    // The squared spacings together are the seen surface: about that of the room.
+    EXPECT_GT(area, 60);
+    EXPECT_LT(area, 140);
+}
+
+TEST(Points, SkyStandsFarAway) {
+    Panorama panorama = render_synthetic(room(), {}, {64, 32}, 1);
+    for (float& r : panorama.range.pixels) r = std::numeric_limits<float>::infinity();
+    for (const SurfacePoint& p : project_views({panorama}, small_params(), {}).points) EXPECT_NEAR(length(p.position_m), 30, 0.1);
+}
+
+}  // namespace
+}  // namespace fastscene
