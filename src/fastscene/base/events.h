@@ -13,6 +13,7 @@ struct ProgressEvent {
     std::string work;
     std::int64_t done = 0;
     std::int64_t total = 1;
+    double overall = -1;  // share of the whole run that is finished, 0..1; negative = not known
 };
 // Something the user should know but need not act on.
 struct NoteEvent {

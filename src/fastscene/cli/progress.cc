@@ -55,6 +55,12 @@ void ProgressDisplay::say(const std::string& kind, const std::string& text) {
 
 // The work is taken to go on as fast as it went so far.
 double ProgressDisplay::seconds_left(const ProgressEvent& event) const {
+    if (event.overall >= 0) {
+        const double made = event.overall - overall_first_;
+        const double spent = Seconds(Clock::now() - overall_begin_).count();
+        // Out of too little an estimate would jump about.
+        return made > 0.005 ? spent * (1 - event.overall) / made : -1;
+    }
     if (event.done <= 0) return -1;
     const double spent = Seconds(Clock::now() - begin_).count();
     return spent * static_cast<double>(event.total - event.done) / static_cast<double>(event.done);
@@ -63,6 +69,10 @@ double ProgressDisplay::seconds_left(const ProgressEvent& event) const {
 void ProgressDisplay::show(const ProgressEvent& event) {
     if (style_ == ProgressStyle::none) return;
     const auto now = Clock::now();
+    if (event.overall >= 0 && overall_first_ < 0) {
+        overall_first_ = event.overall;
+        overall_begin_ = now;
+    }
     if (event.work != work_ || event.done == 0) {
         if (event.work != work_) end_line();
         work_ = event.work;
@@ -86,16 +96,14 @@ void ProgressDisplay::show(const ProgressEvent& event) {
     const double left = seconds_left(event);
     if (style_ == ProgressStyle::json) {
         Json json{{"event", "progress"}, {"work", event.work}, {"done", event.done}, {"total", event.total}};
+        if (event.overall >= 0) json["overall"] = event.overall;
         if (left >= 0) json["seconds_left"] = left;
         out_ << json.dump() << std::endl;
         return;
     }
-    const double spent = Seconds(now - begin_).count();
-    std::string text = fmt::format("{:<28} {:>3} %", event.work, percent);
-    if (finished)
-        text += fmt::format("  {} spent", clock_text(spent));
-    else if (left >= 0 && spent > 0.5)
-        text += fmt::format("  {} left", clock_text(left));
+    std::string text = fmt::format("{:<24} {:>3} %", event.work, percent);
+    if (event.overall >= 0) text += fmt::format("   all {:>2.0f} %", 100 * event.overall);
+    if (left >= 0 && Seconds(now - begin_).count() > 0.5) text += fmt::format(", {} left", clock_text(left));
     if (style_ == ProgressStyle::plain) {
         out_ << text << std::endl;
         return;

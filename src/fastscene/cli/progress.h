@@ -28,13 +28,15 @@ class ProgressDisplay : public EventSink {
     using Clock = std::chrono::steady_clock;
     void show(const ProgressEvent& event);
     void say(const std::string& kind, const std::string& text);
-    double seconds_left(const ProgressEvent& event) const;
+    double seconds_left(const ProgressEvent& event) const;  // of the whole run where that is known; negative = unknown
 
     std::ostream& out_;
     ProgressStyle style_;
     std::mutex mutex_;
     std::string work_;                 // the work that is going on
     Clock::time_point begin_, shown_;  // when it began, and when something was last shown of it
+    Clock::time_point overall_begin_;  // when the whole was first heard of, and how far it was then
+    double overall_first_ = -1;
     int shown_percent_ = -1;
     std::size_t line_length_ = 0;      // of the rewritten line on screen; 0 = none
 };

@@ -11,27 +11,11 @@
 #include "fastscene/pipeline/identity.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/stage_cache.h"
+#include "fastscene/pipeline/stage_events.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
-
-// Tells what a stage says with the stage's name before it.
-class StageEvents : public EventSink {
-  public:
-    StageEvents(std::string_view stage, EventSink* sink) : stage_(stage), sink_(sink) {}
-    void tell(const Event& event) override {
-        if (!sink_) return;
-        if (const auto* progress = std::get_if<ProgressEvent>(&event))
-            sink_->tell(ProgressEvent{stage_ + ": " + progress->work, progress->done, progress->total});
-        else
-            sink_->tell(event);
-    }
-
-  private:
-    std::string stage_;
-    EventSink* sink_;
-};
 
 // The stages in their order: each hangs on the results of all before it, and none is made after the last one asked for.
 class Stream {
@@ -42,7 +26,7 @@ class Stream {
     // `make` writes the stage's files into the directory it is given.
     void stage(std::string_view name, const Json& params, const std::function<void(const fs::path& out, const Run& run)>& make) {
         if (!done_.empty() && done_.back().name == last_stage_) return;
-        StageEvents events(name, run_.events);
+        StageEvents events(name, last_stage_, run_.events);
         const Run stage_run{run_.seed, &events, run_.stop};
         done_.push_back(run_stage(folder_.root, name, stage_key(name, params, inputs_, run_.seed), stage_run,
                                   [&](const fs::path& out) { make(out, stage_run); }));

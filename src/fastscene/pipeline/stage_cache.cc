@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 
 #include "fastscene/base/error.h"
@@ -98,7 +99,8 @@ Cost measure_cost(const std::function<void()>& work) {
     const double cpu = cpu_seconds_so_far();
     work();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    return {seconds.count(), cpu_seconds_so_far() - cpu, peak_memory_bytes()};
+    const auto to_ms = [](double s) { return std::round(s * 1000) / 1000; };
+    return {to_ms(seconds.count()), to_ms(cpu_seconds_so_far() - cpu), peak_memory_bytes()};
 }
 
 std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs, std::uint64_t seed) {

@@ -1,0 +1,55 @@
+#include "fastscene/pipeline/stage_events.h"
+
+#include <cmath>
+
+namespace fastscene {
+namespace {
+
+// Shares of the time of a standard run, and how many works a stage reports. Measured; only the time left hangs on them.
+struct Plan {
+    std::string_view stage;
+    double share;
+    double first_work;  // share of the stage's time that its first work takes
+};
+constexpr Plan kPlan[] = {{"panorama", 0.35, 0.8}, {"depth", 0.01, 1}, {"walk", 0.2, 1}, {"views", 0.04, 1}, {"splat", 0.4, 1}};
+
+}  // namespace
+
+StageEvents::StageEvents(std::string_view stage, std::string_view last_stage, EventSink* sink) : stage_(stage), sink_(sink) {
+    double total = 0;
+    for (const Plan& plan : kPlan) {
+        if (plan.stage == stage) begin_ = total, share_ = plan.share;
+        total += plan.share;
+        if (plan.stage == last_stage) break;
+    }
+    begin_ /= total;
+    share_ /= total;
+}
+
+double StageEvents::overall(const ProgressEvent& event) {
+    const std::lock_guard guard(mutex_);
+    if (event.work != work_) {
+        work_ = event.work;
+        ++works_before_;
+    }
+    double first = 1;
+    for (const Plan& plan : kPlan)
+        if (plan.stage == stage_) first = plan.first_work;
+    // Each work takes that share of what the works before it have left over; so the whole never goes back.
+    const double left_over = std::pow(1 - first, works_before_);
+    const double done = static_cast<double>(event.done) / static_cast<double>(event.total);
+    const bool last_work = works_before_ > 0;
+    return begin_ + share_ * (1 - left_over + left_over * (last_work ? 1 : first) * done);
+}
+
+void StageEvents::tell(const Event& event) {
+    if (!sink_) return;
+    if (const auto* progress = std::get_if<ProgressEvent>(&event)) {
+        const std::string work = progress->work == stage_ ? stage_ : stage_ + ": " + progress->work;
+        sink_->tell(ProgressEvent{work, progress->done, progress->total, overall(*progress)});
+    } else {
+        sink_->tell(event);
+    }
+}
+
+}  // namespace fastscene
