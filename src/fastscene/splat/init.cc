@@ -11,7 +11,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kOpacity = 0.6f;      // high enough to cover, low enough that the ones behind still get gradients
-constexpr float kThickness = 0.15f;   // of the disc's radius: surfaces are sharp from aside
+constexpr float kThickness = 0.08f;   // of the disc's radius: surfaces are sharp from aside
 constexpr float kOverlap = 0.6f;      // standard deviation per spacing: neighbours close the surface
 
 bool usable(const SurfacePoint& p) {
