@@ -27,6 +27,15 @@ PlanePicture blank(ScenePlane plane) {
     return picture;
 }
 
+// Are all pixels about (x, y) on the plane? A pixel beside a crease or a silhouette holds some of what lies across it.
+bool is_inside(const Image<std::int16_t>& label, const ImageMask& cuts, int x, int y, std::int16_t index) {
+    if (cuts.at(x, y) & kFarSide) return false;
+    for (int j = std::max(0, y - 1); j <= std::min(label.height - 1, y + 1); ++j)
+        for (int i = x - 1; i <= x + 1; ++i)
+            if (label.at(wrap_column(i, label.width), j) != index) return false;
+    return true;
+}
+
 }  // namespace
 
 Vec3f PlanePicture::color_at(Vec3f point) const {
@@ -55,7 +64,7 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
                 const Vec2f at = pixel_of_direction(p, size);
                 const int px = wrap_column(static_cast<int>(at.x), size.width), py = std::min(static_cast<int>(at.y), size.height - 1);
                 const float seen = range.at(px, py), wanted = length(p);
-                if (label.at(px, py) != static_cast<std::int16_t>(index) || (cuts.at(px, py) & kFarSide)) continue;
+                if (!is_inside(label, cuts, px, py, static_cast<std::int16_t>(index))) continue;
                 if (!(std::fabs(seen - wanted) < 0.02f + 0.03f * wanted)) continue;
                 picture.color.at(x, y) = sample_equirect(color, at);
                 hole.at(x, y) = 0;
