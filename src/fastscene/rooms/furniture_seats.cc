@@ -1,0 +1,306 @@
+// Sofas, chairs, beds and what is soft.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/rooms/furniture_kit.h"
+
+namespace fastscene::furniture {
+namespace {
+
+int accent_cloth(Kit& k) {
+    Material m = tinted(k.style.fabric2, k.accent());
+    const int kind = k.dice.index(4);
+    if (kind == 1) m.pattern = Pattern::stripes, m.scale_m = 0.02f, m.color_b = Vec3f{0.7f, 0.67f, 0.6f}, m.color_c = m.color_a;
+    if (kind == 2) m.pattern = Pattern::knit, m.scale_m = 0.012f, m.bump_m = 0.002f;
+    return k.material(m);
+}
+void put_pillow(Kit& k, int mat, Vec3f at, Vec3f size, float lean_deg, float yaw_deg = 0.f) {
+    Mesh m = shapes::pillow(size, k.seed());
+    shapes::turn(m, {1, 0, 0}, -lean_deg);
+    shapes::turn(m, {0, 1, 0}, yaw_deg);
+    k.add(std::move(m), mat, at);
+}
+
+// Sofas of any width: seat cushions, back cushions, arms by the style's type.
+void couch(Kit& k, float width, int seats, int pillows) {
+    const SofaType type = k.style.sofa;
+    const bool slim = type == SofaType::slim, rolled = type == SofaType::rolled;
+    const int cloth = k.main(k.style.fabric), foot = k.material(slim ? k.style.wood : k.style.wood2);
+    const float depth = slim ? 0.82f : 0.93f, seat_y = 0.43f, arm = slim ? 0.07f : rolled ? 0.17f : 0.2f, back_y = slim ? 0.8f : rolled ? 0.9f : 0.84f;
+    const float leg = slim ? 0.17f : rolled ? 0.09f : 0.05f, inside = width - 2 * arm, arm_y = slim ? 0.6f : 0.63f;
+    const float z0 = -0.5f * depth;
+    // Legs, base, back.
+    for (const float sx : {-1.f, 1.f})
+        for (const float z : {z0 + 0.1f, -z0 - 0.1f}) {
+            const Vec3f top{sx * (0.5f * width - 0.12f), leg + 0.01f, z};
+            k.rod(foot, {top.x + (slim ? sx * 0.03f : 0.f), 0, z * (slim ? 1.06f : 1.f)}, top, slim ? 0.013f : 0.022f, slim ? 0.024f : 0.028f, 12);
+        }
+    k.soft(cloth, {0, leg, 0}, {width - (slim ? 0.02f : 0.04f), seat_y - 0.16f - leg, depth - 0.03f}, {0.02f, 0.004f, 0.002f, 12});
+    const float back_t = 0.2f;
+    Mesh back = shapes::soft_box({inside + (slim ? 0.1f : 0.02f), back_y - leg - 0.04f, back_t}, {0.05f, 0.01f, 0.002f, 12, k.seed()});
+    k.add(std::move(back), cloth, {0, 0.5f * (back_y + leg) - 0.02f, z0 + 0.5f * back_t});
+    // Arms.
+    for (const float sx : {-1.f, 1.f}) {
+        const float x = sx * 0.5f * (width - arm);
+        if (slim) {
+            k.soft(cloth, {x, seat_y - 0.2f, 0}, {arm, arm_y - seat_y + 0.2f, depth - 0.02f}, {0.03f, 0.006f, 0.001f, 12});
+        } else if (rolled) {
+            k.soft(cloth, {x - sx * 0.02f, leg, 0}, {arm - 0.04f, arm_y - 0.06f - leg, depth - 0.03f}, {0.03f, 0.01f, 0.001f, 12});
+            const std::array<Vec2f, 6> p{Vec2f{0.055f, 0}, {0.085f, 0.012f}, {0.092f, 0.05f}, {0.092f, depth - 0.05f}, {0.085f, depth - 0.012f}, {0.055f, depth}};
+            Mesh roll = shapes::lathe(p, 24, true);
+            shapes::turn(roll, {1, 0, 0}, 90);
+            k.add(std::move(roll), cloth, {x, arm_y - 0.02f, z0});
+        } else {
+            k.soft(cloth, {x, leg, 0}, {arm, arm_y - leg, depth}, {0.05f, 0.015f, 0.002f, 12});
+        }
+    }
+    // Cushions.
+    const float w = inside / static_cast<float>(seats);
+    for (int i = 0; i < seats; ++i) {
+        const float x = -0.5f * inside + (static_cast<float>(i) + 0.5f) * w;
+        k.soft(cloth, {x, seat_y - 0.17f, 0.5f * back_t - 0.02f}, {w - 0.004f, 0.19f, depth - back_t + 0.01f}, {0.05f, 0.035f, 0.004f, 14});
+        Mesh pad = shapes::soft_box({w - 0.01f, back_y - seat_y + 0.06f, 0.2f}, {0.07f, 0.05f, 0.006f, 14, k.seed()});
+        shapes::turn(pad, {1, 0, 0}, -11);
+        k.add(std::move(pad), cloth, {x, 0.5f * (back_y + seat_y) + 0.04f, z0 + back_t + 0.06f});
+    }
+    for (int i = 0; i < pillows; ++i) {
+        const int mat = accent_cloth(k);
+        const float s = k.dice.uniform(0.4f, 0.47f), sx = i % 2 == 0 ? -1.f : 1.f;
+        put_pillow(k, mat, {sx * (0.5f * inside - 0.24f - 0.22f * static_cast<float>(i / 2)), seat_y + 0.005f, z0 + back_t + 0.27f + 0.05f * static_cast<float>(i / 2)}, {s, s, 0.16f}, 20, -sx * 18.f + k.dice.uniform(-8, 8));
+    }
+    if (rolled) k.rod(cloth, {-0.5f * inside, back_y - 0.05f, z0 + 0.09f}, {0.5f * inside, back_y - 0.05f, z0 + 0.09f}, 0.075f, -1, 20);
+    k.piece.clearance_front_m = 0.5f;
+    k.piece.against_wall = true;
+    k.top(seat_y + 0.02f, 0, 0.12f, 0.4f * inside, 0.2f);
+}
+void sofa(Kit& k) {
+    const float w = k.request.size_m.x > 0 ? k.request.size_m.x : 2.2f * k.request.size_factor;
+    k.sized = true;
+    couch(k, std::max(w, 1.2f), w > 1.9f ? 3 : 2, 2 + k.dice.index(3));
+}
+void loveseat(Kit& k) { couch(k, 1.55f, 2, 2); }
+void armchair(Kit& k) {
+    if (k.style.sofa != SofaType::slim) return couch(k, 0.92f, 1, k.dice.index(2));
+    // A shell chair: wooden frame, seat and back pads.
+    const int cloth = k.main(k.style.fabric), wood = k.material(k.style.wood);
+    for (const float sx : {-1.f, 1.f}) {
+        const float x = sx * 0.34f;
+        k.rod(wood, {x, 0, 0.33f}, {x, 0.6f, 0.27f}, 0.014f, 0.02f);
+        k.rod(wood, {x, 0, -0.38f}, {x, 0.6f, -0.24f}, 0.014f, 0.02f);
+        Mesh arm = shapes::box({0.06f, 0.028f, 0.68f}, 0.01f);
+        shapes::turn(arm, {1, 0, 0}, -4);
+        k.add(std::move(arm), wood, {x, 0.6f, 0});
+        k.rod(wood, {x, 0.3f, 0.3f}, {x, 0.26f, -0.31f}, 0.015f);
+    }
+    k.rod(wood, {-0.34f, 0.29f, 0.29f}, {0.34f, 0.29f, 0.29f}, 0.016f);
+    k.rod(wood, {-0.34f, 0.26f, -0.3f}, {0.34f, 0.26f, -0.3f}, 0.016f);
+    Mesh seat = shapes::soft_box({0.62f, 0.15f, 0.64f}, {0.05f, 0.03f, 0.004f, 14, k.seed()});
+    shapes::turn(seat, {1, 0, 0}, -5);
+    k.add(std::move(seat), cloth, {0, 0.37f, 0.03f});
+    Mesh back = shapes::soft_box({0.62f, 0.56f, 0.14f}, {0.05f, 0.03f, 0.004f, 14, k.seed()});
+    shapes::turn(back, {1, 0, 0}, -17);
+    k.add(std::move(back), cloth, {0, 0.64f, -0.3f});
+    k.piece.clearance_front_m = 0.5f;
+}
+
+void ottoman(Kit& k) {
+    const int cloth = k.main(k.style.fabric2), wood = k.material(k.style.wood);
+    for (const float sx : {-1.f, 1.f})
+        for (const float sz : {-1.f, 1.f}) k.rod(wood, {sx * 0.24f, 0, sz * 0.18f}, {sx * 0.23f, 0.16f, sz * 0.17f}, 0.014f, 0.022f);
+    k.soft(cloth, {0, 0.15f, 0}, {0.65f, 0.27f, 0.5f}, {0.05f, 0.03f, 0.003f, 14});
+    k.top(0.41f, 0, 0, 0.22f, 0.15f);
+}
+void pouf(Kit& k) {
+    Material m = k.style.fabric2;
+    m.pattern = Pattern::knit;
+    m.scale_m = 0.02f;
+    m.bump_m = 0.004f;
+    const int cloth = k.main(m);
+    std::array<Vec2f, 9> p{};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const float t = 3.14159f * static_cast<float>(i) / 8.f;
+        p[i] = {i == 0 || i == 8 ? 0.f : 0.27f * std::pow(std::sin(t), 0.55f), 0.2f - 0.2f * std::copysign(std::pow(std::fabs(std::cos(t)), 0.8f), std::cos(t))};
+    }
+    k.add(shapes::lathe(p, 32, true), cloth);
+    k.top(0.4f, 0, 0, 0.12f, 0.12f);
+}
+
+void chair(Kit& k) {
+    const LegType type = k.style.legs;
+    const bool metal = type == LegType::metal_frame, wooden = type == LegType::square || type == LegType::turned;
+    const int body = k.main(wooden || !metal ? k.style.wood : k.style.leather), pad = k.material(k.style.fabric2), frame = metal ? k.material(k.style.metal) : body;
+    const float y = 0.46f;
+    legs(k, frame, 0.19f, 0.19f, y - 0.02f, 0.036f);
+    if (metal) {
+        k.soft(body, {0, y - 0.025f, 0.01f}, {0.46f, 0.07f, 0.46f}, {0.03f, 0.012f, 0.001f, 12});
+        Mesh back = shapes::soft_box({0.44f, 0.34f, 0.05f}, {0.02f, 0.01f, 0.001f, 10, k.seed()});
+        shapes::turn(back, {1, 0, 0}, -9);
+        k.add(std::move(back), body, {0, 0.7f, -0.235f});
+        for (const float sx : {-1.f, 1.f}) k.rod(frame, {sx * 0.19f, y - 0.03f, -0.19f}, {sx * 0.19f, 0.78f, -0.265f}, 0.011f);
+    } else {
+        k.add(shapes::prism(shapes::rounded_rectangle(0.45f, 0.43f, 0.06f), y - 0.025f, y, 0.006f), body);
+        if (k.style.sofa == SofaType::rolled || type == LegType::turned) k.soft(pad, {0, y - 0.006f, 0.01f}, {0.41f, 0.05f, 0.39f}, {0.02f, 0.012f, 0.001f, 10});
+        for (const float sx : {-1.f, 1.f}) k.rod(body, {sx * 0.19f, y - 0.01f, -0.185f}, {sx * 0.2f, 0.88f, -0.27f}, 0.018f, 0.013f, 12);
+        const auto rail = [&](float yy, float h) {
+            Mesh m = shapes::slab(10, 2, 0.016f, [&](float u, float v) {
+                const float x = (u - 0.5f) * 0.4f, t = (yy + v * h - y) / 0.42f;
+                return Vec3f{x, yy + v * h, -0.178f - 0.085f * t - 0.035f * (1.f - 4.f * (u - 0.5f) * (u - 0.5f))};
+            });
+            k.add(std::move(m), body);
+        };
+        if (type == LegType::square) {
+            for (int i = 0; i < 3; ++i) rail(0.56f + 0.11f * static_cast<float>(i), 0.05f);
+        } else if (type == LegType::turned) {
+            rail(0.8f, 0.08f);
+            for (int i = -2; i <= 2; ++i) {
+                const float x = 0.065f * static_cast<float>(i), bow = 0.03f * (1.f - x * x / 0.04f);
+                k.rod(body, {x, y - 0.01f, -0.185f}, {x, 0.815f, -0.262f - bow}, 0.008f, -1, 8);
+            }
+        } else {
+            rail(0.7f, 0.17f);
+        }
+    }
+    k.piece.clearance_front_m = 0.3f;
+}
+void round_seat(Kit& k, float y, float r) {
+    const int wood = k.main(k.style.wood), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    k.add(shapes::prism(shapes::circle(r), y - 0.035f, y, 0.008f), wood);
+    for (int i = 0; i < 4; ++i) {
+        const float a = 0.7854f + 1.5708f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
+        k.rod(frame, {1.12f * r * c, 0, 1.12f * r * s}, {0.7f * r * c, y - 0.03f, 0.7f * r * s}, 0.012f, 0.016f);
+    }
+    Mesh foot = shapes::ring(0.98f * r, 0.014f);
+    k.add(std::move(foot), frame, {0, 0.35f * y, 0});
+    k.top(y, 0, 0, 0.6f * r, 0.6f * r);
+}
+void stool(Kit& k) { round_seat(k, 0.46f, 0.17f); }
+void bar_stool(Kit& k) { round_seat(k, 0.68f, 0.18f); }
+void bench(Kit& k) {
+    const Vec3f s = k.wanted({1.2f, 0.46f, 0.38f});
+    const int wood = k.main(k.style.wood), metal = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    legs(k, metal, 0.5f * s.x - 0.1f, 0.5f * s.z - 0.06f, s.y - 0.04f, 0.05f);
+    k.board(wood, {0, s.y - 0.045f, 0}, {s.x, 0.045f, s.z}, 0.006f);
+    k.top(s.y, 0, 0, 0.45f * s.x, 0.4f * s.z);
+    k.piece.clearance_front_m = 0.4f;
+}
+void office_chair(Kit& k) {
+    const int cloth = k.main(k.style.leather), dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f)), chrome = k.material(steel());
+    for (int i = 0; i < 5; ++i) {
+        const float a = 1.2566f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
+        k.rod(chrome, {0.03f * c, 0.11f, 0.03f * s}, {0.29f * c, 0.075f, 0.29f * s}, 0.022f, 0.014f);
+        k.add(shapes::ball({0.29f * c, 0.03f, 0.29f * s}, {0.03f, 0.03f, 0.03f}, 10), dark);
+    }
+    k.rod(chrome, {0, 0.09f, 0}, {0, 0.4f, 0}, 0.026f, 0.02f);
+    k.board(dark, {0, 0.39f, 0}, {0.24f, 0.04f, 0.24f}, 0.01f);
+    k.soft(cloth, {0, 0.42f, 0.02f}, {0.5f, 0.09f, 0.48f}, {0.04f, 0.02f, 0.002f, 12});
+    Mesh back = shapes::slab(10, 14, 0.055f, [](float u, float v) {
+        const float x = u - 0.5f;
+        return Vec3f{x * (0.46f - 0.12f * v * v), 0.56f + 0.58f * v, -0.2f - 0.1f * v + 0.16f * x * x + 0.03f * std::sin(3.1f * v)};
+    });
+    k.add(std::move(back), cloth);
+    k.board(dark, {0, 0.42f, -0.24f}, {0.06f, 0.34f, 0.025f}, 0.008f);
+    for (const float sx : {-1.f, 1.f}) {
+        k.rod(dark, {sx * 0.22f, 0.43f, 0}, {sx * 0.29f, 0.66f, 0}, 0.014f);
+        k.board(dark, {sx * 0.29f, 0.655f, 0.02f}, {0.06f, 0.03f, 0.26f}, 0.012f);
+    }
+    k.piece.clearance_front_m = 0.4f;
+}
+
+// Cloth over a mattress: flat on top, hanging at the sides, with folds.
+Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed, float fold) {
+    const float hx = 0.5f * mattress.x + 0.02f + lift;
+    return shapes::slab(56, 44, thick, [=](float u, float v) {
+        const float arc = (u - 0.5f) * 2.f * (hx + drop), z = from_z + (to_z - from_z) * v;
+        const float over = std::max(0.f, std::fabs(arc) - hx + 0.05f), sx = arc < 0 ? -1.f : 1.f;
+        const float bend = std::min(over / 0.1f, 1.f), hang = std::max(0.f, over - 0.1f * 0.6f);
+        const float ripple = shapes::wobble({arc * 3.f, 2.f, z * 3.1f}, seed) + 0.5f * shapes::wobble({arc * 7.f, 5.f, z * 7.5f}, seed + 1) + 0.22f * shapes::wobble({arc * 15.f, 8.f, z * 15.f}, seed + 2);
+        const float wave = std::sin(z * 15.f + 2.f * shapes::wobble({z * 2.f, sx, 0}, seed + 3));
+        float x = std::fabs(arc) < hx - 0.05f ? arc : sx * (hx - 0.05f + 0.05f * std::sin(1.5708f * bend) + 0.025f * hang / std::max(drop, 0.01f) * (1.f + wave));
+        float y = mattress.y + lift + thick - 0.05f * (1.f - std::cos(1.5708f * bend)) - hang + fold * (1.f + 0.6f * ripple) * (1.f - 0.7f * bend);
+        // The foot end hangs too.
+        const float past = z - 0.5f * mattress.z;
+        if (past > 0.f) {
+            y -= past;
+            return Vec3f{x, y, 0.5f * mattress.z + 0.03f + lift + 0.012f * (1.f + std::sin(arc * 14.f))};
+        }
+        return Vec3f{x, std::max(y, 0.06f), z};
+    });
+}
+void bed_of(Kit& k, float width) {
+    const float length = 2.0f, base_y = 0.3f;
+    const bool cloth_head = k.style.mouldings == Mouldings::rich || k.style.legs == LegType::metal_frame || k.style.sofa == SofaType::block;
+    Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
+    quilt.name = "duvet";
+    quilt.pattern = Pattern::fabric;
+    const int duvet = k.main(quilt), linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood), head = cloth_head ? k.material(k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
+    legs(k, wood, 0.5f * width - 0.08f, 0.5f * length - 0.1f, 0.17f, 0.06f);
+    k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
+    const Vec3f mattress{width, 0.52f, length};
+    k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 12});
+    k.add(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet);
+    // The folded edge of the duvet, then a throw across the foot.
+    k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
+    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.035f, 0.016f, k.seed(), 0.012f), throw_cloth);
+    // Headboard.
+    const float hz = -0.5f * length - 0.06f, hy = k.style.mouldings == Mouldings::rich ? 1.3f : 1.05f;
+    if (cloth_head) {
+        const int panels = width > 1.2f ? 4 : 2;
+        const float w = (width + 0.1f) / static_cast<float>(panels);
+        for (int i = 0; i < panels; ++i) k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz}, {w - 0.002f, hy - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 12});
+    } else if (k.style.legs == LegType::turned || k.style.legs == LegType::square) {
+        for (const float sx : {-1.f, 1.f}) {
+            k.board(wood, {sx * 0.5f * width, 0, hz}, {0.07f, hy + 0.05f, 0.07f}, 0.01f);
+            k.add(shapes::ball({sx * 0.5f * width, hy + 0.085f, hz}, {0.045f, 0.045f, 0.045f}), wood);
+        }
+        for (int i = 0; i < 3; ++i) k.board(wood, {0, 0.5f + 0.19f * static_cast<float>(i), hz}, {width, 0.15f, 0.03f}, 0.006f);
+    } else {
+        k.board(wood, {0, 0.15f, hz}, {width + 0.1f, hy - 0.17f, 0.04f}, 0.012f);
+    }
+    // Pillows: a row that leans, a row before it, cushions.
+    const int row = width > 1.2f ? 2 : 1;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < row; ++i) {
+            const float x = row == 1 ? 0.f : (static_cast<float>(i) - 0.5f) * 0.5f * width;
+            put_pillow(k, j == 0 ? linen : duvet, {x + k.dice.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)}, {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j), k.dice.uniform(-4, 4));
+        }
+    put_pillow(k, throw_cloth, {k.dice.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f}, 38.f, k.dice.uniform(-10, 10));
+    k.piece.clearance_front_m = 0.5f;
+    k.piece.clearance_side_m = 0.5f;
+    k.piece.against_wall = true;
+}
+void bed(Kit& k) { bed_of(k, 1.6f); }
+void bed_single(Kit& k) { bed_of(k, 0.95f); }
+void crib(Kit& k) {
+    const int wood = k.main(k.style.wood), linen = k.material(tinted(k.style.fabric, {0.72f, 0.7f, 0.65f})), cloth = accent_cloth(k);
+    const float hx = 0.65f, hz = 0.35f;
+    for (const float sx : {-1.f, 1.f})
+        for (const float sz : {-1.f, 1.f}) k.board(wood, {sx * hx, 0, sz * hz}, {0.045f, 0.92f, 0.045f}, 0.008f);
+    for (const float s : {-1.f, 1.f})
+        for (const float y : {0.25f, 0.86f}) {
+            k.board(wood, {0, y, s * hz}, {2 * hx, 0.04f, 0.03f}, 0.006f);
+            k.board(wood, {s * hx, y, 0}, {0.03f, 0.04f, 2 * hz}, 0.006f);
+        }
+    for (const float s : {-1.f, 1.f}) {
+        for (int i = -6; i <= 6; ++i) k.rod(wood, {0.092f * static_cast<float>(i), 0.28f, s * hz}, {0.092f * static_cast<float>(i), 0.87f, s * hz}, 0.009f, -1, 8);
+        for (int i = -3; i <= 3; ++i) k.rod(wood, {s * hx, 0.28f, 0.092f * static_cast<float>(i)}, {s * hx, 0.87f, 0.092f * static_cast<float>(i)}, 0.009f, -1, 8);
+    }
+    k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 12});
+    k.soft(cloth, {0.2f, 0.4f, 0}, {0.7f, 0.05f, 0.6f}, {0.02f, 0.015f, 0.006f, 14});
+    k.piece.clearance_front_m = 0.6f;
+    k.piece.against_wall = true;
+}
+void cushion(Kit& k) {
+    const int cloth = k.main(tinted(k.style.fabric2, k.accent()));
+    put_pillow(k, cloth, {0, 0, 0}, {0.45f, 0.45f, 0.17f}, 12);
+    k.piece.mount = Mount::surface;
+}
+
+constexpr Entry kEntries[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
+                              {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}};
+
+}  // namespace
+
+std::span<const Entry> seats() { return kEntries; }
+
+}  // namespace fastscene::furniture

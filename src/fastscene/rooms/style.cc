@@ -1,0 +1,216 @@
+#include "fastscene/rooms/style.h"
+
+#include <algorithm>
+#include <array>
+
+#include "fastscene/base/error.h"
+#include "fastscene/image/color.h"
+
+namespace fastscene {
+namespace {
+
+struct NamedColor {
+    std::string_view name;
+    std::uint32_t rgb;
+};
+// sRGB, as paint and cloth of that name look in daylight.
+constexpr NamedColor kColors[] = {
+    {"white", 0xece9e2}, {"off white", 0xe6e0d2}, {"cream", 0xe8dcc0}, {"ivory", 0xe9e2cd}, {"beige", 0xd2c3a5}, {"sand", 0xcdb890}, {"tan", 0xc09a6b},
+    {"taupe", 0x8f7f70}, {"greige", 0xb5aa9a}, {"khaki", 0xa89a6a}, {"camel", 0xb4864f}, {"caramel", 0xa8682f}, {"cognac", 0x93512a}, {"chocolate", 0x4f3021},
+    {"brown", 0x6b4429}, {"coffee", 0x55392a}, {"mocha", 0x7a5a45}, {"chestnut", 0x74402c}, {"umber", 0x5c4632}, {"sienna", 0x97502d}, {"walnut", 0x5d3f2b},
+    {"oak", 0xb58b5c}, {"teak", 0x8f5f36}, {"mahogany", 0x5b271c}, {"cherry", 0x8a3b28}, {"maple", 0xd0a572}, {"pine", 0xcfa468}, {"birch", 0xdcc59c}, {"ebony", 0x2e2723},
+    {"black", 0x2a2a2b}, {"charcoal", 0x3b3f43}, {"anthracite", 0x34383b}, {"graphite", 0x45484b}, {"slate", 0x5f6b75}, {"slate gray", 0x708090}, {"gray", 0x868686}, {"grey", 0x868686},
+    {"silver", 0xb9bbbd}, {"ash", 0xaba79f}, {"stone", 0xa59d90}, {"concrete", 0x98958f}, {"smoke", 0x9aa0a3},
+    {"red", 0xb52a25}, {"crimson", 0xa51c35}, {"scarlet", 0xc1301f}, {"ruby", 0x98193a}, {"burgundy", 0x641a28}, {"wine", 0x6a2131}, {"maroon", 0x6c1f1f}, {"oxblood", 0x571c1b},
+    {"brick", 0x9c4a35}, {"brick red", 0x9c4a35}, {"terracotta", 0xbd6a46}, {"rust", 0xa34a20}, {"copper", 0xb06a3f}, {"bronze", 0x8a6a3b}, {"coral", 0xe07b62}, {"salmon", 0xe29078},
+    {"tomato", 0xd25339}, {"peach", 0xeab893}, {"apricot", 0xe7a86e}, {"orange", 0xd97722}, {"burnt orange", 0xb9561f}, {"tangerine", 0xdd7a2b}, {"amber", 0xcf8d25}, {"ochre", 0xbf8530},
+    {"mustard", 0xc79a2e}, {"yellow", 0xe2bf35}, {"gold", 0xc49b3d}, {"lemon", 0xe8d860}, {"honey", 0xcb9340}, {"saffron", 0xdfa32d}, {"butter", 0xecdc9a},
+    {"olive", 0x74733b}, {"moss", 0x6a7442}, {"sage", 0x9aa88a}, {"mint", 0xaad6bb}, {"lime", 0xa3c23c}, {"green", 0x3f7d45}, {"emerald", 0x1f7a52}, {"forest", 0x2c4f35}, {"forest green", 0x2c4f35},
+    {"hunter green", 0x2f5339}, {"bottle green", 0x1f4a39}, {"jade", 0x3f9273}, {"pistachio", 0xb0c58d}, {"eucalyptus", 0x7f9c8a}, {"seafoam", 0x99cdb8}, {"sea green", 0x3a8660},
+    {"teal", 0x1f7276}, {"turquoise", 0x3cb0a8}, {"aqua", 0x62c0c0}, {"cyan", 0x3fb3c4}, {"petrol", 0x1f4f5c}, {"blue", 0x2f5ca8}, {"navy", 0x212f52}, {"navy blue", 0x212f52}, {"royal blue", 0x2f50a5},
+    {"cobalt", 0x22479a}, {"sapphire", 0x20438f}, {"indigo", 0x35346f}, {"denim", 0x4a6285}, {"sky", 0x8fbddb}, {"sky blue", 0x8fbddb}, {"baby blue", 0xa9cbe0}, {"powder blue", 0xb3cfdb}, {"azure", 0x5f9dd0},
+    {"steel blue", 0x4f7ea6}, {"midnight", 0x1e2540}, {"midnight blue", 0x1e2540}, {"duck egg", 0xb8d2cc}, {"ice", 0xcfdfe4}, {"periwinkle", 0x8f9ad0},
+    {"purple", 0x6a3c88}, {"violet", 0x7d4fa6}, {"lavender", 0xb5a4d2}, {"lilac", 0xbfa3c9}, {"plum", 0x67304f}, {"aubergine", 0x432337}, {"mauve", 0xa8869c}, {"magenta", 0xb2307a}, {"fuchsia", 0xbe3585},
+    {"pink", 0xdc96a5}, {"blush", 0xe2bcb0}, {"rose", 0xc9788a}, {"dusty pink", 0xcfa09b}, {"dusty rose", 0xbf8c8a}, {"hot pink", 0xd95391}, {"raspberry", 0xa52f55}, {"linen", 0xdfd3bd}, {"natural", 0xc8ac82},
+    {"oatmeal", 0xd6c9ae}, {"wheat", 0xd9c191}, {"champagne", 0xdfcaa3}, {"pearl", 0xe4ded3}, {"alabaster", 0xe8e3da}, {"snow", 0xeeeeee}, {"mushroom", 0xb5a596}, {"clay", 0xa9775a}, {"brass", 0xb5923f}, {"chrome", 0xc3c5c7},
+};
+
+Vec3f srgb(std::uint32_t rgb) {
+    const Vec3f c = linear_from_srgb8({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)});
+    // Nothing in a room is darker than soot or brighter than fresh paint.
+    return {std::clamp(c.x, 0.03f, 0.85f), std::clamp(c.y, 0.03f, 0.85f), std::clamp(c.z, 0.03f, 0.85f)};
+}
+Vec3f named(std::string_view name) { return *color_named(name); }
+Vec3f darker(Vec3f c, float f) { return c * f; }
+
+Material make(std::string name, Pattern pattern, Vec3f a, Vec3f b, float scale, float roughness, float bump = 0.f) {
+    Material m;
+    m.name = std::move(name);
+    m.pattern = pattern;
+    m.color_a = a;
+    m.color_b = b;
+    m.color_c = a;
+    m.scale_m = scale;
+    m.roughness = roughness;
+    m.bump_m = bump;
+    return m;
+}
+Material paint(std::string_view color) { return make(std::string(color) + " paint", Pattern::plaster, named(color), named(color), 0.1f, 0.75f, 0.0003f); }
+Material timber(std::string_view kind, float roughness = 0.45f) { return make(std::string(kind), Pattern::wood, named(kind), darker(named(kind), 0.62f), 0.1f, roughness, 0.0003f); }
+Material boards(Pattern pattern, std::string_view kind, float width) {
+    return make(std::string(kind) + " floor", pattern, named(kind), darker(named(kind), 0.66f), width, 0.4f, 0.0006f);
+}
+Material cloth(std::string_view color) { return make(std::string(color) + " fabric", Pattern::fabric, named(color), darker(named(color), 0.8f), 0.002f, 0.85f, 0.0004f); }
+Material hide(std::string_view color) { return make(std::string(color) + " leather", Pattern::leather, named(color), darker(named(color), 0.65f), 0.01f, 0.42f, 0.0004f); }
+Material alloy(std::string_view color, Vec3f tint, float roughness) {
+    Material m = make(std::string(color), Pattern::metal, tint, tint, 0.05f, roughness);
+    m.metal = 1.f;
+    return m;
+}
+Material black_metal() {
+    Material m = make("black metal", Pattern::plain, {0.035f, 0.035f, 0.037f}, {0.035f, 0.035f, 0.037f}, 0.05f, 0.45f);
+    return m;
+}
+Material brass() { return alloy("brass", {0.72f, 0.52f, 0.22f}, 0.3f); }
+Material chrome() { return alloy("chrome", {0.62f, 0.63f, 0.64f}, 0.18f); }
+Material veil(std::string_view color, float through) {
+    Material m = cloth(color);
+    m.name = std::string(color) + " curtain";
+    m.transmission = through;
+    return m;
+}
+Material carpet_of(Pattern pattern, std::string_view a, std::string_view b, std::string_view c) {
+    Material m = make(std::string(a) + " rug", pattern, named(a), named(b), 1.f, 1.f, 0.003f);
+    m.color_c = named(c);
+    return m;
+}
+std::vector<Vec3f> palette_of(std::initializer_list<std::string_view> names) {
+    std::vector<Vec3f> out;
+    for (const auto n : names) out.push_back(named(n));
+    return out;
+}
+
+std::vector<Style> make_styles() {
+    const Material white_ceiling = paint("white");
+    const Material white_trim = make("white trim", Pattern::plain, named("white"), named("white"), 0.1f, 0.4f);
+    std::vector<Style> all;
+    // name, floor, wall, accent, ceiling, trim, wood, wood2, metal, fabric, fabric2, leather, curtain, rug, palette, …
+    all.push_back({"modern", boards(Pattern::planks, "oak", 0.16f), paint("white"), paint("slate"), white_ceiling, white_trim, timber("walnut"), timber("oak"), black_metal(),
+                   cloth("gray"), cloth("charcoal"), hide("black"), veil("white", 0.45f), carpet_of(Pattern::carpet, "ash", "silver", "white"),
+                   palette_of({"teal", "mustard", "charcoal", "white", "slate", "rust"}), LampFamily::dome, LegType::metal_frame, SofaType::block, Mouldings::none, 1, 1, 0.4f, 0.4f, 2.75f, false, {10.f, 7.8f, 5.4f}});
+    all.push_back({"scandinavian", boards(Pattern::planks, "birch", 0.14f), paint("white"), paint("duck egg"), white_ceiling, white_trim, timber("birch"), timber("oak"), black_metal(),
+                   cloth("silver"), cloth("cream"), hide("camel"), veil("linen", 0.5f), carpet_of(Pattern::rug, "cream", "charcoal", "silver"),
+                   palette_of({"sage", "dusty pink", "mustard", "charcoal", "cream", "sky"}), LampFamily::drum, LegType::tapered, SofaType::slim, Mouldings::plain, 2, 2, 0.7f, 0.55f, 2.6f, false, {9.f, 6.8f, 4.4f}});
+    all.push_back({"japandi", boards(Pattern::planks, "natural", 0.2f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
+                   cloth("oatmeal"), cloth("stone"), hide("taupe"), veil("linen", 0.5f), carpet_of(Pattern::carpet, "oatmeal", "sand", "taupe"),
+                   palette_of({"clay", "sage", "charcoal", "oatmeal", "taupe", "olive"}), LampFamily::paper, LegType::tapered, SofaType::slim, Mouldings::none, 1, 3, 0.5f, 0.25f, 2.5f, false, {9.f, 7.f, 4.8f}});
+    all.push_back({"industrial", make("concrete floor", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.5f, 0.0006f), paint("ash"),
+                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.215f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, named("ash"), named("gray"), 0.6f, 0.8f, 0.0006f), black_metal(),
+                   timber("teak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
+                   palette_of({"rust", "charcoal", "mustard", "denim", "umber", "stone"}), LampFamily::cage, LegType::metal_frame, SofaType::block, Mouldings::none, 3, 4, 0.4f, 0.6f, 3.2f, true, {11.f, 7.2f, 3.8f}});
+    all.push_back({"classic", boards(Pattern::herringbone, "oak", 0.09f), paint("ivory"), make("damask wallpaper", Pattern::damask, named("sage"), named("eucalyptus"), 0.45f, 0.7f), white_ceiling, white_trim,
+                   timber("mahogany", 0.3f), timber("cherry", 0.3f), brass(), cloth("champagne"), cloth("burgundy"), hide("oxblood"), veil("wine", 0.12f), carpet_of(Pattern::rug, "burgundy", "navy", "champagne"),
+                   palette_of({"burgundy", "gold", "navy", "ivory", "forest", "rose"}), LampFamily::candelabra, LegType::turned, SofaType::rolled, Mouldings::rich, 2, 4, 0.4f, 0.6f, 3.1f, false, {9.f, 6.2f, 3.6f}});
+    all.push_back({"boho", boards(Pattern::planks, "pine", 0.13f), paint("cream"), paint("terracotta"), white_ceiling, white_trim, timber("teak"), timber("pine"), brass(), cloth("oatmeal"), cloth("terracotta"), hide("caramel"),
+                   veil("cream", 0.5f), carpet_of(Pattern::rug, "terracotta", "cream", "teal"), palette_of({"terracotta", "mustard", "teal", "dusty pink", "olive", "plum"}), LampFamily::paper, LegType::splayed, SofaType::slim, Mouldings::none,
+                   2, 2, 1.f, 0.9f, 2.7f, false, {10.f, 6.8f, 3.8f}});
+    all.push_back({"rustic", boards(Pattern::planks, "teak", 0.19f), paint("cream"), make("rough planks", Pattern::planks, named("umber"), named("chocolate"), 0.18f, 0.75f, 0.003f), paint("ivory"), timber("teak", 0.65f), timber("pine", 0.6f), timber("teak", 0.65f), black_metal(),
+                   cloth("linen"), cloth("brick"), hide("brown"), veil("linen", 0.35f), carpet_of(Pattern::rug, "brick", "cream", "olive"), palette_of({"brick", "olive", "mustard", "cream", "denim", "umber"}), LampFamily::drum, LegType::square, SofaType::rolled,
+                   Mouldings::plain, 2, 3, 0.6f, 0.7f, 2.6f, true, {9.f, 6.f, 3.4f}});
+    all.push_back({"mid-century", boards(Pattern::parquet, "teak", 0.06f), paint("off white"), paint("petrol"), white_ceiling, timber("walnut"), timber("walnut", 0.35f), timber("teak", 0.35f), brass(), cloth("mustard"), cloth("teal"), hide("cognac"),
+                   veil("cream", 0.4f), carpet_of(Pattern::rug, "cream", "burnt orange", "teal"), palette_of({"burnt orange", "teal", "mustard", "olive", "cream", "walnut"}), LampFamily::globe, LegType::tapered, SofaType::slim, Mouldings::none,
+                   2, 1, 0.6f, 0.5f, 2.6f, false, {10.f, 7.4f, 4.6f}});
+    all.push_back({"mediterranean", make("terracotta tiles", Pattern::tile, named("terracotta"), named("sand"), 0.3f, 0.6f, 0.002f), make("lime plaster", Pattern::plaster, named("ivory"), named("cream"), 0.1f, 0.85f, 0.001f), paint("azure"), paint("white"),
+                   timber("teak"), timber("teak", 0.55f), timber("pine", 0.55f), black_metal(), cloth("white"), cloth("cobalt"), hide("tan"), veil("white", 0.5f), carpet_of(Pattern::rug, "navy", "cream", "terracotta"),
+                   palette_of({"cobalt", "terracotta", "lemon", "white", "turquoise", "olive"}), LampFamily::globe, LegType::turned, SofaType::block, Mouldings::none, 2, 3, 0.8f, 0.5f, 2.8f, true, {9.f, 6.8f, 4.2f}});
+    all.push_back({"art deco", make("checkered marble", Pattern::checker, named("ivory"), named("charcoal"), 0.4f, 0.18f, 0.0005f), paint("champagne"), paint("bottle green"), white_ceiling, make("black trim", Pattern::plain, named("black"), named("black"), 0.1f, 0.25f),
+                   timber("ebony", 0.2f), timber("mahogany", 0.22f), brass(), cloth("emerald"), cloth("navy"), hide("black"), veil("champagne", 0.2f), carpet_of(Pattern::rug, "charcoal", "gold", "ivory"),
+                   palette_of({"gold", "emerald", "navy", "blush", "charcoal", "ivory"}), LampFamily::globe, LegType::tapered, SofaType::rolled, Mouldings::rich, 2, 2, 0.4f, 0.5f, 3.f, false, {10.f, 7.4f, 4.4f}});
+    for (Style& s : all) {
+        s.rug.scale_m = 1.2f;
+        s.rug.specular = s.fabric.specular = s.fabric2.specular = s.curtain.specular = 0.02f;
+    }
+    return all;
+}
+const std::vector<Style>& all_styles() {
+    static const std::vector<Style> all = make_styles();
+    return all;
+}
+
+std::string plain_name(std::string_view name) {
+    std::string out(name);
+    for (char& c : out) c = c == '-' || c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return out;
+}
+
+}  // namespace
+
+const Style& style_named(std::string_view name) {
+    for (const Style& s : all_styles())
+        if (plain_name(s.name) == plain_name(name)) return s;
+    std::string known;
+    for (const Style& s : all_styles()) known += (known.empty() ? "" : ", ") + s.name;
+    throw Error("style: expected one of {}, found '{}'", known, std::string(name));
+}
+std::vector<std::string> styles() {
+    std::vector<std::string> out;
+    for (const Style& s : all_styles()) out.push_back(s.name);
+    return out;
+}
+
+std::optional<Vec3f> color_named(std::string_view name) {
+    const std::string n = plain_name(name);
+    for (const NamedColor& c : kColors)
+        if (c.name == n) return srgb(c.rgb);
+    const auto space = n.find(' ');
+    if (space == std::string::npos) return std::nullopt;
+    const std::string first = n.substr(0, space), rest = n.substr(space + 1);
+    const auto base = color_named(rest);
+    if (!base) {  // "oak wood", "olive green": the first word is the finer one
+        return rest == "green" || rest == "blue" || rest == "red" || rest == "brown" || rest == "wood" || rest == "yellow" || rest == "pink" || rest == "white" || rest == "gray" ? color_named(first) : std::nullopt;
+    }
+    const auto keep = [](Vec3f c) { return Vec3f{std::clamp(c.x, 0.03f, 0.85f), std::clamp(c.y, 0.03f, 0.85f), std::clamp(c.z, 0.03f, 0.85f)}; };
+    if (first == "light" || first == "pale" || first == "pastel" || first == "soft") return keep(lerp(*base, {0.8f, 0.8f, 0.78f}, 0.5f));
+    if (first == "dark" || first == "deep") return keep(*base * 0.4f);
+    if (first == "bright" || first == "vivid") return keep(*base * 1.2f);
+    if (const auto fine = color_named(first)) return fine;  // "olive green", "mustard yellow"
+    return std::nullopt;
+}
+
+std::optional<Material> material_named(std::string_view name) {
+    const std::string n = plain_name(name);
+    for (const auto kind : {"oak", "walnut", "teak", "mahogany", "cherry", "maple", "pine", "birch", "ebony"})
+        if (n == kind || n == std::string(kind) + " wood") return timber(kind);
+    if (n == "wood" || n == "wooden" || n == "timber") return timber("oak");
+    if (n == "bamboo") return timber("wheat");
+    if (n == "leather") return hide("cognac");
+    if (n == "velvet") {
+        Material m = cloth("emerald");
+        m.name = "velvet";
+        m.roughness = 0.6f;
+        return m;
+    }
+    if (n == "fabric" || n == "cloth" || n == "cotton" || n == "linen" || n == "silk" || n == "textile") return cloth("linen");
+    if (n == "wool" || n == "knit" || n == "knitted") return make("wool", Pattern::knit, named("cream"), named("sand"), 0.012f, 0.9f, 0.003f);
+    if (n == "rattan" || n == "wicker" || n == "cane") return make("wicker", Pattern::wicker, named("tan"), named("umber"), 0.02f, 0.7f, 0.003f);
+    if (n == "marble") return make("marble", Pattern::marble, named("white"), named("slate"), 0.5f, 0.15f);
+    if (n == "terrazzo") return make("terrazzo", Pattern::terrazzo, named("ivory"), named("terracotta"), 0.03f, 0.3f);
+    if (n == "granite" || n == "stone" || n == "slate") return make(n, Pattern::concrete, named(n == "slate" ? "slate" : "stone"), named("gray"), 0.3f, 0.4f);
+    if (n == "concrete" || n == "cement") return make("concrete", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.7f, 0.0006f);
+    if (n == "brick" || n == "bricks") return make("brick", Pattern::brick, named("brick"), named("stone"), 0.215f, 0.85f, 0.006f);
+    if (n == "tile" || n == "tiles" || n == "tiled" || n == "ceramic" || n == "porcelain") return make("tiles", Pattern::tile, named("white"), named("silver"), 0.2f, 0.2f, 0.002f);
+    if (n == "brass" || n == "gold" || n == "golden") return brass();
+    if (n == "copper") return alloy("copper", {0.75f, 0.4f, 0.26f}, 0.28f);
+    if (n == "chrome" || n == "steel" || n == "stainless steel" || n == "silver" || n == "aluminium") return chrome();
+    if (n == "metal" || n == "iron" || n == "wrought iron") return black_metal();
+    if (n == "plastic" || n == "lacquer" || n == "lacquered" || n == "painted") return make("lacquer", Pattern::plain, named("white"), named("white"), 0.1f, 0.25f);
+    if (n == "glass") {
+        Material m = make("glass", Pattern::plain, {0.6f, 0.68f, 0.66f}, {0.6f, 0.68f, 0.66f}, 0.1f, 0.05f);
+        m.specular = 0.08f;
+        m.transmission = 0.8f;
+        return m;
+    }
+    return std::nullopt;
+}
+
+}  // namespace fastscene
