@@ -18,7 +18,12 @@ struct Corner {
     Vec2f pixel;   // where the target sees it
     Vec2f uv;      // place in the cell of four colors
 };
-using Colors = std::array<Vec3f, 4>;   // left top, right top, left bottom, right bottom
+// Four colors (left top, right top, left bottom, right bottom); inside one surface also where their neighbours are.
+struct Colors {
+    std::array<Vec3f, 4> corners;
+    const WarpSource* around = nullptr;
+    int x = 0, y = 0;
+};
 
 struct Band {
     CoarseView& view;
@@ -50,8 +55,30 @@ Box box_of(const Corner& a, const Corner& b, const Corner& c, EquirectSize size)
             static_cast<int>(std::ceil(y0 - 0.51f)), static_cast<int>(std::floor(y1 - 0.49f))};
 }
 
-Vec3f bilinear(const Colors& c, float u, float v) {
-    return lerp(lerp(c[0], c[1], u), lerp(c[2], c[3], u), v);
+// Catmull-Rom weights of the four pixels about a place t between the middle two.
+std::array<float, 4> cubic_weights(float t) {
+    return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)), t * t * (-0.5f + 0.5f * t)};
+}
+
+// Cubic inside a surface: a panorama warped with bilinear values is visibly softer than the one it came from.
+Vec3f color_in_cell(const Colors& c, float u, float v) {
+    if (!c.around) return lerp(lerp(c.corners[0], c.corners[1], u), lerp(c.corners[2], c.corners[3], u), v);
+    const auto wu = cubic_weights(u), wv = cubic_weights(v);
+    const ImageColor& image = c.around->color;
+    Vec3f sum;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            sum += image.at(wrap_column(c.x - 1 + i, image.width), c.y - 1 + j) * (wu[static_cast<std::size_t>(i)] * wv[static_cast<std::size_t>(j)]);
+    return {std::max(0.f, sum.x), std::max(0.f, sum.y), std::max(0.f, sum.z)};
+}
+
+// Do the sixteen pixels about a cell lie on one surface?
+bool is_inside(const WarpSource& s, int x, int y) {
+    if (!s.used.empty() || y < 1 || y + 2 >= s.color.height) return false;
+    for (int j = y - 1; j <= y + 2; ++j)
+        for (int i = x - 1; i <= x + 2; ++i)
+            if (s.cuts.at(wrap_column(i, s.color.width), j) & (kFarSide | kNearSide)) return false;
+    return true;
 }
 
 // Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
@@ -77,7 +104,7 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
             if (!(t < range)) continue;
             range = t;
             const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
-            band.view.color.at(x, y) = bilinear(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
+            band.view.color.at(x, y) = color_in_cell(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
             band.view.plane.at(x, y) = plane;
             band.view.cover.at(x, y) = sign > 0 ? Cover::front : Cover::back;
         }
@@ -158,7 +185,7 @@ void draw_quarter(const Band& band, const Placed& placed, int x, int y, int cell
     const float x0 = std::min(dx, 0.f), x1 = std::max(dx, 0.f), y0 = std::min(dy, 0.f), y1 = std::max(dy, 0.f);
     const Corner a = at(x0, y0), b = at(x1, y0), c = at(x0, y1), d = at(x1, y1);
     const Vec3f color = s.color.at(x, y);
-    const Colors colors{color, color, color, color};
+    const Colors colors{{color, color, color, color}};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
     draw(band, a, b, c, colors, plane);
     draw(band, b, d, c, colors, plane);
@@ -183,7 +210,7 @@ void draw_cell(const Band& band, const Placed& placed, int x, int y) {
     const float top = std::min({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y}), bottom = std::max({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y});
     const float margin = 0.05f * static_cast<float>(placed.size.height);
     if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
-    const Colors colors{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)};
+    const Colors colors{{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)}, is_inside(s, x, y) ? &s : nullptr, x, y};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
     draw(band, a, b, c, colors, plane);
     draw(band, b, d, c, colors, plane);
@@ -203,10 +230,10 @@ void draw_cap(const Band& band, const Placed& placed, bool top) {
     const Corner pole = placed.corner_at({0.5f * static_cast<float>(w), top ? 0.f : static_cast<float>(s.color.height)}, inverse, {0.5f, 1.f});
     for (int x = 0; x < w; ++x) {
         const int r = wrap_column(x + 1, w);
-        const Colors colors{s.color.at(x, y), s.color.at(r, y), color, color};
+        const Colors colors{{s.color.at(x, y), s.color.at(r, y), color, color}};
         const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0});
         const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
-        if (top) draw(band, b, a, pole, Colors{colors[1], colors[0], color, color}, plane);
+        if (top) draw(band, b, a, pole, Colors{{colors.corners[1], colors.corners[0], color, color}}, plane);
         else draw(band, a, b, pole, colors, plane);
     }
 }
