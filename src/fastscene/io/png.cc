@@ -49,6 +49,9 @@ bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, st
     }
     png_set_read_fn(png, &source, on_read);
     png_set_user_limits(png, kMaxPictureSide, kMaxPictureSide);
+    // Samples are taken as sRGB whatever the file says: with a gamma chunk libpng would blend alpha in linear light, without one not.
+    static constexpr png_byte kColorChunks[] = "gAMA\0sRGB\0cHRM\0iCCP";
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
     const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
     if (wanted == Wanted::gray16 && (depth != 16 || type & PNG_COLOR_MASK_COLOR)) png_error(png, "not 16-bit gray");

@@ -1,0 +1,74 @@
+// Writes a small colored room in every format that other programs read:
+//   make_reader_samples DIR [VIEWER_DIR]
+// red wall left (-x), green right (+x), blue ahead (+z), white ceiling (-y), brown floor (+y).
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/io/view_io.h"
+#include "fastscene/io/viewer.h"
+
+using namespace fastscene;
+
+namespace {
+
+constexpr float kHalfWidth = 3, kHalfHeight = 1.4f, kHalfDepth = 4;
+
+// One wall: center + s u + t v for s, t in [-1, 1], filled with flat splats (thin along `thin_axis`).
+void add_wall(Splats& splats, std::vector<SurfacePoint>& points, Vec3f center, Vec3f u, Vec3f v, std::size_t thin_axis, Rgb8 color) {
+    constexpr int kSide = 60;
+    for (int j = 0; j < kSide; ++j)
+        for (int i = 0; i < kSide; ++i) {
+            const float s = (static_cast<float>(i) + 0.5f) / kSide * 2 - 1, t = (static_cast<float>(j) + 0.5f) / kSide * 2 - 1;
+            const Vec3f p = center + u * s + v * t;
+            Vec3f log_scale{-2.6f, -2.6f, -2.6f};  // 7 cm: covers the 13 cm between neighbours
+            log_scale[thin_axis] = -5;
+            splats.mean_m.push_back(p);
+            splats.log_scale.push_back(log_scale);
+            splats.rotation.push_back({1, 0, 0, 0});
+            splats.opacity_logit.push_back(4);
+            const Vec3f c{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+            splats.sh0.push_back((c * (1 / 255.f) - Vec3f{0.5f, 0.5f, 0.5f}) * (1 / kSh0));
+            points.push_back({p, {}, color, 0.07f});
+        }
+}
+
+void write_samples(const std::filesystem::path& dir, const std::filesystem::path& viewer_dir) {
+    Splats splats;
+    ViewSet set;
+    const Vec3f x{kHalfWidth, 0, 0}, y{0, kHalfHeight, 0}, z{0, 0, kHalfDepth};
+    add_wall(splats, set.points, x * -1.f, y, z, 0, {200, 30, 30});
+    add_wall(splats, set.points, x, y, z, 0, {30, 160, 40});
+    add_wall(splats, set.points, z, x, y, 2, {40, 60, 210});
+    add_wall(splats, set.points, y * -1.f, x, z, 1, {240, 240, 240});
+    add_wall(splats, set.points, y, x, z, 1, {120, 75, 40});
+    for (int k = 0; k < 3; ++k) {
+        View view;
+        view.name = fmt::format("{:04}.png", k);
+        view.camera = Pinhole::with_fov(32, 24, k == 2 ? 60.f : 90.f);
+        view.world_from_camera.translation = {0.1f * static_cast<float>(k), 0, 0.2f};
+        view.color = ImageRgb8(32, 24, {static_cast<std::uint8_t>(40 * k), 90, 120});
+        set.views.push_back(view);
+    }
+    make_directories(dir);
+    save_splat_ply(dir / "room.ply", splats);
+    save_compressed_ply(dir / "room.compressed.ply", splats);
+    save_views(dir / "views", set);
+    if (!viewer_dir.empty()) save_viewer_html(dir / "viewer.html", splats, {"Colored room", {0, 0, -1}, {0, 0, 4}, 75}, viewer_dir);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) return std::fputs("usage: make_reader_samples DIR [VIEWER_DIR]\n", stderr), 2;
+    try {
+        write_samples(argv[1], argc > 2 ? argv[2] : "");
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "%s\n", e.what());
+        return 1;
+    }
+}

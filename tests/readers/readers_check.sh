@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Asks programs that are not ours to read what we write.
+#   readers_check.sh MAKE_READER_SAMPLES WEB_DIR OUT_DIR
+# A program that is not installed is said to be skipped; when none is there the whole check is skipped (77).
+set -euo pipefail
+make=$1 web=$2 out=$3
+here=$(cd "$(dirname "$0")" && pwd)
+rm -rf "$out" && mkdir -p "$out"
+viewer=$web/node_modules/@playcanvas/supersplat-viewer/public
+asked=0
+if [ -f "$viewer/index.html" ]; then "$make" "$out" "$viewer"; else "$make" "$out"; fi
+
+if command -v colmap >/dev/null; then
+  asked=1
+  # model_analyzer takes the binary model when both are there; the text one is converted to binary and compared.
+  QT_QPA_PLATFORM=offscreen colmap model_analyzer --path "$out/views/sparse/0" >"$out/colmap.log" 2>&1 || { cat "$out/colmap.log"; exit 1; }
+  grep -Eq 'Cameras: 2' "$out/colmap.log" && grep -Eq 'Images: 3' "$out/colmap.log" && grep -Eq 'Points: 18000' "$out/colmap.log" ||
+    { echo "colmap: expected 2 cameras, 3 images, 18000 points"; cat "$out/colmap.log"; exit 1; }
+  mkdir -p "$out/text" "$out/again"
+  cp "$out"/views/sparse/0/*.txt "$out/text/"
+  QT_QPA_PLATFORM=offscreen colmap model_converter --input_path "$out/text" --output_path "$out/again" --output_type BIN >"$out/colmap_text.log" 2>&1 ||
+    { cat "$out/colmap_text.log"; exit 1; }
+  for part in cameras images; do
+    [ "$(stat -c %s "$out/again/$part.bin")" = "$(stat -c %s "$out/views/sparse/0/$part.bin")" ] || { echo "colmap: $part.txt differs from $part.bin"; exit 1; }
+  done
+  echo "colmap: reads the binary and the text model"
+else
+  echo "colmap: skipped (not installed)"
+fi
+
+transform=$web/node_modules/@playcanvas/splat-transform/bin/cli.mjs
+if command -v node >/dev/null && [ -f "$transform" ] && node "$transform" --version >/dev/null 2>&1; then
+  asked=1
+  for name in room.ply room.compressed.ply; do
+    node "$transform" -w "$out/$name" "$out/again.ply" >"$out/transform.log" 2>&1 || { cat "$out/transform.log"; exit 1; }
+    head -c 400 "$out/again.ply" | grep -aq 'element vertex 18000' || { echo "splat-transform: expected 18000 splats of $name"; exit 1; }
+    echo "splat-transform: reads $name"
+  done
+else
+  echo "splat-transform: skipped (not installed)"
+fi
+
+if command -v node >/dev/null && [ -f "$out/viewer.html" ] && [ -d "$web/node_modules/playwright-core" ] && [ -x "${CHROMIUM:-/usr/bin/chromium}" ]; then
+  asked=1
+  node "$here/viewer_check.mjs" "$web" "$out/viewer.html" "$out/viewer.png"
+else
+  echo "viewer: skipped (chromium or the npm packages are not installed)"
+fi
+[ $asked = 1 ] || exit 77
