@@ -36,8 +36,8 @@ Vec3f around(float a) { return {std::cos(a), 0, std::sin(a)}; }
 float pot(Kit& k, int mat, float r, float h) {
     const std::array<Vec2f, 4> p{Vec2f{0.7f * r, 0}, {0.74f * r, 0.01f}, {r, h - 0.03f}, {r, h}};
     k.add(shapes::vessel(p, 0.012f, 32), mat);
-    k.add(shapes::prism(shapes::circle(0.9f * r, 24), 0.7f * h, h - 0.03f), k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)));
-    return h - 0.03f;
+    k.add(shapes::prism(shapes::circle(0.9f * r, 24), 0.6f * h, 0.88f * h), k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)));
+    return 0.88f * h;
 }
 void plant_of(Kit& k, int kind, float size) {
     Material clay = plain("plant pot", k.dice.chance(0.4f) ? Vec3f{0.7f, 0.68f, 0.63f} : k.accent(), 0.6f);
@@ -85,7 +85,7 @@ void vase_of(Kit& k, float size, bool stems) {
                                                        {Vec2f{0.06f, 0}, {0.1f, 0.03f}, {0.12f, 0.09f}, {0.1f, 0.15f}, {0.05f, 0.18f}, {0.03f, 0.22f}, {0.04f, 0.24f}}}};
     std::array<Vec2f, 7> p = profiles[static_cast<std::size_t>(kind)];
     for (Vec2f& q : p) q = q * size;
-    k.add(shapes::vessel(p, 0.004f, 28), body);
+    k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), body);
     k.piece.mount = Mount::surface;
     if (!stems) return;
     const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)), plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
@@ -135,12 +135,10 @@ void rug(Kit& k) {
     m.seed = k.seed();
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * std::max(s.x, s.z) : m.scale_m;
     const int pile = k.main(m);
-    const std::uint32_t seed = k.seed();
     Mesh r = shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
     // coords span a square about the rug's middle, so that its border follows all four edges.
     const float half = 0.5f * std::max(s.x, s.z);
     for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x * half / (0.5f * s.x), r.positions[i].y, r.positions[i].z * half / (0.5f * s.z)};
-    (void)seed;
     k.add(std::move(r), pile);
     if (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich) {
         Mesh fringe;

@@ -111,10 +111,12 @@ void toilet(Kit& k) {
         for (Vec2f& p : o) p = {0.5f * w * p.x, z + 0.5f * d * p.y};
         return o;
     };
-    for (int i = 0; i < 8; ++i) {  // the foot widens into the bowl
-        const float t = static_cast<float>(i) / 7.f, e = t * t;
-        k.add(shapes::prism(oval(0.22f + 0.15f * e, 0.42f + 0.1f * e, 0.f + 0.06f * e), 0.047f * static_cast<float>(i), 0.047f * static_cast<float>(i + 1) + 0.004f, 0.006f), white);
-    }
+    // The foot widens into the bowl: a turned body, drawn out lengthwise and leaning forward.
+    const std::array<Vec2f, 8> foot{Vec2f{0.115f, 0}, {0.12f, 0.01f}, {0.115f, 0.08f}, {0.12f, 0.15f}, {0.145f, 0.23f}, {0.175f, 0.31f}, {0.188f, 0.36f}, {0.19f, 0.385f}};
+    Mesh body = shapes::lathe(foot, 40, true);
+    for (Vec3f& p : body.positions) p.z = p.z * 1.28f + 0.06f * (p.y / 0.385f);
+    shapes::smooth_normals(body);
+    k.add(std::move(body), white);
     k.add(shapes::prism(oval(0.39f, 0.5f, 0.06f), 0.38f, 0.4f, 0.008f), white);
     k.add(shapes::prism(oval(0.37f, 0.48f, 0.06f), 0.401f, 0.425f, 0.01f), white);
     k.soft(white, {0, 0.36f, -0.27f}, {0.38f, 0.42f, 0.18f}, {0.035f, 0.006f, 0.f, 10});
@@ -229,7 +231,7 @@ void towel_rail(Kit& k) {
 }
 void radiator(Kit& k) {
     const int white = k.main(plain("radiator enamel", {0.76f, 0.76f, 0.74f}, 0.3f));
-    for (int i = 0; i < 14; ++i) k.soft(white, {-0.455f + 0.07f * static_cast<float>(i), 0.1f, 0}, {0.06f, 0.56f, 0.1f}, {0.025f, 0.004f, 0.f, 8});
+    for (int i = 0; i < 14; ++i) k.soft(white, {-0.455f + 0.07f * static_cast<float>(i), 0.1f, 0}, {0.06f, 0.56f, 0.1f}, {0.025f, 0.004f, 0.f, 3});
     for (const float y : {0.18f, 0.58f}) k.rod(white, {-0.47f, y, 0}, {0.47f, y, 0}, 0.02f);
     for (const float x : {-0.4f, 0.4f}) k.board(white, {x, 0, 0}, {0.03f, 0.12f, 0.06f});
     k.piece.against_wall = true;

@@ -117,7 +117,7 @@ void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
     }
     std::array<Mesh, 4> stacks;
     Mesh pages;
-    float x = 0.f, lean = 0.f;
+    float x = 0.f;
     while (true) {
         const float t = k.dice.uniform(0.016f, 0.045f);
         if (x + t > length) break;
@@ -125,8 +125,6 @@ void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
         Mesh cover = shapes::box({t, h, d}, 0.003f);
         cover.coords = cover.positions;
         for (Vec3f& c : cover.coords) c.y = (c.y + 0.5f * h) * 0.24f / h;
-        lean = x + 2 * t > length && k.dice.chance(0.6f) ? -6.f : 0.f;
-        shapes::turn(cover, {0, 0, 1}, -lean * 0.f);
         shapes::move(cover, at + Vec3f{x + 0.5f * t, 0.5f * h, depth - 0.5f * d - k.dice.uniform(0.f, 0.02f)});
         shapes::append(stacks[static_cast<std::size_t>(k.dice.index(4))], cover);
         Mesh leaf = shapes::box({t * 0.7f, 0.004f, d * 0.9f}, 0.0005f);

@@ -96,7 +96,7 @@ void table_lamp(Kit& k) {
     } else {
         const float b = kind == 1 ? 0.085f : 0.06f;
         const std::array<Vec2f, 8> p{Vec2f{0.05f, 0}, {0.06f, 0.01f}, {b, 0.07f}, {b * 1.05f, 0.11f}, {b * 0.7f, 0.19f}, {0.022f, 0.235f}, {0.02f, 0.26f}, {0.012f, 0.3f}};
-        k.add(shapes::lathe(p, 28, true), body);
+        k.add(shapes::lathe(shapes::curve(p, 3), 28, true), body);
     }
     lamp_head(k, 0.27f, 0.135f, false);
     k.piece.mount = Mount::surface;

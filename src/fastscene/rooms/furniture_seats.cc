@@ -36,31 +36,31 @@ void couch(Kit& k, float width, int seats, int pillows) {
             const Vec3f top{sx * (0.5f * width - 0.12f), leg + 0.01f, z};
             k.rod(foot, {top.x + (slim ? sx * 0.03f : 0.f), 0, z * (slim ? 1.06f : 1.f)}, top, slim ? 0.013f : 0.022f, slim ? 0.024f : 0.028f, 12);
         }
-    k.soft(cloth, {0, leg, 0}, {width - (slim ? 0.02f : 0.04f), seat_y - 0.16f - leg, depth - 0.03f}, {0.02f, 0.004f, 0.002f, 12});
+    k.soft(cloth, {0, leg, 0}, {width - (slim ? 0.02f : 0.04f), seat_y - 0.16f - leg, depth - 0.03f}, {0.02f, 0.004f, 0.002f, 8});
     const float back_t = 0.2f;
-    Mesh back = shapes::soft_box({inside + (slim ? 0.1f : 0.02f), back_y - leg - 0.04f, back_t}, {0.05f, 0.01f, 0.002f, 12, k.seed()});
+    Mesh back = shapes::soft_box({inside + (slim ? 0.1f : 0.02f), back_y - leg - 0.04f, back_t}, {0.05f, 0.01f, 0.002f, 6, k.seed()});
     k.add(std::move(back), cloth, {0, 0.5f * (back_y + leg) - 0.02f, z0 + 0.5f * back_t});
     // Arms.
     for (const float sx : {-1.f, 1.f}) {
         const float x = sx * 0.5f * (width - arm);
         if (slim) {
-            k.soft(cloth, {x, seat_y - 0.2f, 0}, {arm, arm_y - seat_y + 0.2f, depth - 0.02f}, {0.03f, 0.006f, 0.001f, 12});
+            k.soft(cloth, {x, seat_y - 0.2f, 0}, {arm, arm_y - seat_y + 0.2f, depth - 0.02f}, {0.03f, 0.006f, 0.001f, 8});
         } else if (rolled) {
-            k.soft(cloth, {x - sx * 0.02f, leg, 0}, {arm - 0.04f, arm_y - 0.06f - leg, depth - 0.03f}, {0.03f, 0.01f, 0.001f, 12});
+            k.soft(cloth, {x - sx * 0.02f, leg, 0}, {arm - 0.04f, arm_y - 0.06f - leg, depth - 0.03f}, {0.03f, 0.01f, 0.001f, 8});
             const std::array<Vec2f, 6> p{Vec2f{0.055f, 0}, {0.085f, 0.012f}, {0.092f, 0.05f}, {0.092f, depth - 0.05f}, {0.085f, depth - 0.012f}, {0.055f, depth}};
             Mesh roll = shapes::lathe(p, 24, true);
             shapes::turn(roll, {1, 0, 0}, 90);
             k.add(std::move(roll), cloth, {x, arm_y - 0.02f, z0});
         } else {
-            k.soft(cloth, {x, leg, 0}, {arm, arm_y - leg, depth}, {0.05f, 0.015f, 0.002f, 12});
+            k.soft(cloth, {x, leg, 0}, {arm, arm_y - leg, depth}, {0.05f, 0.015f, 0.002f, 8});
         }
     }
     // Cushions.
     const float w = inside / static_cast<float>(seats);
     for (int i = 0; i < seats; ++i) {
         const float x = -0.5f * inside + (static_cast<float>(i) + 0.5f) * w;
-        k.soft(cloth, {x, seat_y - 0.17f, 0.5f * back_t - 0.02f}, {w - 0.004f, 0.19f, depth - back_t + 0.01f}, {0.05f, 0.035f, 0.004f, 14});
-        Mesh pad = shapes::soft_box({w - 0.01f, back_y - seat_y + 0.06f, 0.2f}, {0.07f, 0.05f, 0.006f, 14, k.seed()});
+        k.soft(cloth, {x, seat_y - 0.17f, 0.5f * back_t - 0.02f}, {w - 0.004f, 0.19f, depth - back_t + 0.01f}, {0.05f, 0.035f, 0.004f, 9});
+        Mesh pad = shapes::soft_box({w - 0.01f, back_y - seat_y + 0.06f, 0.2f}, {0.07f, 0.05f, 0.006f, 9, k.seed()});
         shapes::turn(pad, {1, 0, 0}, -11);
         k.add(std::move(pad), cloth, {x, 0.5f * (back_y + seat_y) + 0.04f, z0 + back_t + 0.06f});
     }
@@ -95,10 +95,10 @@ void armchair(Kit& k) {
     }
     k.rod(wood, {-0.34f, 0.29f, 0.29f}, {0.34f, 0.29f, 0.29f}, 0.016f);
     k.rod(wood, {-0.34f, 0.26f, -0.3f}, {0.34f, 0.26f, -0.3f}, 0.016f);
-    Mesh seat = shapes::soft_box({0.62f, 0.15f, 0.64f}, {0.05f, 0.03f, 0.004f, 14, k.seed()});
+    Mesh seat = shapes::soft_box({0.62f, 0.15f, 0.64f}, {0.05f, 0.03f, 0.004f, 9, k.seed()});
     shapes::turn(seat, {1, 0, 0}, -5);
     k.add(std::move(seat), cloth, {0, 0.37f, 0.03f});
-    Mesh back = shapes::soft_box({0.62f, 0.56f, 0.14f}, {0.05f, 0.03f, 0.004f, 14, k.seed()});
+    Mesh back = shapes::soft_box({0.62f, 0.56f, 0.14f}, {0.05f, 0.03f, 0.004f, 9, k.seed()});
     shapes::turn(back, {1, 0, 0}, -17);
     k.add(std::move(back), cloth, {0, 0.64f, -0.3f});
     k.piece.clearance_front_m = 0.5f;
@@ -133,7 +133,7 @@ void chair(Kit& k) {
     const float y = 0.46f;
     legs(k, frame, 0.19f, 0.19f, y - 0.02f, 0.036f);
     if (metal) {
-        k.soft(body, {0, y - 0.025f, 0.01f}, {0.46f, 0.07f, 0.46f}, {0.03f, 0.012f, 0.001f, 12});
+        k.soft(body, {0, y - 0.025f, 0.01f}, {0.46f, 0.07f, 0.46f}, {0.03f, 0.012f, 0.001f, 8});
         Mesh back = shapes::soft_box({0.44f, 0.34f, 0.05f}, {0.02f, 0.01f, 0.001f, 10, k.seed()});
         shapes::turn(back, {1, 0, 0}, -9);
         k.add(std::move(back), body, {0, 0.7f, -0.235f});
@@ -193,7 +193,7 @@ void office_chair(Kit& k) {
     }
     k.rod(chrome, {0, 0.09f, 0}, {0, 0.4f, 0}, 0.026f, 0.02f);
     k.board(dark, {0, 0.39f, 0}, {0.24f, 0.04f, 0.24f}, 0.01f);
-    k.soft(cloth, {0, 0.42f, 0.02f}, {0.5f, 0.09f, 0.48f}, {0.04f, 0.02f, 0.002f, 12});
+    k.soft(cloth, {0, 0.42f, 0.02f}, {0.5f, 0.09f, 0.48f}, {0.04f, 0.02f, 0.002f, 8});
     Mesh back = shapes::slab(10, 14, 0.055f, [](float u, float v) {
         const float x = u - 0.5f;
         return Vec3f{x * (0.46f - 0.12f * v * v), 0.56f + 0.58f * v, -0.2f - 0.1f * v + 0.16f * x * x + 0.03f * std::sin(3.1f * v)};
@@ -210,7 +210,7 @@ void office_chair(Kit& k) {
 // Cloth over a mattress: flat on top, hanging at the sides, with folds.
 Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed, float fold) {
     const float hx = 0.5f * mattress.x + 0.02f + lift;
-    return shapes::slab(56, 44, thick, [=](float u, float v) {
+    return shapes::slab(44, 30, thick, [=](float u, float v) {
         const float arc = (u - 0.5f) * 2.f * (hx + drop), z = from_z + (to_z - from_z) * v;
         const float over = std::max(0.f, std::fabs(arc) - hx + 0.05f), sx = arc < 0 ? -1.f : 1.f;
         const float bend = std::min(over / 0.1f, 1.f), hang = std::max(0.f, over - 0.1f * 0.6f);
@@ -221,7 +221,7 @@ Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, f
         // The foot end hangs too.
         const float past = z - 0.5f * mattress.z;
         if (past > 0.f) {
-            y -= past;
+            y -= std::max(past - hang, 0.f);  // at the corner the longer of both falls
             return Vec3f{x, y, 0.5f * mattress.z + 0.03f + lift + 0.012f * (1.f + std::sin(arc * 14.f))};
         }
         return Vec3f{x, std::max(y, 0.06f), z};
@@ -234,20 +234,21 @@ void bed_of(Kit& k, float width) {
     quilt.name = "duvet";
     quilt.pattern = Pattern::fabric;
     const int duvet = k.main(quilt), linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood), head = cloth_head ? k.material(k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
-    legs(k, wood, 0.5f * width - 0.08f, 0.5f * length - 0.1f, 0.17f, 0.06f);
+    for (const float sx : {-1.f, 1.f})
+        for (const float sz : {-1.f, 1.f}) k.rod(wood, {sx * (0.5f * width - 0.07f), 0, sz * (0.5f * length - 0.09f)}, {sx * (0.5f * width - 0.08f), 0.17f, sz * (0.5f * length - 0.1f)}, 0.02f, 0.03f, 12);
     k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
     const Vec3f mattress{width, 0.52f, length};
-    k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 12});
+    k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 8});
     k.add(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet);
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
-    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.035f, 0.016f, k.seed(), 0.012f), throw_cloth);
+    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f), throw_cloth);
     // Headboard.
     const float hz = -0.5f * length - 0.06f, hy = k.style.mouldings == Mouldings::rich ? 1.3f : 1.05f;
     if (cloth_head) {
         const int panels = width > 1.2f ? 4 : 2;
         const float w = (width + 0.1f) / static_cast<float>(panels);
-        for (int i = 0; i < panels; ++i) k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz}, {w - 0.002f, hy - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 12});
+        for (int i = 0; i < panels; ++i) k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz}, {w - 0.002f, hy - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 8});
     } else if (k.style.legs == LegType::turned || k.style.legs == LegType::square) {
         for (const float sx : {-1.f, 1.f}) {
             k.board(wood, {sx * 0.5f * width, 0, hz}, {0.07f, hy + 0.05f, 0.07f}, 0.01f);
@@ -285,7 +286,7 @@ void crib(Kit& k) {
         for (int i = -6; i <= 6; ++i) k.rod(wood, {0.092f * static_cast<float>(i), 0.28f, s * hz}, {0.092f * static_cast<float>(i), 0.87f, s * hz}, 0.009f, -1, 8);
         for (int i = -3; i <= 3; ++i) k.rod(wood, {s * hx, 0.28f, 0.092f * static_cast<float>(i)}, {s * hx, 0.87f, 0.092f * static_cast<float>(i)}, 0.009f, -1, 8);
     }
-    k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 12});
+    k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 8});
     k.soft(cloth, {0.2f, 0.4f, 0}, {0.7f, 0.05f, 0.6f}, {0.02f, 0.015f, 0.006f, 14});
     k.piece.clearance_front_m = 0.6f;
     k.piece.against_wall = true;

@@ -47,7 +47,7 @@ void coffee_table(Kit& k) {
         if (k.style.legs == LegType::square) k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
     }
 }
-void side_table(Kit& k) { round_table(k, 0.45f * k.wanted({1, 1, 1}).x, 0.53f, 0.022f); k.sized = false; }
+void side_table(Kit& k) { round_table(k, 0.45f, 0.53f, 0.022f); }
 void dining_table(Kit& k) { plain_table(k, k.wanted({1.7f, 0.75f, 0.9f}), 0.04f); }
 void dining_table_round(Kit& k) { round_table(k, k.wanted({1.2f, 0.75f, 1.2f}).x, 0.75f, 0.035f); }
 void console_table(Kit& k) { plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f); k.piece.against_wall = true; }
@@ -115,9 +115,9 @@ void shoe_rack(Kit& k) {
     for (int i = 0; i < 6; ++i) {
         const int shoe = i % 2 == 0 ? k.material(tinted(k.style.leather, k.accent())) : static_cast<int>(k.piece.materials.size()) - 1;
         const float y = i < 4 ? 0.082f : 0.3f, x = (i < 4 ? -0.27f : -0.15f) + 0.12f * static_cast<float>(i % 4) + 0.06f * static_cast<float>(i / 2);
-        Mesh m = shapes::soft_box({0.085f, 0.07f, 0.24f}, {0.035f, 0.01f, 0.001f, 6, k.seed()});
+        Mesh m = shapes::soft_box({0.085f, 0.07f, 0.24f}, {0.035f, 0.01f, 0.001f, 3, k.seed()});
         k.add(std::move(m), shoe, {x, y + 0.036f, 0.02f});
-        k.soft(shoe, {x, y + 0.04f, -0.055f}, {0.075f, 0.07f, 0.1f}, {0.03f, 0.005f, 0.001f, 5});
+        k.soft(shoe, {x, y + 0.04f, -0.055f}, {0.075f, 0.07f, 0.1f}, {0.03f, 0.005f, 0.001f, 2});
     }
     k.top(s.y, 0, 0, 0.45f * s.x, 0.4f * s.z);
     k.piece.against_wall = true;

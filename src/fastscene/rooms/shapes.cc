@@ -158,9 +158,9 @@ Mesh soft_box(Vec3f size, const Soft& soft) {
     std::array<std::vector<float>, 3> lines;
     for (std::size_t k = 0; k < 3; ++k) {
         const float c = std::min(0.98f, 2.f * r / size[k]);
-        const int flat = std::clamp(static_cast<int>(static_cast<float>(soft.steps) * size[k] / longest), 3, soft.steps);
-        constexpr int kRound = 4;
-        for (int i = 0; i < kRound; ++i) lines[k].push_back(-1.f + c * (1.f - std::cos(0.5f * kPi * (static_cast<float>(i) + 0.f) / kRound + 0.f)) * 1.f);
+        const int flat = std::clamp(static_cast<int>(static_cast<float>(soft.steps) * size[k] / longest), 1, soft.steps);
+        constexpr int kRound = 3;
+        for (int i = 0; i < kRound; ++i) lines[k].push_back(-1.f + c * static_cast<float>(i) / kRound);
         for (int i = 0; i <= flat; ++i) lines[k].push_back(-1.f + c + (2.f - 2.f * c) * static_cast<float>(i) / static_cast<float>(flat));
         for (int i = kRound - 1; i >= 0; --i) lines[k].push_back(-lines[k][static_cast<std::size_t>(i)]);
     }
@@ -249,6 +249,20 @@ Mesh shade(std::span<const Vec2f> profile, int sides) {
     drop_slivers(m);
     lay_grain(m);
     return m;
+}
+
+std::vector<Vec2f> curve(std::span<const Vec2f> points, int steps) {
+    std::vector<Vec2f> out;
+    const auto last = points.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) {
+        const Vec2f p0 = points[i > 0 ? i - 1 : 0], p1 = points[i], p2 = points[i + 1], p3 = points[std::min(i + 2, last)];
+        for (int k = 0; k < steps; ++k) {
+            const float t = static_cast<float>(k) / static_cast<float>(steps);
+            out.push_back((p1 * 2.f + (p2 - p0) * t + (p0 * 2.f - p1 * 5.f + p2 * 4.f - p3) * (t * t) + (p1 * 3.f - p0 - p2 * 3.f + p3) * (t * t * t)) * 0.5f);
+        }
+    }
+    out.push_back(points[last]);
+    return out;
 }
 
 Mesh rod(Vec3f a, Vec3f b, float ra, float rb, int sides) {
@@ -429,7 +443,13 @@ Mesh slab(int columns, int rows, float thickness, const std::function<Vec3f(floa
     for (std::uint32_t i = 0; i < count; ++i) vertex(m, m.positions[i] - m.normals[i] * thickness, -m.normals[i]);
     for (std::size_t t = 0; t < front.size(); t += 3) triangle(m, front[t] + count, front[t + 2] + count, front[t + 1] + count);
     const auto w = static_cast<std::uint32_t>(columns + 1), h = static_cast<std::uint32_t>(rows + 1);
-    const auto rim = [&](std::uint32_t a, std::uint32_t b) { quad(m, b, a, a + count, b + count); };
+    const auto rim = [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t old[] = {b, a, a + count, b + count};
+        const Vec3f n = normalize(cross(m.positions[old[1]] - m.positions[old[0]], m.positions[old[2]] - m.positions[old[0]]));
+        std::uint32_t made[4];
+        for (int i = 0; i < 4; ++i) made[i] = vertex(m, Vec3f(m.positions[old[i]]), length(n) > 0.5f ? n : m.normals[old[i]]);
+        quad(m, made[0], made[1], made[2], made[3]);
+    };
     for (std::uint32_t i = 0; i + 1 < w; ++i) {
         rim(i, i + 1);
         rim((h - 1) * w + i + 1, (h - 1) * w + i);

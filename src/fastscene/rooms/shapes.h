@@ -34,6 +34,9 @@ Mesh vessel(std::span<const Vec2f> profile, float wall_m, int sides = 24);
 // An open sheet of revolution (lampshades): both sides are seen.
 Mesh shade(std::span<const Vec2f> profile, int sides = 28);
 
+// A smooth curve through the points (Catmull-Rom), `steps` pieces between two of them.
+std::vector<Vec2f> curve(std::span<const Vec2f> points, int steps);
+
 // A round bar from a to b with the given radii, with slightly rounded ends.
 Mesh rod(Vec3f a, Vec3f b, float radius_a, float radius_b, int sides = 12);
 Mesh ball(Vec3f center, Vec3f radii, int sides = 16);

@@ -1,0 +1,150 @@
+#include "fastscene/rooms/furniture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/random.h"
+#include "fastscene/rooms/shapes.h"
+
+namespace fastscene {
+namespace {
+
+Piece make(const std::string& klass, const std::string& style = "modern", std::uint64_t seed = 3) {
+    PieceRequest r;
+    r.klass = klass;
+    r.style = &style_named(style);
+    r.seed = seed;
+    return make_piece(r);
+}
+
+// Everything a piece promises of its geometry; returns its triangles.
+std::size_t check_piece(const Piece& p) {
+    std::size_t count = 0, agreeing = 0;
+    shapes::Box all;
+    for (const Mesh& m : p.meshes) {
+        EXPECT_LT(static_cast<std::size_t>(m.material), p.materials.size());
+        EXPECT_EQ(m.positions.size(), m.normals.size());
+        EXPECT_EQ(m.positions.size(), m.coords.size());
+        bool sound = m.triangles.size() % 3 == 0;
+        for (std::size_t i = 0; i < m.positions.size(); ++i)
+            sound = sound && std::isfinite(dot(m.positions[i], m.positions[i])) && std::isfinite(dot(m.coords[i], m.coords[i])) && std::fabs(length(m.normals[i]) - 1.f) < 1e-3f;
+        for (const std::uint32_t i : m.triangles) sound = sound && i < m.positions.size();
+        EXPECT_TRUE(sound) << p.materials[static_cast<std::size_t>(m.material)].name;
+        if (!sound) return 0;
+        for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
+            const std::uint32_t a = m.triangles[t], b = m.triangles[t + 1], c = m.triangles[t + 2];
+            const Vec3f n = cross(m.positions[b] - m.positions[a], m.positions[c] - m.positions[a]);
+            agreeing += dot(n, m.normals[a] + m.normals[b] + m.normals[c]) > 0.f;
+            ++count;
+        }
+        const shapes::Box b = shapes::bounds(m);
+        for (std::size_t k = 0; k < 3; ++k) {
+            all.low[k] = std::min(all.low[k], b.low[k]);
+            all.high[k] = std::max(all.high[k], b.high[k]);
+        }
+    }
+    EXPECT_GT(static_cast<double>(agreeing), 0.98 * static_cast<double>(count)) << "normals point away from their triangles";
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(all.high[k] - all.low[k], p.size_m[k], 0.01f);
+    EXPECT_NEAR(all.low.x + all.high.x, 0.f, 0.01f);
+    if (p.mount == Mount::ceiling) EXPECT_NEAR(all.high.y, 0.f, 1e-3f);
+    else EXPECT_NEAR(all.low.y, 0.f, 1e-3f);
+    EXPECT_NEAR(p.mount == Mount::wall ? all.low.z : all.low.z + all.high.z, 0.f, 0.01f);
+    for (const Surface& s : p.surfaces) {
+        EXPECT_LE(s.center.y, p.size_m.y + 0.01f);
+        EXPECT_LE(std::fabs(s.center.x) + s.half.x, 0.5f * p.size_m.x + 0.01f);
+    }
+    return count;
+}
+
+TEST(Furniture, EveryClassInEveryStyleIsSound) {
+    EXPECT_GE(piece_classes().size(), 60u);
+    for (const std::string& style : styles())
+        for (const std::string& klass : piece_classes()) {
+            SCOPED_TRACE(style + " " + klass);
+            const std::size_t triangles = check_piece(make(klass, style, hash_name(style)));
+            EXPECT_GT(triangles, 50u);
+            EXPECT_LT(triangles, 27000u);
+        }
+}
+
+TEST(Furniture, TheSameRequestMakesTheSamePiece) {
+    for (const std::string klass : {"sofa", "bookshelf", "plant", "desk"}) {
+        const Piece a = make(klass), b = make(klass), c = make(klass, "modern", 4);
+        ASSERT_EQ(a.meshes.size(), b.meshes.size());
+        for (std::size_t i = 0; i < a.meshes.size(); ++i) EXPECT_TRUE(a.meshes[i].positions == b.meshes[i].positions);
+        bool same = a.meshes.size() == c.meshes.size();
+        for (std::size_t i = 0; same && i < a.meshes.size(); ++i) same = a.meshes[i].positions == c.meshes[i].positions;
+        EXPECT_FALSE(same) << klass << ": the seed changes nothing";
+    }
+}
+
+TEST(Furniture, AWishedColorReachesTheMainSurface) {
+    for (const std::string& klass : piece_classes()) {
+        SCOPED_TRACE(klass);
+        PieceRequest r;
+        r.klass = klass;
+        r.style = &style_named("scandinavian");
+        r.color_name = "red";
+        const Piece p = make_piece(r);
+        const Material& m = p.materials[static_cast<std::size_t>(p.main_material)];
+        EXPECT_GT(m.color_a.x, 3.f * m.color_a.y);
+        const bool used = std::any_of(p.meshes.begin(), p.meshes.end(), [&](const Mesh& mesh) { return mesh.material == p.main_material; });
+        EXPECT_TRUE(used);
+    }
+}
+
+TEST(Furniture, ALeatherSofaIsLeatherAndBrown) {
+    PieceRequest r;
+    r.klass = "sofa";
+    r.style = &style_named("modern");
+    r.material = "leather";
+    r.color_name = "brown";
+    const Piece p = make_piece(r);
+    const Material& m = p.materials[static_cast<std::size_t>(p.main_material)];
+    EXPECT_EQ(m.pattern, Pattern::leather);
+    EXPECT_GT(m.color_a.x, 1.5f * m.color_a.z);
+}
+
+TEST(Furniture, WishedSizesAreKept) {
+    for (const std::string klass : {"rug", "dining_table", "wardrobe", "kitchen_counter", "cat"}) {
+        PieceRequest r;
+        r.klass = klass;
+        r.style = &style_named("modern");
+        r.size_m = {1.5f, 0, 0};
+        EXPECT_NEAR(make_piece(r).size_m.x, 1.5f, 0.1f) << klass;
+    }
+}
+
+TEST(Furniture, LampsShineAndUnknownClassesThrow) {
+    for (const std::string& style : styles())
+        for (const std::string klass : {"floor_lamp", "table_lamp", "pendant_lamp", "ceiling_lamp", "chandelier"}) {
+            const Piece p = make(klass, style);
+            float most = 0.f;
+            for (const Mesh& m : p.meshes) most = std::max(most, max_component(p.materials[static_cast<std::size_t>(m.material)].emission));
+            EXPECT_GT(most, 4.f) << style << ' ' << klass;
+        }
+    EXPECT_THROW((void)make("spaceship"), Error);
+    EXPECT_THROW((void)style_named("spaceship"), Error);
+}
+
+TEST(Style, ColorsAreRealAlbedos) {
+    for (const std::string name : {"red", "sage", "sage green", "terracotta", "dark blue", "light gray", "navy-blue", "Walnut", "olive green", "white", "black"}) {
+        const auto c = color_named(name);
+        ASSERT_TRUE(c.has_value()) << name;
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_GE((*c)[k], 0.0299f) << name;
+            EXPECT_LE((*c)[k], 0.8501f) << name;
+        }
+    }
+    EXPECT_LT(luminance(*color_named("dark blue")), luminance(*color_named("blue")));
+    EXPECT_GT(luminance(*color_named("light blue")), luminance(*color_named("blue")));
+    EXPECT_FALSE(color_named("spaceship").has_value());
+    EXPECT_EQ(styles().size(), 10u);
+    for (const std::string& s : styles()) EXPECT_EQ(style_named(s).palette.size(), 6u);
+}
+
+}  // namespace
+}  // namespace fastscene

@@ -1,0 +1,438 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/rooms/layout.h"
+
+// What belongs into which room, and how the pieces stand to each other.
+namespace fastscene {
+namespace {
+
+using WallWish = Layout::WallWish;
+
+Vec2f flat(Vec3f v) { return {v.x, v.z}; }
+
+// The prompt's wishes by class, taken one by one as the groups use them up.
+class Wishes {
+  public:
+    explicit Wishes(PromptSpec& spec) : spec_(spec), left_(spec.objects.size()) {
+        for (std::size_t i = 0; i < spec.objects.size(); ++i) left_[i] = spec.objects[i].forbidden ? 0 : spec.objects[i].count;
+    }
+    bool forbids(std::string_view klass) const {
+        return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+    }
+    // The next wish of this class that is not yet fulfilled; null: nobody asked.
+    const PromptObject* next(std::string_view klass) {
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (left_[i] > 0 && spec_.objects[i].klass == klass) return --left_[i], &spec_.objects[i];
+        return nullptr;
+    }
+    bool has(std::string_view klass) const {
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (left_[i] > 0 && spec_.objects[i].klass == klass) return true;
+        return false;
+    }
+    int count(std::string_view klass) const {
+        int n = 0;
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (spec_.objects[i].klass == klass) n += left_[i];
+        return n;
+    }
+    // Gives one back: it could not be placed where the group wanted it.
+    void give_back(const PromptObject* wish) {
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (&spec_.objects[i] == wish) ++left_[i];
+    }
+    template <class F>
+    void each_left(F&& f) {
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            for (; left_[i] > 0; --left_[i]) f(spec_.objects[i]);
+    }
+
+  private:
+    PromptSpec& spec_;
+    std::vector<int> left_;
+};
+
+// The furnisher: a layout, what is wished, and the usual arrangements.
+class Furnisher {
+  public:
+    explicit Furnisher(Layout& layout) : l_(layout), wishes_(layout.spec()), clutter_(layout.plan().style.clutter) {
+        const std::string& mood = l_.spec().mood;
+        if (mood == "cluttered" || mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
+        if (mood == "bare") clutter_ = 0.1f;
+    }
+
+    void run() {
+        const std::string& room = l_.spec().room;
+        if (room == "bedroom" || room == "attic") bedroom();
+        else if (room == "kids") kids_room();
+        else if (room == "kitchen") kitchen();
+        else if (room == "dining") dining();
+        else if (room == "bathroom") bathroom();
+        else if (room == "study") study();
+        else if (room == "hallway") hallway();
+        else if (room == "laundry") laundry();
+        else if (room == "sunroom") sunroom();
+        else if (room == "loft") loft();
+        else living();
+        remaining_wishes();
+        finish();
+    }
+
+  private:
+    bool chance(float p) { return l_.dice().chance(p); }
+
+    // Places through `how`, with the prompt's wish of this class if there is one. Unwished pieces need `probability`.
+    template <class How>
+    std::optional<int> put(const char* klass, float probability, How&& how) {
+        if (wishes_.forbids(klass)) return {};
+        const PromptObject* wish = wishes_.next(klass);
+        if (!wish && !chance(probability)) return {};
+        const auto index = how(l_.request(klass, wish), wish ? *wish : PromptObject{});
+        if (!index && wish) wishes_.give_back(wish);
+        return index;
+    }
+    std::optional<int> wall(const char* klass, float probability, WallWish w = {}) {
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) {
+            if (o.relation == "in the corner") w.corner = true;
+            if (o.relation_to == "window") w.window_pull = 1.5f;
+            return l_.against_wall(r, w, o);
+        });
+    }
+    std::optional<int> beside(int anchor, const char* klass, float probability, int side, float gap) {
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); });
+    }
+    std::optional<int> before(int anchor, const char* klass, float probability, float gap, bool facing) {
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); });
+    }
+    std::optional<int> top(int anchor, const char* klass, float probability) {
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
+    }
+    std::optional<int> above(int anchor, const char* klass, float probability) {
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); });
+    }
+    std::optional<int> picture(float probability) {
+        return put("picture", probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+    }
+    void rug(int anchor, float probability, float width, float depth, float shift) {
+        put("rug", probability, [&](PieceRequest r, const PromptObject& o) {
+            const float k = o.size == "large" ? 1.2f : o.size == "small" ? 0.75f : 1.f;
+            for (const float shrink : {1.f, 0.8f, 0.6f}) {
+                r.size_m = {width * k * shrink, 0, depth * k * shrink};
+                if (const auto i = l_.under(anchor, r, shift, o)) return i;
+            }
+            return std::optional<int>{};
+        });
+    }
+    Vec2f front_point(int anchor, float far) const {
+        const Placed& a = l_.placed()[static_cast<std::size_t>(anchor)];
+        return flat(a.position + Vec3f{std::sin(a.yaw), 0, std::cos(a.yaw)} * (a.piece.size_m.z / 2 + far));
+    }
+    const Vec3f& size(int i) const { return l_.placed()[static_cast<std::size_t>(i)].piece.size_m; }
+    float yaw(int i) const { return l_.placed()[static_cast<std::size_t>(i)].yaw; }
+    // The wall that a piece with this back faces: 0..3.
+    int wall_opposite(int anchor) const {
+        const Placed& a = l_.placed()[static_cast<std::size_t>(anchor)];
+        const Vec3f front{std::sin(a.yaw), 0, std::cos(a.yaw)};
+        int best = 0;
+        for (int w = 1; w < 4; ++w)
+            if (dot(l_.plan().wall(w).inward, front) < dot(l_.plan().wall(best).inward, front)) best = w;
+        return best;
+    }
+
+    void sleeping_place(const char* klass) {
+        const auto bed = wall(klass, 1, {.center_pull = 1.2f, .window_pull = -0.8f});
+        if (!bed) return;
+        for (const int side : {-1, 1})
+            if (const auto stand = beside(*bed, "nightstand", side < 0 ? 1.f : 0.75f, side, 0.08f)) {
+                top(*stand, "table_lamp", 0.9f);
+                if (chance(clutter_)) top(*stand, chance(0.5f) ? "book_stack" : "vase", 1);
+            }
+        above(*bed, "picture", 0.75f);
+        rug(*bed, 0.75f, size(*bed).x + 1.1f, 1.9f, 0.75f);
+        if (wishes_.has("bench") || chance(0.35f)) before(*bed, "bench", 1, 0.06f, false);
+        if (wishes_.has("ottoman")) before(*bed, "ottoman", 1, 0.1f, false);
+    }
+    void reading_corner(float probability) {
+        if (!wishes_.has("armchair") && !chance(probability)) return;
+        const Vec2f middle{0, 0};
+        const auto chair = put("armchair", 1, [&](const PieceRequest& r, const PromptObject& o) {
+            if (o.relation.empty() || o.relation == "in the corner") {
+                if (const auto i = l_.angled_towards(middle, r, o)) return i;
+            }
+            return l_.against_wall(r, {.window_pull = 1.2f, .corner = o.relation == "in the corner"}, o);
+        });
+        if (!chair) return;
+        const int side = chance(0.5f) ? 1 : -1;
+        if (const auto table = beside(*chair, "side_table", 0.6f, side, 0.05f)) top(*table, chance(0.5f) ? "book_stack" : "vase", 0.9f);
+        beside(*chair, "floor_lamp", 0.5f, -side, 0.05f);
+    }
+    void bedroom() {
+        sleeping_place("bed");
+        wall("wardrobe", 0.85f, {.window_pull = -1});
+        wall("dresser", 0.55f, {.window_pull = -0.5f});
+        if (wishes_.has("desk") || chance(0.2f)) working_place(0.3f);
+        reading_corner(0.5f);
+        wall("mirror", 0.4f);
+    }
+    void kids_room() {
+        if (wishes_.has("crib")) sleeping_place("crib");
+        else sleeping_place(wishes_.has("bed") ? "bed" : "bed_single");
+        wall("toy_box", 0.9f, {.center_pull = 0});
+        wall("bookshelf", 0.8f, {.window_pull = -1});
+        working_place(0.6f);
+        wall("wardrobe", 0.4f, {.window_pull = -1});
+        wall("rocking_horse", 0.35f, {.center_pull = 0, .corner = true});
+        wall("basket", 0.7f, {.corner = true});
+    }
+    std::optional<int> working_place(float probability) {
+        if (!wishes_.has("desk") && !chance(probability)) return {};
+        const auto desk = wall("desk", 1, {.center_pull = 0.5f, .window_pull = 0.8f});
+        if (!desk) return {};
+        before(*desk, wishes_.has("chair") && !wishes_.has("office_chair") ? "chair" : "office_chair", 1, -0.2f, true) ||
+            before(*desk, "chair", 1, 0.05f, true);
+        top(*desk, "table_lamp", 0.5f);
+        return desk;
+    }
+    void seating_group() {
+        const char* main = !wishes_.has("sofa") && wishes_.has("loveseat") ? "loveseat" : "sofa";
+        const auto sofa = wall(main, 1, {.center_pull = 1.f, .window_pull = -0.3f});
+        if (!sofa) return;
+        rug(*sofa, 0.9f, size(*sofa).x + 0.5f, 1.9f, size(*sofa).z / 2 + 0.55f);
+        const auto table = before(*sofa, "coffee_table", 0.95f, 0.42f, false);
+        if (table) {
+            top(*table, "book_stack", 0.7f);
+            top(*table, chance(0.5f) ? "vase" : "bowl", 0.7f);
+            top(*table, "candle", clutter_ * 0.6f);
+        }
+        above(*sofa, "picture", 0.85f);
+        const int side = chance(0.5f) ? 1 : -1;
+        if (const auto end = beside(*sofa, "side_table", 0.6f, side, 0.06f)) top(*end, "table_lamp", 0.8f);
+        beside(*sofa, "floor_lamp", 0.65f, -side, 0.06f);
+        // What the sofa looks at.
+        const int opposite = wall_opposite(*sofa);
+        if (wishes_.has("fireplace") || chance(0.18f)) {
+            if (const auto fire = wall("fireplace", 1, {.wall = opposite, .center_pull = 1.5f})) above(*fire, chance(0.5f) ? "mirror" : "picture", 0.7f);
+        } else if (!wishes_.forbids("tv")) {
+            if (const auto stand = wall("tv_stand", 0.85f, {.wall = opposite, .center_pull = 1.5f, .window_pull = -2})) {
+                if (!top(*stand, "tv", 0.9f)) above(*stand, "tv", 0.8f);
+                if (chance(clutter_)) top(*stand, "book_stack", 0.6f);
+            }
+        }
+        const Vec2f focus = front_point(*sofa, 0.6f);
+        const int chairs = std::max(wishes_.count("armchair"), chance(0.65f) ? 1 : 0);
+        for (int i = 0; i < chairs; ++i)
+            put("armchair", 1, [&](const PieceRequest& r, const PromptObject& o) {
+                if (const auto index = l_.angled_towards(focus, r, o)) return index;
+                return l_.against_wall(r, {}, o);
+            });
+        if (table) put("ottoman", 0.3f, [&](const PieceRequest& r, const PromptObject& o) { return l_.beside(*table, r, chance(0.5f) ? 1 : -1, 0.2f, o); });
+        if (main[0] == 's' && wishes_.has("loveseat")) wall("loveseat", 1);
+    }
+    void living() {
+        seating_group();
+        wall("bookshelf", 0.75f, {.window_pull = -1});
+        wall("sideboard", 0.5f, {.window_pull = -0.5f});
+        if (wishes_.has("dining_table")) eating_place(4);
+        if (wishes_.has("desk")) working_place(1);
+    }
+    void eating_place(int seats) {
+        const auto table = put("dining_table", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
+        if (!table) return;
+        const int wished = wishes_.count("chair");
+        const PromptObject* wish = wishes_.next("chair");
+        const int placed = l_.around(*table, l_.request("chair", wish), std::max(wished, seats), wish ? *wish : PromptObject{});
+        for (int i = 1; i < std::min(placed, wished); ++i) wishes_.next("chair");
+        if (placed == 0 && wish) wishes_.give_back(wish);
+        top(*table, chance(0.6f) ? "vase" : "bowl", 0.9f);
+        if (chance(clutter_)) top(*table, "candle", 0.7f);
+        const Placed& t = l_.placed()[static_cast<std::size_t>(*table)];
+        const Vec2f at = flat(t.position);
+        if (!wishes_.has("chandelier"))
+            put("pendant_lamp", 0.8f, [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, at, o); });
+        else
+            put("chandelier", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, at, o); });
+        rug(*table, 0.5f, size(*table).x + 1.3f, size(*table).z + 1.3f, 0);
+    }
+    void dining() {
+        eating_place(6);
+        if (const auto side = wall("sideboard", 0.95f, {.center_pull = 1.2f, .window_pull = -0.5f})) {
+            top(*side, "vase", 0.8f);
+            top(*side, "table_lamp", 0.6f);
+            top(*side, "bowl", clutter_);
+            above(*side, chance(0.4f) ? "mirror" : "picture", 0.9f);
+        }
+        wall("bookshelf", 0.3f, {.window_pull = -1});
+        reading_corner(0.2f);
+    }
+    void kitchen() {
+        // The run of units fills the longest wall that has no door.
+        for (const int w : {0, 1, 3}) {
+            const float length = l_.plan().wall(w).length;
+            const auto counter = put("kitchen_counter", 1, [&](PieceRequest r, const PromptObject& o) -> std::optional<int> {
+                for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f}) {
+                    r.size_m = {width, 0, 0};
+                    if (const auto i = l_.against_wall(r, {.wall = w}, o)) return i;
+                }
+                return {};
+            });
+            if (counter) break;
+        }
+        wall("fridge", 0.95f, {.center_pull = -0.5f, .window_pull = -1, .corner = true});
+        if (wishes_.has("kitchen_island"))
+            put("kitchen_island", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
+        if (!l_.find("kitchen_island") || wishes_.has("dining_table")) eating_place(4);
+        wall("sideboard", 0.4f, {.window_pull = -0.5f});
+        put("shelf", 0.6f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        put("clock", 0.5f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+    }
+    void bathroom() {
+        wall("bathtub", wishes_.has("shower") ? 0.f : 0.85f, {.center_pull = 0, .window_pull = 0.5f, .corner = true});
+        if (!l_.find("bathtub") || wishes_.has("shower")) wall("shower", 1, {.window_pull = -1, .corner = true});
+        if (const auto basin = wall("vanity", 1, {.center_pull = 0.6f, .window_pull = -1})) above(*basin, "mirror", 1);
+        wall("toilet", 1, {.center_pull = 0});
+        wall("towel_rail", 0.9f, {.window_pull = -0.5f});
+        wall("basket", 0.7f, {.corner = true});
+        wall("ladder_shelf", 0.4f, {.window_pull = -1});
+        if (const auto tub = l_.find("bathtub")) rug(*tub, 0.8f, 0.9f, 0.55f, size(*tub).z / 2 + 0.35f);
+    }
+    void study() {
+        working_place(1);
+        wall("bookshelf", 1, {.window_pull = -1});
+        wall("bookshelf", 0.8f, {.window_pull = -1});
+        wall("sideboard", 0.4f, {.window_pull = -0.5f});
+        reading_corner(0.9f);
+        if (const auto chair = l_.find("armchair")) rug(*chair, 0.5f, 1.8f, 1.3f, 0.5f);
+        if (const auto desk = l_.find("desk")) rug(*desk, 0.8f, 2.4f, 1.7f, 0.7f);
+        put("clock", 0.4f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+    }
+    void hallway() {
+        if (const auto side = wall("sideboard", 0.7f)) {
+            top(*side, "vase", 0.8f);
+            top(*side, "bowl", 0.5f);
+            above(*side, "mirror", 0.9f);
+        }
+        wall("coat_rack", 0.9f, {.corner = true});
+        wall("shoe_rack", 0.9f, {.center_pull = 0});
+        wall("bench", 0.6f);
+        const auto anchor = l_.find("sideboard") ? l_.find("sideboard") : l_.find("bench");
+        if (anchor) rug(*anchor, 0.8f, 2.2f, 0.8f, 0.9f);
+    }
+    void laundry() {
+        wall("washing_machine", 1, {.window_pull = 0.3f});
+        if (const auto first = l_.find("washing_machine")) beside(*first, "washing_machine", 0.7f, 1, 0.02f);
+        wall("basket", 1, {.corner = true});
+        wall("basket", 0.7f, {.corner = true});
+        wall("sideboard", 0.7f);
+        wall("ladder_shelf", 0.6f, {.window_pull = -1});
+        put("shelf", 0.9f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        wall("bench", 0.3f);
+    }
+    void sunroom() {
+        seating_group();
+        for (int i = 0; i < 4; ++i) wall("plant", 0.9f, {.center_pull = 0, .window_pull = 1, .corner = i < 2});
+        reading_corner(0.7f);
+    }
+    void loft() {
+        seating_group();
+        eating_place(4);
+        if (wishes_.has("bed")) sleeping_place("bed");
+        working_place(0.6f);
+        wall("bookshelf", 0.8f, {.window_pull = -1});
+        wall("sideboard", 0.5f);
+        wall("plant", 0.8f, {.corner = true});
+    }
+
+    // A wish that no group has used: placed by what kind of piece it is.
+    std::optional<int> anywhere(const PromptObject& wish) {
+        const PieceRequest r = l_.request(wish.klass, &wish);
+        const Piece piece = make_piece(r);
+        if (!wish.relation_to.empty())
+            if (const auto anchor = l_.find(wish.relation_to)) {
+                if (wish.relation == "on")
+                    if (const auto i = l_.on_top(*anchor, r, wish)) return i;
+                if (wish.relation == "above" && piece.mount == Mount::wall)
+                    if (const auto i = l_.on_wall(r, *anchor, wish)) return i;
+                if (wish.relation == "in front of" && piece.mount == Mount::floor)
+                    if (const auto i = l_.in_front_of(*anchor, r, 0.4f, false, wish)) return i;
+                if (piece.mount == Mount::floor)
+                    for (const int side : {1, -1})
+                        if (const auto i = l_.beside(*anchor, r, side, 0.08f, wish)) return i;
+            }
+        switch (piece.mount) {
+            case Mount::surface: return l_.on_any_top(r, wish);
+            case Mount::wall: return l_.on_wall(r, {}, wish);
+            case Mount::ceiling:
+                for (const Vec2f at : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
+                    if (const auto i = l_.hanging(r, at, wish)) return i;
+                return {};
+            case Mount::floor: break;
+        }
+        if (wish.klass == "rug") {
+            PieceRequest sized = r;
+            sized.size_m = {1.6f, 0, 1.1f};
+            for (std::size_t i = 0; i < l_.placed().size(); ++i)
+                if (const auto k = l_.under(static_cast<int>(i), sized, 0.9f, wish)) return k;
+            return {};
+        }
+        WallWish w;
+        w.corner = wish.relation == "in the corner" || wish.klass == "plant";
+        w.window_pull = wish.relation_to == "window" ? 2.f : piece.size_m.y > 1.2f ? -1.f : 0.f;
+        w.center_pull = 0.4f;
+        if (const auto i = l_.against_wall(r, w, wish)) return i;
+        return l_.free_standing(r, wish);
+    }
+    void remaining_wishes() {
+        const std::vector<std::string>& known = piece_classes();
+        wishes_.each_left([&](const PromptObject& wish) {
+            static constexpr std::array<const char*, 7> kShell{"window", "door", "wall", "floor", "ceiling", "beams", "curtain"};
+            if (std::find(kShell.begin(), kShell.end(), wish.klass) != kShell.end()) return;
+            if (wish.klass == "cushion" && (l_.find("sofa") || l_.find("bed"))) return;  // they come with cushions
+            if (!std::binary_search(known.begin(), known.end(), wish.klass)) {
+                l_.spec().not_placed.push_back(wish.words + ": there is no such piece yet");
+                return;
+            }
+            if (!anywhere(wish)) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
+        });
+    }
+
+    // What makes a room lived in: curtains, plants, pictures, light, small things.
+    void finish() {
+        const PromptObject* curtain = nullptr;
+        for (const PromptObject& o : l_.spec().objects)
+            if (o.klass == "curtain" && !o.forbidden) curtain = &o;
+        const std::string& room = l_.spec().room;
+        const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
+        if (!wishes_.forbids("curtain") && (curtain || !wet)) l_.at_windows(l_.request("curtain", curtain), curtain ? *curtain : PromptObject{});
+
+        if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !wishes_.forbids("ceiling_lamp")) {
+            const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f;
+            const auto lamp = put(grand ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, {0, 0.2f}, o); });
+            (void)lamp;
+        }
+        const int plants = static_cast<int>(std::lround(l_.plan().style.plants * 3.f));
+        for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
+        const int pictures = 1 + static_cast<int>(std::lround(clutter_ * 3.f));
+        for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
+        put("shelf", 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
+        wall("floor_lamp", l_.count("floor_lamp") == 0 && !wet ? 0.5f : 0.f, {.center_pull = 0, .corner = true});
+        static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
+        const int small = static_cast<int>(std::lround(3 + 7 * clutter_));
+        for (int i = 0; i < small; ++i) {
+            const char* klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
+            put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
+        }
+    }
+
+    Layout& l_;
+    Wishes wishes_;
+    float clutter_;
+};
+
+}  // namespace
+
+void furnish(Layout& layout) { Furnisher(layout).run(); }
+
+}  // namespace fastscene

@@ -1,0 +1,165 @@
+#include "fastscene/rooms/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/rooms/lexicon.h"
+
+namespace fastscene {
+namespace {
+
+struct Proportions {
+    const char* room;
+    float width_low, width_high, depth_low, depth_high;
+};
+// Usual inside sizes in metres.
+constexpr Proportions kProportions[] = {
+    {"living", 4.4f, 5.6f, 4.8f, 6.2f},  {"bedroom", 3.8f, 4.6f, 4.0f, 5.0f}, {"kids", 3.4f, 4.2f, 3.8f, 4.6f},    {"kitchen", 3.6f, 4.6f, 4.0f, 5.2f},
+    {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.8f, 3.4f, 3.2f, 4.0f}, {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f},
+    {"loft", 5.4f, 6.6f, 6.0f, 7.2f},    {"laundry", 2.8f, 3.4f, 3.2f, 4.0f},  {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
+};
+
+const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
+    for (const PromptObject& o : spec.objects)
+        if (o.klass == klass && o.forbidden == forbidden) return &o;
+    return nullptr;
+}
+
+// Color and material wishes of a surface of the shell.
+void apply_wish(Material& m, const PromptObject& wish) {
+    const float scale = m.scale_m;
+    if (const auto material = wish.material.empty() ? std::nullopt : material_named(wish.material)) m = *material;
+    if (!(m.scale_m > 0.f)) m.scale_m = scale;
+    if (const auto color = wish.color.empty() ? std::nullopt : color_named(wish.color)) {
+        // The pattern's other colors keep their relation to the main one.
+        const float ratio_b = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a)), ratio_c = luminance(m.color_c) / std::max(0.02f, luminance(m.color_a));
+        m.color_a = *color;
+        m.color_b = *color * std::clamp(ratio_b, 0.6f, 1.4f);
+        m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
+    }
+    if (wish.pattern == "striped") m.pattern = Pattern::stripes, m.scale_m = 0.16f;
+    if (wish.pattern == "floral") m.pattern = Pattern::floral, m.scale_m = 0.3f;
+    if (wish.pattern == "damask") m.pattern = Pattern::damask, m.scale_m = 0.4f;
+    if (wish.pattern == "checkered") m.pattern = Pattern::checker, m.scale_m = 0.3f;
+}
+
+float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
+
+void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
+    const PromptObject* wish = wish_for(spec, "window");
+    if (wish_for(spec, "window", true)) return;
+    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.mood == "bright";
+    const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
+    int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || spec.room == "loft" ? 3 : dice.chance(0.45f) ? 2 : 1;
+    if (spec.room == "hallway" && !wish) count = 1;
+    // The first window faces the visitor or stands to his right: there it lights what he looks at.
+    const int first = spec.room == "hallway" ? 0 : dice.chance(0.5f) ? 1 : 3;
+    const int order[4] = {first, 0, first == 1 ? 3 : 1, 2};
+    for (int i = 0; i < count; ++i) {
+        Opening window;
+        window.wall = order[i];
+        const float length = plan.wall(window.wall).length;
+        const float width = std::min(length - 0.6f, large ? dice.uniform(2.2f, 3.0f) : small ? dice.uniform(0.7f, 0.9f) : dice.uniform(1.3f, 1.8f));
+        window.y0 = large ? 0.4f : small ? 1.25f : 0.85f;
+        if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
+        window.y1 = std::min(plan.height - 0.25f, large ? 2.45f : 2.2f);
+        const float slack = free_margin(length, width) - 0.25f;
+        window.u0 = free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f);
+        window.u1 = window.u0 + width;
+        window.requested = wish != nullptr;
+        if (wish) window.color = wish->color;
+        plan.openings.push_back(window);
+    }
+}
+
+void add_door(const PromptSpec& spec, Plan& plan, Random& dice) {
+    Opening door;
+    door.kind = Opening::Kind::door;
+    door.wall = 2;
+    const PromptObject* wish = wish_for(spec, "door");
+    door.requested = wish != nullptr;
+    if (wish) door.color = wish->color;
+    const float length = plan.wall(2).length;
+    door.u0 = dice.chance(0.5f) ? 0.28f : length - 0.28f - 0.88f;
+    door.u1 = door.u0 + 0.88f;
+    door.y1 = 2.06f;
+    for (const Opening& o : plan.openings)
+        if (o.wall == 2) door.wall = 0;  // a fourth window took the near wall
+    plan.openings.push_back(door);
+}
+
+}  // namespace
+
+WallFace Plan::wall(int i) const {
+    const float w = width / 2, d = depth / 2;
+    switch (i) {
+        case 0: return {{-w, 0, d}, {1, 0, 0}, {0, 0, -1}, width};
+        case 1: return {{w, 0, d}, {0, 0, -1}, {-1, 0, 0}, depth};
+        case 2: return {{w, 0, -d}, {-1, 0, 0}, {0, 0, 1}, width};
+        default: return {{-w, 0, -d}, {0, 0, 1}, {1, 0, 0}, depth};
+    }
+}
+
+Plan make_plan(PromptSpec& spec, Random& dice) {
+    if (spec.room.empty()) {
+        // What the furniture asks for says what room it is.
+        const auto has = [&](std::initializer_list<const char*> classes) {
+            return std::any_of(classes.begin(), classes.end(), [&](const char* c) { return wish_for(spec, c); });
+        };
+        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single"}) ? "kids" : has({"bed", "nightstand"}) ? "bedroom" : has({"toilet", "bathtub", "shower", "vanity"}) ? "bathroom"
+                    : has({"kitchen_counter", "kitchen_island", "fridge"}) ? "kitchen" : has({"washing_machine"}) ? "laundry" : has({"dining_table"}) ? "dining"
+                    : has({"desk", "office_chair"}) ? "study" : "living";
+        spec.assumed.push_back("room: " + room_title(spec.room));
+    }
+    if (spec.style.empty()) {
+        const std::vector<std::string> all = styles();
+        spec.style = spec.mood == "cozy" ? (dice.chance(0.5f) ? "scandinavian" : "rustic") : all[static_cast<std::size_t>(dice.index(static_cast<int>(all.size())))];
+        spec.assumed.push_back("style: " + spec.style);
+    }
+    Plan plan;
+    plan.style = style_named(spec.style);
+    const Proportions* size = &kProportions[0];
+    for (const Proportions& p : kProportions)
+        if (spec.room == p.room) size = &p;
+    const float factor = spec.size == "large" ? 1.18f : spec.size == "small" ? 0.88f : 1.f;
+    plan.width = dice.uniform(size->width_low, size->width_high) * factor;
+    plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
+    plan.height = spec.room == "loft" ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
+    plan.beams = plan.style.beams || wish_for(spec, "beams");
+    plan.accent = spec.room != "hallway" && dice.chance(0.6f);
+
+    // Wet rooms have tiles where others have boards.
+    const bool wet = spec.room == "bathroom" || spec.room == "laundry";
+    if (wet) {
+        if (const auto tile = material_named("tile")) plan.style.accent_wall = *tile, plan.accent = true;
+        if (plan.style.floor.pattern == Pattern::carpet || plan.style.floor.pattern == Pattern::planks || plan.style.floor.pattern == Pattern::wood)
+            if (const auto stone = material_named("tile")) {
+                plan.style.floor = *stone;
+                plan.style.floor.scale_m = 0.45f;
+                plan.style.floor.color_a = plan.style.floor.color_a * 0.75f;
+            }
+    }
+    for (const PromptObject& wish : spec.objects) {
+        if (wish.forbidden) continue;
+        if (wish.klass == "wall") {
+            // "a brick wall" is one wall; "white walls" are all.
+            const bool one = wish.words == "wall" || wish.words == "accent wall";
+            const bool accent = one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
+            if (!accent && wish.material.empty()) plan.accent = false;
+            apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish);
+            if (accent || wish.material == "brick") plan.accent = true;
+            if (!accent && !wish.material.empty()) plan.style.accent_wall = plan.style.wall;
+        }
+        if (wish.klass == "floor") apply_wish(plan.style.floor, wish);
+        if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish);
+        if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
+        // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
+    }
+    if (!spec.colors.empty() && plan.accent && !wet)
+        if (const auto color = color_named(spec.colors.front())) plan.style.accent_wall.color_a = *color;
+    add_windows(spec, plan, dice);
+    add_door(spec, plan, dice);
+    return plan;
+}
+
+}  // namespace fastscene

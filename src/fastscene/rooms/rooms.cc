@@ -1,0 +1,184 @@
+#include "fastscene/rooms/rooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/rooms/layout.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+struct Daylight {
+    const char* name;
+    Sky::Time time;
+    float sun_elevation_deg;
+    Vec3f sun, zenith, horizon, ground;   // irradiance on a surface facing the sun; radiances. White paper in the shade is about 1.
+};
+constexpr Daylight kDaylight[] = {
+    {"morning", Sky::Time::morning, 20, {15.f, 11.5f, 8.0f}, {0.9f, 1.35f, 2.2f}, {2.7f, 2.5f, 2.2f}, {0.50f, 0.46f, 0.38f}},
+    {"day", Sky::Time::day, 38, {20.f, 18.4f, 16.f}, {1.1f, 1.8f, 3.1f}, {3.0f, 3.3f, 3.7f}, {0.75f, 0.70f, 0.58f}},
+    {"evening", Sky::Time::evening, 11, {15.f, 8.6f, 4.2f}, {0.6f, 0.8f, 1.4f}, {2.6f, 1.7f, 1.0f}, {0.35f, 0.27f, 0.20f}},
+    {"dusk", Sky::Time::dusk, 4, {}, {0.10f, 0.15f, 0.36f}, {0.70f, 0.42f, 0.34f}, {0.06f, 0.05f, 0.06f}},
+    {"night", Sky::Time::night, 30, {}, {0.006f, 0.009f, 0.022f}, {0.025f, 0.028f, 0.045f}, {0.006f, 0.006f, 0.008f}},
+};
+
+// The sun stands where it shines through the first window, a little from the side, so that its patch falls on the floor.
+Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
+    if (spec.time.empty()) {
+        spec.time = spec.mood == "lamps on" || spec.mood == "dim" ? "dusk" : spec.mood == "cozy" ? (dice.chance(0.5f) ? "evening" : "morning") : "day";
+        spec.assumed.push_back("time: " + spec.time);
+    }
+    const Daylight* light = &kDaylight[1];
+    for (const Daylight& d : kDaylight)
+        if (spec.time == d.name) light = &d;
+    Sky sky;
+    sky.time = light->time;
+    sky.zenith = light->zenith;
+    sky.horizon = light->horizon;
+    sky.ground = light->ground;
+    sky.sun_irradiance = light->sun;
+    sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" ? 1.f : 0.3f;
+    sky.seed = dice.next_u32();
+    if (sky.clouds > 0.9f) {
+        // An overcast sky is gray and even, and hides the sun.
+        const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 * (spec.weather == "rainy" ? 0.5f : 0.75f);
+        sky.zenith = sky.horizon = Vec3f{0.95f, 1.f, 1.06f} * gray;
+        sky.sun_irradiance = {};
+    }
+    Vec3f out{1, 0, 0};
+    for (const Opening& o : plan.openings)
+        if (o.kind == Opening::Kind::window) {
+            out = -plan.wall(o.wall).inward;
+            break;
+        }
+    const float elevation = (light->sun_elevation_deg + dice.uniform(-4, 4)) * kPi / 180, aside = dice.uniform(0.35f, 0.75f) * (dice.chance(0.5f) ? 1.f : -1.f);
+    const Vec3f side = cross(Vec3f{0, 1, 0}, out);
+    const Vec3f level = out * std::cos(aside) + side * std::sin(aside);
+    sky.sun_dir = world_from_room * normalize(level * std::cos(elevation) + Vec3f{0, std::sin(elevation), 0});
+    return sky;
+}
+
+// How much of their light the lamps give, by the hour.
+float lamp_level(const PromptSpec& spec) {
+    if (spec.mood == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
+    if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
+    return 0.f;
+}
+
+std::string name_of(const Placed& placed) {
+    std::string name = placed.piece.klass;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!placed.wish.material.empty()) name = placed.wish.material + " " + name;
+    if (!placed.wish.color.empty()) name = placed.wish.color + " " + name;
+    return name;
+}
+
+void add_piece(const Placed& placed, float lamps, Room& room) {
+    const auto object = static_cast<int>(room.objects.size());
+    const auto first_material = static_cast<int>(room.materials.size());
+    for (Material material : placed.piece.materials) {
+        // Screens glow by day too; lamps only as the hour asks.
+        if (material.pattern != Pattern::screen) material.emission = material.emission * lamps;
+        room.materials.push_back(std::move(material));
+    }
+    const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
+    RoomObject entry;
+    entry.klass = placed.piece.klass;
+    entry.name = name_of(placed);
+    entry.color = placed.wish.color;
+    entry.world_from_object = room_from_object;
+    entry.size_m = placed.piece.size_m;
+    entry.source = "built-in";
+    entry.requested = !placed.wish.klass.empty();
+    room.objects.push_back(entry);
+    for (Mesh mesh : placed.piece.meshes) {
+        mesh.material += first_material;
+        mesh.object = object;
+        for (Vec3f& p : mesh.positions) p = room_from_object * p;
+        for (Vec3f& n : mesh.normals) n = room_from_object.rotation * n;
+        room.meshes.push_back(std::move(mesh));
+    }
+}
+
+// Looks at the piece that names the room, else along the room's longer side.
+Vec3f view_direction(const Layout& layout, Vec3f camera) {
+    for (const char* klass : {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
+        if (const auto i = layout.find(klass)) {
+            const Vec3f to = layout.placed()[static_cast<std::size_t>(*i)].position - camera;
+            if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
+        }
+    return layout.plan().depth >= layout.plan().width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
+}
+
+void turn_into_world(const Rigid& world_from_room, Room& room) {
+    for (Mesh& mesh : room.meshes) {
+        for (Vec3f& p : mesh.positions) p = world_from_room * p;
+        for (Vec3f& n : mesh.normals) n = world_from_room.rotation * n;
+    }
+    for (RoomObject& o : room.objects) o.world_from_object = world_from_room * o.world_from_object;
+    for (Portal& p : room.portals) {
+        p.corner = world_from_room * p.corner;
+        p.edge_u = world_from_room.rotation * p.edge_u;
+        p.edge_v = world_from_room.rotation * p.edge_v;
+    }
+}
+
+}  // namespace
+
+Room make_room(PromptSpec& spec, const Run& run) {
+    Random dice(run.seed, "room:" + spec.text);
+    const Plan plan = make_plan(spec, dice);
+    Room room;
+    room.seed = mix64(run.seed ^ hash_name(spec.text));
+    build_shell(plan, room);
+
+    Layout layout(plan, spec, dice);
+    furnish(layout);
+    const float lamps = lamp_level(spec);
+    for (const Placed& placed : layout.placed()) add_piece(placed, lamps, room);
+
+    // World: x right, y down, z where the camera looks; a proper rotation of the room frame, nothing is mirrored.
+    const Vec3f camera = layout.camera_position(), forward = view_direction(layout, camera), down{0, -1, 0};
+    const Mat3f rotation{cross(down, forward), down, forward};
+    const Rigid world_from_room{rotation, -(rotation * camera)};
+    turn_into_world(world_from_room, room);
+    room.sky = make_sky(spec, plan, rotation, dice);
+    if (spec.mood == "cozy") room.look.white = {1.03f, 1.f, 0.95f};
+
+    room.min_corner = {1e9f, 1e9f, 1e9f};
+    room.max_corner = {-1e9f, -1e9f, -1e9f};
+    for (const float x : {-plan.width / 2, plan.width / 2})
+        for (const float y : {0.f, plan.height})
+            for (const float z : {-plan.depth / 2, plan.depth / 2}) {
+                const Vec3f p = world_from_room * Vec3f{x, y, z};
+                for (std::size_t a = 0; a < 3; ++a) {
+                    room.min_corner[a] = std::min(room.min_corner[a], p[a]);
+                    room.max_corner[a] = std::max(room.max_corner[a], p[a]);
+                }
+            }
+    return room;
+}
+
+Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
+    std::vector<std::int64_t> visible(room.objects.size(), 0);
+    for (const std::int32_t i : object_of_pixel.pixels)
+        if (i >= 0 && static_cast<std::size_t>(i) < visible.size()) ++visible[static_cast<std::size_t>(i)];
+    const auto vec = [](Vec3f v) { return Json{v.x, v.y, v.z}; };
+    Json objects = Json::array();
+    for (std::size_t i = 0; i < room.objects.size(); ++i) {
+        const RoomObject& o = room.objects[i];
+        const Mat3f& r = o.world_from_object.rotation;
+        const Vec3f t = o.world_from_object.translation;
+        objects.push_back({{"class", o.klass}, {"name", o.name}, {"color", o.color}, {"visible_pixels", visible[i]},
+                           {"world_from_object", Json::array({Json{r.row0.x, r.row0.y, r.row0.z, t.x}, Json{r.row1.x, r.row1.y, r.row1.z, t.y},
+                                                              Json{r.row2.x, r.row2.y, r.row2.z, t.z}, Json{0, 0, 0, 1}})},
+                           {"size_m", vec(o.size_m)}, {"source", o.source}, {"requested", o.requested}});
+    }
+    return {{"objects", objects}, {"bounds_m", {{"min", vec(room.min_corner)}, {"max", vec(room.max_corner)}}}, {"sun_direction", vec(room.sky.sun_dir)},
+            {"windows", room.portals.size()}};
+}
+
+}  // namespace fastscene
