@@ -85,7 +85,7 @@ void vase_of(Kit& k, float size, bool stems) {
                                                        {Vec2f{0.06f, 0}, {0.1f, 0.03f}, {0.12f, 0.09f}, {0.1f, 0.15f}, {0.05f, 0.18f}, {0.03f, 0.22f}, {0.04f, 0.24f}}}};
     std::array<Vec2f, 7> p = profiles[static_cast<std::size_t>(kind)];
     for (Vec2f& q : p) q = q * size;
-    k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), body);
+    k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
     k.piece.mount = Mount::surface;
     if (!stems) return;
     const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)), plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));

@@ -205,7 +205,7 @@ void mirror(Kit& k) {
     m.mirror = 1.f;
     const int silver = k.material(m);
     const float f = k.style.mouldings == Mouldings::rich ? 0.06f : 0.025f;
-    const auto o = shapes::rounded_rectangle(s.x - f, s.y - f, k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper ? 0.49f * std::min(s.x, s.y) : 0.02f, 10);
+    const auto o = shapes::rounded_rectangle(s.x - f, s.y - f, k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper ? 0.49f * std::min(s.x, s.y) : 0.8f * f, 10);
     Mesh pane = shapes::prism(o, 0.004f, 0.012f, 0.002f);
     shapes::turn(pane, {1, 0, 0}, 90);
     k.add(std::move(pane), silver, {0, 0.5f * s.y, 0});
