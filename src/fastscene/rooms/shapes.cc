@@ -84,7 +84,9 @@ void drop_slivers(Mesh& m) {
     std::vector<std::uint32_t> kept;
     for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
         const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
-        if (length(cross(b - a, c - a)) > 1e-12f) kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t), m.triangles.begin() + static_cast<long>(t) + 3);
+        // Relative to the edges: with fused multiply-add the cross product of equal edges is small, not zero.
+        const float longest = std::max(dot(b - a, b - a), std::max(dot(c - a, c - a), dot(c - b, c - b)));
+        if (length(cross(b - a, c - a)) > 1e-5f * longest) kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t), m.triangles.begin() + static_cast<long>(t) + 3);
     }
     m.triangles = std::move(kept);
 }

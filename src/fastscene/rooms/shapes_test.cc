@@ -40,6 +40,10 @@ TEST(Shapes, SolidsAreClosedAndFaceOutward) {
         EXPECT_TRUE(is_closed(m)) << name;
         Mesh at_origin = m;
         EXPECT_GT(signed_volume(at_origin), 0.f) << name;
+        for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
+            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
+            ASSERT_FALSE(a == b || b == c || a == c) << name << ": a triangle without area";
+        }
         for (const Vec3f n : m.normals) ASSERT_NEAR(length(n), 1.f, 1e-3f) << name;
         EXPECT_EQ(m.coords.size(), m.positions.size()) << name;
     }
