@@ -1,0 +1,127 @@
+// Lattice noise: smooth random functions of position that depend on nothing but their arguments.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "fastscene/math/vec.h"
+
+namespace fastscene {
+
+// A well mixed 32-bit number of a lattice point.
+inline std::uint32_t lattice_hash(int x, int y, int z, std::uint32_t seed) {
+    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8da6b343u ^ static_cast<std::uint32_t>(y) * 0xd8163841u ^
+                      static_cast<std::uint32_t>(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
+    h ^= h >> 15;
+    h *= 0x2c1b3c6du;
+    h ^= h >> 12;
+    h *= 0x297a2d39u;
+    return h ^ (h >> 15);
+}
+// Uniform in [0, 1).
+inline float lattice_unit(int x, int y, int z, std::uint32_t seed) {
+    return static_cast<float>(lattice_hash(x, y, z, seed) >> 8) * 0x1p-24f;
+}
+
+inline float mix(float a, float b, float t) { return a + (b - a) * t; }
+inline float unit_clamp(float v) { return v > 0.f ? (v < 1.f ? v : 1.f) : 0.f; }
+inline float smooth_step(float low, float high, float v) {
+    const float t = unit_clamp((v - low) / (high - low));
+    return t * t * (3.f - 2.f * t);
+}
+inline int floor_int(float v) {
+    const int i = static_cast<int>(v);
+    return static_cast<float>(i) > v ? i - 1 : i;
+}
+
+// Value noise in [0, 1], one feature a unit.
+inline float noise2(Vec2f p, std::uint32_t seed) {
+    const int x = floor_int(p.x), y = floor_int(p.y);
+    float u = p.x - static_cast<float>(x), v = p.y - static_cast<float>(y);
+    u = u * u * (3.f - 2.f * u);
+    v = v * v * (3.f - 2.f * v);
+    return mix(mix(lattice_unit(x, y, 0, seed), lattice_unit(x + 1, y, 0, seed), u),
+               mix(lattice_unit(x, y + 1, 0, seed), lattice_unit(x + 1, y + 1, 0, seed), u), v);
+}
+inline float noise3(Vec3f p, std::uint32_t seed) {
+    const int x = floor_int(p.x), y = floor_int(p.y), z = floor_int(p.z);
+    float u = p.x - static_cast<float>(x), v = p.y - static_cast<float>(y), w = p.z - static_cast<float>(z);
+    u = u * u * (3.f - 2.f * u);
+    v = v * v * (3.f - 2.f * v);
+    w = w * w * (3.f - 2.f * w);
+    const auto layer = [&](int zz) {
+        return mix(mix(lattice_unit(x, y, zz, seed), lattice_unit(x + 1, y, zz, seed), u),
+                   mix(lattice_unit(x, y + 1, zz, seed), lattice_unit(x + 1, y + 1, zz, seed), u), v);
+    };
+    return mix(layer(z), layer(z + 1), w);
+}
+
+// 1 while a detail of `size` is wider than two footprints, 0 once it is narrower than the footprint.
+inline float detail_fade(float footprint, float size) { return unit_clamp(2.f - 2.f * footprint / size); }
+
+// Octaves of noise in [0, 1]; those finer than the footprint (in units of p) are left out.
+inline float fbm2(Vec2f p, int octaves, float footprint, std::uint32_t seed) {
+    float sum = 0.5f, amplitude = 0.5f, size = 1.f;
+    for (int i = 0; i < octaves; ++i) {
+        const float fade = detail_fade(footprint, size);
+        if (!(fade > 0.f)) break;
+        sum += amplitude * fade * (noise2(p, seed + static_cast<std::uint32_t>(i)) - 0.5f);
+        p = Vec2f{p.x * 1.6f - p.y * 1.2f, p.x * 1.2f + p.y * 1.6f};  // doubled and turned, so that the lattice does not show
+        amplitude *= 0.5f;
+        size *= 0.5f;
+    }
+    return unit_clamp(sum);
+}
+inline float fbm3(Vec3f p, int octaves, float footprint, std::uint32_t seed) {
+    float sum = 0.5f, amplitude = 0.5f, size = 1.f;
+    for (int i = 0; i < octaves; ++i) {
+        const float fade = detail_fade(footprint, size);
+        if (!(fade > 0.f)) break;
+        sum += amplitude * fade * (noise3(p, seed + static_cast<std::uint32_t>(i)) - 0.5f);
+        p = Vec3f{p.x * 1.6f - p.y * 1.2f, p.x * 1.2f + p.y * 1.6f, p.z * 2.f + 0.37f};
+        amplitude *= 0.5f;
+        size *= 0.5f;
+    }
+    return unit_clamp(sum);
+}
+
+// How much of a footprint centered `distance` from the middle of a line is covered by the line.
+inline float line_cover(float distance, float half_width, float footprint) {
+    const float f = footprint > 1e-5f ? footprint : 1e-5f;
+    const float low = std::max(distance - 0.5f * f, -half_width), high = std::min(distance + 0.5f * f, half_width);
+    return unit_clamp((high - low) / f);
+}
+// Soft step from 0 to 1 at 0, as wide as the footprint.
+inline float edge_cover(float signed_distance, float footprint) {
+    return unit_clamp(signed_distance / (footprint > 1e-5f ? footprint : 1e-5f) + 0.5f);
+}
+
+// The nearest points of a jittered lattice: distances to the first two, and the number of the first.
+struct Voronoi {
+    float nearest = 1e9f, second = 1e9f;
+    std::uint32_t id = 0;
+    Vec2f offset{};  // from the nearest point
+};
+inline Voronoi voronoi2(Vec2f p, std::uint32_t seed) {
+    const int x = floor_int(p.x), y = floor_int(p.y);
+    Voronoi v;
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i) {
+            const std::uint32_t h = lattice_hash(i, j, 7, seed);
+            const Vec2f q{static_cast<float>(i) + static_cast<float>(h & 0xffff) / 65536.f,
+                          static_cast<float>(j) + static_cast<float>(h >> 16) / 65536.f};
+            const float d = length(p - q);
+            if (d < v.nearest) {
+                v.second = v.nearest;
+                v.nearest = d;
+                v.id = h;
+                v.offset = p - q;
+            } else if (d < v.second) {
+                v.second = d;
+            }
+        }
+    return v;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,52 @@
+// The patterns behind texture.h, one function each. All take the material and the place and return
+// linear albedo, roughness and relief; callers clamp.
+#pragma once
+
+#include "fastscene/trace/noise.h"
+#include "fastscene/trace/texture.h"
+
+namespace fastscene::patterns {
+
+// Wood and what is laid from it (patterns_wood.cc).
+TextureValue wood(const Material& m, const TexturePoint& p);
+TextureValue planks(const Material& m, const TexturePoint& p);
+TextureValue herringbone(const Material& m, const TexturePoint& p);
+TextureValue parquet(const Material& m, const TexturePoint& p);
+TextureValue bark(const Material& m, const TexturePoint& p);
+
+// Stone, plaster and ceramics (patterns_stone.cc).
+TextureValue plaster(const Material& m, const TexturePoint& p);
+TextureValue tile(const Material& m, const TexturePoint& p);
+TextureValue checker(const Material& m, const TexturePoint& p);
+TextureValue subway(const Material& m, const TexturePoint& p);
+TextureValue brick(const Material& m, const TexturePoint& p);
+TextureValue concrete(const Material& m, const TexturePoint& p);
+TextureValue marble(const Material& m, const TexturePoint& p);
+TextureValue terrazzo(const Material& m, const TexturePoint& p);
+
+// Cloth (patterns_cloth.cc).
+TextureValue fabric(const Material& m, const TexturePoint& p);
+TextureValue knit(const Material& m, const TexturePoint& p);
+TextureValue carpet(const Material& m, const TexturePoint& p);
+TextureValue leather(const Material& m, const TexturePoint& p);
+TextureValue wicker(const Material& m, const TexturePoint& p);
+
+// Drawn ornament (patterns_ornament.cc).
+TextureValue rug(const Material& m, const TexturePoint& p);
+TextureValue stripes(const Material& m, const TexturePoint& p);
+TextureValue damask(const Material& m, const TexturePoint& p);
+TextureValue floral(const Material& m, const TexturePoint& p);
+
+// Things (patterns_things.cc).
+TextureValue metal(const Material& m, const TexturePoint& p);
+TextureValue art(const Material& m, const TexturePoint& p);
+TextureValue book(const Material& m, const TexturePoint& p);
+TextureValue leaf(const Material& m, const TexturePoint& p);
+TextureValue grass(const Material& m, const TexturePoint& p);
+TextureValue screen(const Material& m, const TexturePoint& p);
+
+// What several of them share.
+inline float positive(float scale_m) { return scale_m > 1e-3f ? scale_m : 1e-3f; }
+inline float fraction(float v) { return v - static_cast<float>(floor_int(v)); }
+
+}  // namespace fastscene::patterns

@@ -1,0 +1,99 @@
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene::patterns {
+namespace {
+
+constexpr float kTwoPi = 6.2831853f;
+
+// Where threads of width `s` cross: 0..1 relief of a plain weave and whether the warp lies on top.
+struct Weave {
+    float height = 0.5f;
+    float warp = 0.5f;
+};
+Weave plain_weave(Vec2f p, float s, float footprint) {
+    const float fade = detail_fade(footprint, s);
+    Weave w;
+    if (!(fade > 0.f)) return w;
+    const float x = p.x / s, y = p.y / s;
+    const int ix = floor_int(x), iy = floor_int(y);
+    const float fx = x - static_cast<float>(ix) - 0.5f, fy = y - static_cast<float>(iy) - 0.5f;
+    const bool warp_on_top = ((ix + iy) & 1) != 0;
+    const float round_across = 1.f - 4.f * (warp_on_top ? fx * fx : fy * fy);
+    const float arch = 1.f - 2.f * (warp_on_top ? fy * fy : fx * fx);
+    w.height = mix(0.5f, unit_clamp(round_across * arch), fade);
+    w.warp = mix(0.5f, warp_on_top ? 1.f : 0.f, fade);
+    return w;
+}
+
+}  // namespace
+
+TextureValue fabric(const Material& m, const TexturePoint& p) {
+    // Threads of at most 2.5 mm whatever the unit: a sofa is not a basket.
+    const float thread = std::clamp(m.scale_m, 0.0008f, 0.0025f);
+    const Weave w = plain_weave(p.flat, thread, p.footprint_m);
+    const float slub = fbm2({p.flat.x * 60.f, p.flat.y * 380.f}, 2, p.footprint_m * 200.f, m.seed) - 0.5f;
+    const float broad = fbm3(p.coords * 9.f, 3, p.footprint_m * 9.f, m.seed + 3) - 0.5f;
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, 0.3f * w.warp) * (1.f + 0.16f * (w.height - 0.5f) + 0.1f * slub + 0.07f * broad);
+    v.roughness = std::max(m.roughness, 0.6f);
+    v.height = w.height;
+    return v;
+}
+
+TextureValue knit(const Material& m, const TexturePoint& p) {
+    // Columns of V-shaped stitches.
+    const float s = positive(m.scale_m), fade = detail_fade(p.footprint_m, s);
+    const float x = p.flat.x / s, column = x - static_cast<float>(floor_int(x)) - 0.5f;
+    const float leg = fraction(p.flat.y / (0.8f * s) + 1.1f * std::fabs(column));
+    const float yarn = 1.f - 4.f * (leg - 0.5f) * (leg - 0.5f), groove = smooth_step(0.f, 0.14f, std::fabs(column)) * smooth_step(0.f, 0.12f, 0.5f - std::fabs(column));
+    const float h = mix(0.6f, unit_clamp(yarn) * (0.4f + 0.6f * groove), fade);
+    const float fuzz = fbm3(p.coords * 300.f, 2, p.footprint_m * 300.f, m.seed) - 0.5f;
+    TextureValue v;
+    v.albedo = lerp(m.color_b, m.color_a, 0.35f + 0.65f * h) * (0.8f + 0.3f * h + 0.15f * fuzz);
+    v.roughness = std::max(m.roughness, 0.75f);
+    v.height = h;
+    return v;
+}
+
+TextureValue carpet(const Material& m, const TexturePoint& p) {
+    const float tuft = fbm2(p.flat * 260.f, 3, p.footprint_m * 260.f, m.seed), shade = fbm2(p.flat * 3.f, 4, p.footprint_m * 3.f, m.seed + 5);
+    const float fleck = fbm2(p.flat * 90.f, 2, p.footprint_m * 90.f, m.seed + 8);
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.35f * shade + 0.8f * (fleck - 0.5f))) * (0.8f + 0.4f * tuft) * (0.93f + 0.14f * shade);
+    v.roughness = 1.f;
+    v.height = tuft;
+    return v;
+}
+
+TextureValue leather(const Material& m, const TexturePoint& p) {
+    const float fade = detail_fade(p.footprint_m, 0.005f);
+    const float wear = fbm3(p.coords * 5.f, 4, p.footprint_m * 5.f, m.seed);
+    float crease = 0.f;
+    if (fade > 0.f) {
+        const Voronoi c = voronoi2(p.flat * 260.f, m.seed + 2);
+        crease = fade * (1.f - smooth_step(0.f, 0.22f, c.second - c.nearest));
+    }
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, 0.6f * smooth_step(0.35f, 0.8f, wear)) * (1.f - 0.3f * crease);
+    v.roughness = m.roughness * (0.85f + 0.3f * wear) + 0.15f * crease;
+    v.height = 1.f - crease;
+    return v;
+}
+
+TextureValue wicker(const Material& m, const TexturePoint& p) {
+    // Flat strands go over and under round ribs.
+    const float s = positive(m.scale_m), fade = detail_fade(p.footprint_m, 0.5f * s);
+    const float row_v = p.flat.y / (0.5f * s);
+    const int row = floor_int(row_v);
+    const float across = row_v - static_cast<float>(row) - 0.5f;
+    const float wave = 0.5f + 0.5f * std::sin(kTwoPi * (p.flat.x / (2.f * s) + 0.5f * static_cast<float>(row & 1)));
+    const float h = mix(0.55f, unit_clamp((1.f - 4.f * across * across) * (0.25f + 0.75f * wave)), fade);
+    const float tone = lattice_unit(row, floor_int(p.flat.x / (2.f * s)), 1, m.seed) - 0.5f;
+    TextureValue v;
+    v.albedo = lerp(m.color_b * 0.5f, m.color_a, smooth_step(0.f, 0.7f, h)) * (1.f + 0.2f * fade * tone);
+    v.roughness = m.roughness;
+    v.height = h;
+    return v;
+}
+
+}  // namespace fastscene::patterns

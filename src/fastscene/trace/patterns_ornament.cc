@@ -1,0 +1,138 @@
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene::patterns {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+// Signed distance inside (> 0) of a rose curve with `petals` petals of radius r.
+float rose(Vec2f p, int petals, float r, float depth) {
+    const float d = length(p), a = std::atan2(p.y, p.x);
+    return r * (1.f - depth + depth * std::fabs(std::cos(0.5f * static_cast<float>(petals) * a))) - d;
+}
+// Inside of a pointed leaf from the origin along +y, length l, half width w.
+float leaf_shape(Vec2f p, float l, float w) {
+    const float t = p.y / l;
+    if (t < 0.f || t > 1.f) return -0.01f - std::fabs(t - 0.5f) * 0.1f;
+    return w * std::sin(kPi * std::pow(t, 0.8f)) - std::fabs(p.x);
+}
+Vec2f turned(Vec2f p, float angle) {
+    const float c = std::cos(angle), s = std::sin(angle);
+    return {c * p.x + s * p.y, c * p.y - s * p.x};
+}
+
+// The pile of a rug: short, slightly uneven.
+float pile(const Material& m, const TexturePoint& p) { return fbm2(p.flat * 330.f, 2, p.footprint_m * 330.f, m.seed + 77); }
+
+// Motif of the field in [-1, 1]-ish units: 0 ground, 1 second color, 2 third color.
+int field_motif(const Material& m, Vec2f q, int style) {
+    switch (style) {
+        case 0: {  // lattice of lozenges
+            const float a = fraction(q.x + q.y), b = fraction(q.x - q.y);
+            const float edge = std::min(std::min(a, 1.f - a), std::min(b, 1.f - b));
+            return edge < 0.07f ? 1 : std::min(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) + std::max(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) < 0.22f ? 2 : 0;
+        }
+        case 1: {  // medallions
+            const Vec2f c{fraction(q.x) - 0.5f, fraction(q.y) - 0.5f};
+            if (rose(c, 8, 0.16f, 0.3f) > 0.f) return 2;
+            if (std::fabs(rose(c, 8, 0.36f, 0.22f)) < 0.03f) return 1;
+            return rose({c.x - std::copysign(0.5f, c.x), c.y - std::copysign(0.5f, c.y)}, 4, 0.2f, 0.5f) > 0.f ? 1 : 0;
+        }
+        case 2: {  // bands of zigzag
+            const int band = floor_int(q.y);
+            const float zig = std::fabs(fraction(q.x * 2.f) - 0.5f) * 0.8f, v = fraction(q.y);
+            if (v < 0.08f) return 2;
+            return (band & 1) ? (std::fabs(v - 0.35f - zig) < 0.09f ? 1 : 0) : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
+        }
+        default: {  // free islands
+            const float f = fbm2(q * 0.7f, 4, 0.f, m.seed + 5);
+            return f > 0.58f ? 1 : f < 0.4f ? 2 : 0;
+        }
+    }
+}
+
+}  // namespace
+
+TextureValue rug(const Material& m, const TexturePoint& p) {
+    // coords span the rug about its middle; scale_m is half of its longer side.
+    const float half = positive(m.scale_m), fp = p.footprint_m;
+    const int style = static_cast<int>(lattice_hash(1, 1, 1, m.seed) % 4);
+    const float inset = half - std::max(std::fabs(p.flat.x), std::fabs(p.flat.y) * 1.f);
+    const Vec2f q = p.flat * (4.5f / half);
+    const float fade = detail_fade(fp, 0.12f * half);
+    const Vec3f mean = (m.color_a * 0.62f + m.color_b * 0.2f + m.color_c * 0.18f);
+    const int motif = field_motif(m, q, style);
+    Vec3f c = lerp(mean, motif == 0 ? m.color_a : motif == 1 ? m.color_b : m.color_c, fade);
+    // Border: a guard stripe, a band with beads, a guard stripe.
+    const float band = 0.13f * half;
+    if (style != 3 && inset < band) {
+        const float t = inset / band;
+        const float along = (std::fabs(p.flat.x) > std::fabs(p.flat.y) ? p.flat.y : p.flat.x) / band;
+        const bool guard = (t > 0.12f && t < 0.22f) || (t > 0.82f && t < 0.92f);
+        const bool bead = t > 0.34f && t < 0.7f && std::fabs(fraction(along) - 0.5f) + std::fabs(t - 0.52f) < 0.24f;
+        c = guard ? m.color_c : bead ? m.color_a : m.color_b;
+    }
+    const float h = pile(m, p);
+    TextureValue v;
+    v.albedo = c * (0.82f + 0.36f * h) * (0.95f + 0.1f * fbm2(p.flat * 5.f, 3, fp * 5.f, m.seed + 2));
+    v.roughness = 1.f;
+    v.height = h;
+    return v;
+}
+
+TextureValue stripes(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m), t = fraction(p.flat.x / (2.f * s)) * 2.f * s;
+    // Distance to the middle of the b-stripe, filtered analytically.
+    const float b = line_cover(t - 1.5f * s, 0.5f * s, p.footprint_m);
+    const float pin = line_cover(t - 0.5f * s, 0.03f * s, p.footprint_m);
+    const float weave = fbm2(p.flat * 300.f, 2, p.footprint_m * 300.f, m.seed) - 0.5f;
+    TextureValue v;
+    v.albedo = lerp(lerp(m.color_a, m.color_b, b), m.color_c, 0.5f * pin) * (1.f + 0.06f * weave);
+    v.roughness = m.roughness;
+    v.height = 0.5f + 0.5f * weave;
+    return v;
+}
+
+TextureValue damask(const Material& m, const TexturePoint& p) {
+    // One mirrored motif a cell, cells in half drop.
+    const float s = positive(m.scale_m), fp = p.footprint_m / s;
+    const int column = floor_int(p.flat.x / s);
+    const float x = std::fabs(p.flat.x / s - static_cast<float>(column) - 0.5f);
+    const float y = 0.5f - fraction(p.flat.y / (1.5f * s) + 0.5f * static_cast<float>(column & 1));
+    const Vec2f q{x, y * 1.5f};
+    float in = rose(q - Vec2f{0.f, 0.08f}, 10, 0.17f, 0.35f);
+    in = std::max(in, leaf_shape(q - Vec2f{0.f, 0.25f}, 0.4f, 0.07f));
+    in = std::max(in, leaf_shape(turned(q - Vec2f{0.05f, 0.18f}, 0.9f), 0.4f, 0.06f));
+    in = std::max(in, leaf_shape(turned(q - Vec2f{0.05f, -0.02f}, 1.9f), 0.36f, 0.055f));
+    in = std::max(in, leaf_shape(turned(q - Vec2f{0.0f, -0.1f}, 2.65f), 0.5f, 0.06f));
+    in = std::max(in, 0.012f - std::fabs(length(q - Vec2f{0.f, 0.08f}) - 0.26f));
+    in = std::min(in, std::fabs(rose(q - Vec2f{0.f, 0.08f}, 10, 0.1f, 0.35f)) - 0.012f);
+    const float cover = mix(0.33f, edge_cover(in, std::max(fp, 0.004f)), detail_fade(fp, 0.5f));
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, cover);
+    v.roughness = mix(m.roughness, m.roughness * 0.75f, cover);
+    v.height = cover;
+    return v;
+}
+
+TextureValue floral(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m), fp = p.footprint_m / s;
+    const Vec2f q = p.flat * (1.f / s);
+    const Voronoi cell = voronoi2(q, m.seed);
+    const float r = 0.2f + 0.12f * static_cast<float>(cell.id & 255) / 255.f, angle = static_cast<float>((cell.id >> 8) & 255) * 0.0246f;
+    const Vec2f o = turned(cell.offset, angle);
+    const float soft = std::max(fp, 0.01f), fade = detail_fade(fp, 0.6f);
+    const float leaves = edge_cover(std::max(leaf_shape(turned(o, 0.7f), r * 2.2f, 0.07f), leaf_shape(turned(o, 3.6f), r * 2.2f, 0.07f)), soft);
+    const float bloom = edge_cover(rose(o, 5, r, 0.35f), soft), eye = edge_cover(0.28f * r - length(o), soft);
+    const Vec3f leaf_tone = lerp(m.color_c, m.color_a, 0.25f);
+    Vec3f c = lerp(m.color_a, leaf_tone, leaves * fade);
+    c = lerp(c, m.color_b * (1.f - 0.35f * unit_clamp(1.f - length(o) / r)), bloom * fade);
+    c = lerp(c, lerp(m.color_a, m.color_c, 0.4f), eye * fade);
+    TextureValue v;
+    v.albedo = c;
+    v.roughness = m.roughness;
+    v.height = 0.5f;
+    return v;
+}
+
+}  // namespace fastscene::patterns

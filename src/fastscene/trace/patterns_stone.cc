@@ -1,0 +1,155 @@
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene::patterns {
+namespace {
+
+// A cell of a grid with joints: number of the cell, place in it and share of the footprint on the joint.
+struct Joint {
+    int column = 0, row = 0;
+    Vec2f local;
+    float cover = 0, edge_m = 0;
+};
+Joint grid(Vec2f p, float width, float height, float stagger, float half_joint, float footprint) {
+    Joint j;
+    j.row = floor_int(p.y / height);
+    const float x = p.x + stagger * width * static_cast<float>(j.row & 1);
+    j.column = floor_int(x / width);
+    j.local = {x - static_cast<float>(j.column) * width, p.y - static_cast<float>(j.row) * height};
+    const float dx = std::min(j.local.x, width - j.local.x), dy = std::min(j.local.y, height - j.local.y);
+    const float cx = line_cover(dx, half_joint, footprint), cy = line_cover(dy, half_joint, footprint);
+    j.cover = cx + cy - cx * cy;
+    j.edge_m = std::min(dx, dy);
+    return j;
+}
+
+// A glazed tile of the given tone with its joint.
+TextureValue glazed(const Material& m, const Joint& j, Vec3f tone, float footprint) {
+    const float shade = lattice_unit(j.column, j.row, 1, m.seed) - 0.5f;
+    TextureValue v;
+    v.albedo = lerp(tone * (1.f + 0.07f * shade), m.color_b, j.cover);
+    v.roughness = mix(m.roughness, 0.85f, j.cover);
+    v.height = (1.f - j.cover) * smooth_step(0.f, 0.006f + footprint, j.edge_m);
+    return v;
+}
+
+// Thin, wandering veins in [0, 1].
+float veins(Vec3f p, float footprint, std::uint32_t seed) {
+    const Vec3f warp{fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f, fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f};
+    const float t = fbm3(p + warp * 1.6f, 4, footprint, seed);
+    return 1.f - smooth_step(0.f, 0.055f + footprint, std::fabs(t - 0.5f));
+}
+
+Vec3f marble_color(const Material& m, Vec3f p, float footprint) {
+    const float scale = 1.f / positive(m.scale_m);
+    const float broad = veins(p * scale, footprint * scale, m.seed), fine = veins(p * (2.7f * scale), footprint * 2.7f * scale, m.seed + 31);
+    const float cloud = fbm3(p * (0.8f * scale), 3, footprint * scale, m.seed + 17);
+    Vec3f c = lerp(m.color_a, m.color_b, 0.28f * smooth_step(0.4f, 0.8f, cloud));
+    const float mask = smooth_step(0.35f, 0.65f, fbm3(p * (0.5f * scale), 2, footprint * scale, m.seed + 41));
+    c = lerp(c, m.color_b, 0.75f * broad * mask);
+    return lerp(c, m.color_c, 0.22f * fine * (1.f - mask));
+}
+
+}  // namespace
+
+TextureValue plaster(const Material& m, const TexturePoint& p) {
+    const float broad = fbm3(p.coords * 1.7f, 3, p.footprint_m * 1.7f, m.seed);
+    const float fine = fbm3(p.coords * 160.f, 3, p.footprint_m * 160.f, m.seed + 7);
+    TextureValue v;
+    v.albedo = m.color_a * (1.f + 0.035f * (broad - 0.5f) + 0.03f * (fine - 0.5f));
+    v.roughness = m.roughness;
+    v.height = fine;
+    return v;
+}
+
+TextureValue tile(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m);
+    const Joint j = grid(p.flat, s, s, 0.f, 0.0015f, p.footprint_m);
+    const float cloud = fbm2(p.flat * (2.5f / s), 4, p.footprint_m * 2.5f / s, m.seed + 3);
+    return glazed(m, j, m.color_a * (1.f + 0.1f * (cloud - 0.5f)), p.footprint_m);
+}
+
+TextureValue checker(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m);
+    const Joint j = grid(p.flat, s, s, 0.f, 0.001f, p.footprint_m);
+    // Past the tile's size both colors merge.
+    const float fade = detail_fade(p.footprint_m, s);
+    const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
+    const Vec3f vein = marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, m.seed},
+                                    {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)}, p.footprint_m);
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;
+    v.albedo = lerp(v.albedo, Vec3f{0.25f, 0.24f, 0.22f}, 0.6f * j.cover);
+    v.roughness = mix(m.roughness, 0.7f, j.cover);
+    v.height = 1.f - j.cover;
+    return v;
+}
+
+TextureValue subway(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m);
+    return glazed(m, grid(p.flat, 2.f * s, s, 0.5f, 0.0013f, p.footprint_m), m.color_a, p.footprint_m);
+}
+
+TextureValue brick(const Material& m, const TexturePoint& p) {
+    const float course = positive(m.scale_m), stretch = course * 3.3f;
+    // Hand-made edges: the joint wanders by a millimetre or two.
+    const Vec2f wander{0.004f * (fbm2(p.flat * 40.f, 2, p.footprint_m * 40.f, m.seed + 1) - 0.5f),
+                       0.004f * (fbm2(p.flat * 40.f, 2, p.footprint_m * 40.f, m.seed + 2) - 0.5f)};
+    const Joint j = grid(p.flat + wander, stretch, course, 0.5f, 0.005f, std::max(p.footprint_m, 0.0015f));
+    const float tone = lattice_unit(j.column, j.row, 1, m.seed), shade = lattice_unit(j.column, j.row, 2, m.seed);
+    const float grit = fbm2(p.flat * 90.f, 3, p.footprint_m * 90.f, m.seed + 3), stain = fbm2(p.flat * 9.f, 3, p.footprint_m * 9.f, m.seed + 4);
+    Vec3f c = lerp(m.color_a, m.color_c, 0.55f * tone * tone) * (0.8f + 0.35f * shade);
+    c = c * (0.82f + 0.36f * grit) * (0.88f + 0.24f * stain);
+    const Vec3f mortar = m.color_b * (0.85f + 0.3f * grit);
+    TextureValue v;
+    v.albedo = lerp(c, mortar, j.cover);
+    v.roughness = m.roughness;
+    v.height = (1.f - j.cover) * (0.75f + 0.25f * grit) * smooth_step(0.f, 0.012f, j.edge_m);
+    return v;
+}
+
+TextureValue concrete(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m);
+    const float cloud = fbm3(p.coords * (1.f / s), 5, p.footprint_m / s, m.seed);
+    const float grit = fbm3(p.coords * 120.f, 3, p.footprint_m * 120.f, m.seed + 3);
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, smooth_step(0.25f, 0.75f, cloud)) * (0.94f + 0.12f * grit);
+    v.height = 0.8f + 0.2f * grit;
+    const float fade = detail_fade(p.footprint_m, 0.008f);
+    if (fade > 0.f) {  // a few air pores
+        const Voronoi cell = voronoi2(p.flat * 22.f, m.seed + 5);
+        const float pore = (cell.id & 7) == 0 ? fade * (1.f - smooth_step(0.05f, 0.09f, cell.nearest)) : 0.f;
+        v.albedo = v.albedo * (1.f - 0.45f * pore);
+        v.height *= 1.f - pore;
+    }
+    v.roughness = m.roughness * (0.85f + 0.3f * cloud);
+    return v;
+}
+
+TextureValue marble(const Material& m, const TexturePoint& p) {
+    TextureValue v;
+    v.albedo = marble_color(m, p.coords, p.footprint_m);
+    v.roughness = m.roughness;
+    v.height = 1.f;
+    return v;
+}
+
+TextureValue terrazzo(const Material& m, const TexturePoint& p) {
+    // Two sizes of chips in the ground color.
+    const float s = positive(m.scale_m);
+    Vec3f c = m.color_a * (0.97f + 0.06f * fbm2(p.flat * (3.f / s), 3, p.footprint_m * 3.f / s, m.seed));
+    for (int layer = 0; layer < 2; ++layer) {
+        const float scale = (layer == 0 ? 2.2f : 1.f) / s;
+        const Voronoi cell = voronoi2(p.flat * scale, m.seed + 11u + static_cast<std::uint32_t>(layer));
+        const float chip = edge_cover((cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale, p.footprint_m + 0.0006f);
+        const std::uint32_t kind = cell.id & 7;
+        const Vec3f tone = kind < 2 ? m.color_b : kind < 4 ? m.color_c : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f) : c;
+        c = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip * detail_fade(p.footprint_m, 1.5f / scale));
+    }
+    TextureValue v;
+    v.albedo = c;
+    v.roughness = m.roughness;
+    v.height = 1.f;
+    return v;
+}
+
+}  // namespace fastscene::patterns

@@ -1,0 +1,158 @@
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene::patterns {
+namespace {
+
+// The five paints of a picture: the material's colors, paper and a dark tone.
+Vec3f paint(const Material& m, std::uint32_t i) {
+    switch (i % 5) {
+        case 0: return m.color_a;
+        case 1: return m.color_b;
+        case 2: return m.color_c;
+        case 3: return {0.8f, 0.77f, 0.7f};
+        default: return lerp(m.color_b, Vec3f{0.03f, 0.035f, 0.05f}, 0.8f);
+    }
+}
+
+// Soft color fields, one above the other.
+Vec3f color_fields(const Material& m, Vec2f q, float soft) {
+    Vec3f c = paint(m, 3);
+    float y = 0.06f;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const float h = 0.18f + 0.17f * lattice_unit(static_cast<int>(i), 0, 1, m.seed);
+        const float wobble = 0.02f * (fbm2(q * 9.f, 3, 0.f, m.seed + i) - 0.5f);
+        const float in = std::min(std::min(q.y - y, y + h - q.y), std::min(q.x - 0.07f, 0.93f - q.x)) + wobble;
+        c = lerp(c, paint(m, i + m.seed % 3) * (0.85f + 0.3f * fbm2(q * 5.f, 4, 0.f, m.seed + 9)), edge_cover(in, 0.03f + soft));
+        y += h + 0.04f;
+    }
+    return c;
+}
+// Overlapping discs and half discs.
+Vec3f discs(const Material& m, Vec2f q, float soft) {
+    Vec3f c = paint(m, 3);
+    for (int i = 0; i < 6; ++i) {
+        const Vec2f center{0.15f + 0.7f * lattice_unit(i, 0, 2, m.seed), 0.15f + 0.7f * lattice_unit(i, 1, 2, m.seed)};
+        const float r = 0.09f + 0.2f * lattice_unit(i, 2, 2, m.seed);
+        float in = r - length(q - center);
+        if (i & 1) in = std::min(in, (lattice_unit(i, 3, 2, m.seed) < 0.5f ? q.y - center.y : center.x - q.x));
+        c = lerp(c, paint(m, static_cast<std::uint32_t>(i)), edge_cover(in, soft));
+    }
+    return c;
+}
+// Layered hills under a sky with a sun.
+Vec3f landscape(const Material& m, Vec2f q, float soft) {
+    Vec3f c = lerp(paint(m, 3), m.color_a, 0.7f * unit_clamp(1.f - q.y));
+    c = lerp(c, m.color_c, edge_cover(0.09f - length(q - Vec2f{0.3f + 0.4f * lattice_unit(0, 0, 3, m.seed), 0.28f}), soft));
+    for (int i = 0; i < 4; ++i) {
+        const float line = 0.42f + 0.14f * static_cast<float>(i) + 0.22f * (fbm2({q.x * (2.f + static_cast<float>(i)), static_cast<float>(i)}, 3, 0.f, m.seed) - 0.5f);
+        c = lerp(c, lerp(m.color_b, paint(m, 4), 0.28f * static_cast<float>(i)) * 1.05f, edge_cover(q.y - line, soft));
+    }
+    return c;
+}
+// Brush strokes that follow a swirling field.
+Vec3f strokes(const Material& m, Vec2f q, float soft) {
+    const Vec2f warp{fbm2(q * 2.2f, 4, 0.f, m.seed) - 0.5f, fbm2(q * 2.2f, 4, 0.f, m.seed + 7) - 0.5f};
+    const float t = fbm2(q * 1.6f + warp * 2.4f, 5, soft, m.seed + 3), u = fbm2(q * 2.6f + warp * 3.f, 4, soft, m.seed + 5);
+    Vec3f c = lerp(paint(m, 3), m.color_a, smooth_step(0.35f, 0.6f, t));
+    c = lerp(c, m.color_b, smooth_step(0.5f, 0.62f, u));
+    return lerp(c, m.color_c, smooth_step(0.58f, 0.66f, t));
+}
+// A grid of rectangles with dark lines.
+Vec3f grid_picture(const Material& m, Vec2f q, float soft) {
+    Vec2f low{0, 0}, high{1, 1};
+    std::uint32_t id = 1;
+    for (int depth = 0; depth < 5; ++depth) {
+        const std::uint32_t h = lattice_hash(static_cast<int>(id), depth, 4, m.seed);
+        if (depth > 2 && (h & 3) == 0) break;
+        const float cut = 0.3f + 0.4f * static_cast<float>(h >> 16) / 65536.f;
+        const bool vertical = (high.x - low.x) > (high.y - low.y);
+        const float at = vertical ? mix(low.x, high.x, cut) : mix(low.y, high.y, cut);
+        const bool upper = (vertical ? q.x : q.y) > at;
+        (vertical ? (upper ? low.x : high.x) : (upper ? low.y : high.y)) = at;
+        id = id * 2 + (upper ? 1 : 0);
+    }
+    const float edge = std::min(std::min(q.x - low.x, high.x - q.x), std::min(q.y - low.y, high.y - q.y));
+    const std::uint32_t h = lattice_hash(static_cast<int>(id), 9, 4, m.seed);
+    const Vec3f c = (h & 7) < 4 ? paint(m, 3) : paint(m, h >> 8);
+    return lerp(c, {0.03f, 0.03f, 0.035f}, edge_cover(0.011f - edge, soft));
+}
+
+}  // namespace
+
+TextureValue metal(const Material& m, const TexturePoint& p) {
+    const float brushed = fbm2({p.flat.x * 25.f, p.flat.y * 900.f}, 2, p.footprint_m * 400.f, m.seed) - 0.5f;
+    const float haze = fbm3(p.coords * 12.f, 3, p.footprint_m * 12.f, m.seed + 3) - 0.5f;
+    TextureValue v;
+    v.albedo = m.color_a * (1.f + 0.06f * brushed + 0.04f * haze);
+    v.roughness = m.roughness * (1.f + 0.3f * haze + 0.15f * brushed);
+    v.height = 0.5f + 0.5f * brushed;
+    return v;
+}
+
+TextureValue art(const Material& m, const TexturePoint& p) {
+    const float width = positive(m.scale_m);
+    const Vec2f q = p.flat * (1.f / width);
+    const float soft = std::max(p.footprint_m / width, 0.002f);
+    TextureValue v;
+    switch (lattice_hash(3, 1, 4, m.seed) % 5) {
+        case 0: v.albedo = color_fields(m, q, soft); break;
+        case 1: v.albedo = discs(m, q, soft); break;
+        case 2: v.albedo = landscape(m, q, soft); break;
+        case 3: v.albedo = strokes(m, q, soft); break;
+        default: v.albedo = grid_picture(m, q, soft); break;
+    }
+    const float canvas = fbm2(p.flat * 500.f, 2, p.footprint_m * 500.f, m.seed + 8);
+    v.albedo = v.albedo * (0.96f + 0.08f * canvas);
+    v.roughness = std::max(m.roughness, 0.5f);
+    v.height = canvas;
+    return v;
+}
+
+TextureValue book(const Material& m, const TexturePoint& p) {
+    // The spine runs along y; gilt bands and a title of bars.
+    const float s = positive(m.scale_m), y = p.coords.y / s, fp = p.footprint_m / s;
+    const float tone = lattice_unit(1, 2, 3, m.seed);
+    Vec3f c = m.color_a * (0.94f + 0.12f * fbm3(p.coords * 80.f, 2, p.footprint_m * 80.f, m.seed));
+    const float band = line_cover(y - 0.12f - 0.05f * tone, 0.012f, fp) + line_cover(y - 0.86f + 0.05f * tone, 0.012f, fp);
+    float title = 0.f;
+    if (y > 0.35f && y < 0.68f && std::fabs(p.coords.x) < 0.25f * 0.04f) title = lattice_unit(floor_int(y * 60.f), 0, 5, m.seed) < 0.7f ? detail_fade(fp, 0.03f) : 0.3f * (1.f - detail_fade(fp, 0.03f));
+    c = lerp(c, m.color_b, unit_clamp(band + title));
+    TextureValue v;
+    v.albedo = c;
+    v.roughness = m.roughness;
+    v.height = 0.5f;
+    return v;
+}
+
+TextureValue leaf(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m), fp = p.footprint_m;
+    const float rib = line_cover(p.flat.x, 0.012f * s + 0.0006f, fp);
+    const float side = fraction((p.flat.y + std::fabs(p.flat.x) * 0.9f) / (0.13f * s));
+    const float vein = detail_fade(fp, 0.06f * s) * (1.f - smooth_step(0.f, 0.12f, std::min(side, 1.f - side)));
+    const float cloud = fbm3(p.coords * (4.f / s), 3, fp * 4.f / s, m.seed);
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.6f * (cloud - 0.25f) + 0.5f * rib + 0.3f * vein));
+    v.roughness = m.roughness;
+    v.height = 1.f - 0.7f * rib - 0.3f * vein;
+    return v;
+}
+
+TextureValue grass(const Material& m, const TexturePoint& p) {
+    const float blade = fbm2({p.flat.x * 240.f, p.flat.y * 90.f}, 3, p.footprint_m * 200.f, m.seed), patch = fbm2(p.flat * 2.f, 4, p.footprint_m * 2.f, m.seed + 3);
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, patch) * (0.6f + 0.8f * blade);
+    v.roughness = 0.95f;
+    v.height = blade;
+    return v;
+}
+
+TextureValue screen(const Material& m, const TexturePoint& p) {
+    (void)p;
+    TextureValue v;
+    v.albedo = m.color_a;
+    v.roughness = m.roughness;
+    v.height = 1.f;
+    return v;
+}
+
+}  // namespace fastscene::patterns

@@ -1,0 +1,105 @@
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene::patterns {
+namespace {
+
+// Grain of one board: `along` and `across` the fibres, metres. 0 = early wood, 1 = late wood.
+float grain(float across, float along, float footprint, std::uint32_t seed) {
+    // A board is cut slightly off the trunk's axis, so the rings show as long, wavering arches.
+    const float drift = 0.035f * (fbm2({across * 7.f, along * 0.9f}, 3, footprint * 7.f, seed) - 0.5f);
+    const float ring = (across + drift + 0.012f * along) / 0.014f;
+    const float ring_fade = detail_fade(footprint, 0.014f);
+    const float t = fraction(ring + noise2({ring * 0.3f, along * 0.7f}, seed + 5));
+    const float rings = mix(0.5f, smooth_step(0.f, 0.75f, t) - smooth_step(0.82f, 1.f, t), ring_fade);
+    const float fibres = fbm2({across * 420.f, along * 14.f}, 2, footprint * 420.f, seed + 9);
+    const float broad = fbm2({across * 14.f, along * 1.6f}, 3, footprint * 14.f, seed + 3);
+    return unit_clamp(0.42f * rings + 0.2f * fibres + 0.38f * broad);
+}
+
+// One board out of a floor: its own tone, its own piece of trunk.
+TextureValue board(const Material& m, float across, float along, float footprint, std::uint32_t id) {
+    const float tone = static_cast<float>(id & 255) / 255.f, warmth = static_cast<float>((id >> 8) & 255) / 255.f;
+    const float g = grain(across + static_cast<float>(id >> 24) * 0.37f, along + static_cast<float>((id >> 16) & 255) * 0.53f,
+                          footprint, m.seed + (id & 31));
+    TextureValue v;
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.75f * (g - 0.3f) + 0.45f * (tone - 0.5f) + 0.12f));
+    v.albedo = v.albedo * (0.9f + 0.2f * warmth);
+    v.roughness = m.roughness * (0.92f + 0.2f * g);
+    v.height = 0.93f + 0.07f * (1.f - g);
+    return v;
+}
+
+// Darkens the gap between boards; `gap` = covered share.
+void cut_gap(TextureValue& v, float gap) {
+    v.albedo = v.albedo * (1.f - 0.72f * gap);
+    v.height *= 1.f - gap;
+    v.roughness = mix(v.roughness, 0.9f, gap);
+}
+
+constexpr float kGapHalf = 0.0011f;  // boards touch but for about two millimetres of bevel
+
+}  // namespace
+
+TextureValue wood(const Material& m, const TexturePoint& p) {
+    // The fibres run along the mesh's longest texture axis by convention: the second flat coordinate.
+    return board(m, p.flat.x, p.flat.y, p.footprint_m, lattice_hash(1, 2, 3, m.seed) & 0xffffff7f);
+}
+
+TextureValue planks(const Material& m, const TexturePoint& p) {
+    const float width = positive(m.scale_m), long_side = width * 9.f;
+    const int row = floor_int(p.flat.x / width);
+    const float shift = lattice_unit(row, 0, 1, m.seed) * long_side;
+    const int column = floor_int((p.flat.y + shift) / long_side);
+    const float across = p.flat.x - static_cast<float>(row) * width;
+    const float along = p.flat.y + shift - static_cast<float>(column) * long_side;
+    TextureValue v = board(m, across, along, p.footprint_m, lattice_hash(row, column, 2, m.seed));
+    const float side = std::min(across, width - across), end = std::min(along, long_side - along);
+    cut_gap(v, std::max(line_cover(side, kGapHalf, p.footprint_m), line_cover(end, kGapHalf, p.footprint_m)));
+    return v;
+}
+
+TextureValue herringbone(const Material& m, const TexturePoint& p) {
+    // In units of the block's width, turned by 45 degrees; blocks are n x 1. Row y holds a lying block where
+    // (x - y) mod 2n < n; the cells left over form standing blocks.
+    constexpr int n = 5;
+    const float width = positive(m.scale_m), r = 0.70710678f / width;
+    const float x = (p.flat.x + p.flat.y) * r, y = (p.flat.y - p.flat.x) * r;
+    const int ix = floor_int(x), iy = floor_int(y);
+    const int k = ((ix - iy) % (2 * n) + 2 * n) % (2 * n);
+    const bool lying = k < n;
+    const float along = lying ? static_cast<float>(k) + x - static_cast<float>(ix) : static_cast<float>(2 * n - 1 - k) + y - static_cast<float>(iy);
+    const float across = lying ? y - static_cast<float>(iy) : x - static_cast<float>(ix);
+    const std::uint32_t id = lying ? lattice_hash(ix - k, iy, 3, m.seed) : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
+    TextureValue v = board(m, across * width, along * width, p.footprint_m, id);
+    const float edge = std::min(std::min(across, 1.f - across), std::min(along, static_cast<float>(n) - along)) * width;
+    cut_gap(v, line_cover(edge, kGapHalf * 0.8f, p.footprint_m));
+    return v;
+}
+
+TextureValue parquet(const Material& m, const TexturePoint& p) {
+    constexpr int n = 5;  // strips a square
+    const float width = positive(m.scale_m), square = width * n;
+    const int ix = floor_int(p.flat.x / square), iy = floor_int(p.flat.y / square);
+    float across = p.flat.x - static_cast<float>(ix) * square, along = p.flat.y - static_cast<float>(iy) * square;
+    if ((ix + iy) & 1) std::swap(across, along);
+    const int strip = std::clamp(floor_int(across / width), 0, n - 1);
+    const float local = across - static_cast<float>(strip) * width;
+    TextureValue v = board(m, local, along, p.footprint_m, lattice_hash(ix * n + strip, iy, 5, m.seed));
+    const float edge = std::min(std::min(local, width - local), std::min(along, square - along));
+    cut_gap(v, line_cover(edge, kGapHalf * 0.7f, p.footprint_m));
+    return v;
+}
+
+TextureValue bark(const Material& m, const TexturePoint& p) {
+    const float s = positive(m.scale_m);
+    const float angle = std::atan2(p.coords.z, p.coords.x);
+    const float ridge = fbm3({angle * 3.f, p.coords.y / s * 0.35f, 0.f}, 4, p.footprint_m / s, m.seed);
+    const float t = std::fabs(2.f * ridge - 1.f);
+    TextureValue v;
+    v.albedo = lerp(m.color_b, m.color_a, smooth_step(0.02f, 0.4f, t));
+    v.roughness = m.roughness;
+    v.height = t;
+    return v;
+}
+
+}  // namespace fastscene::patterns

@@ -1,0 +1,110 @@
+#include "fastscene/trace/texture.h"
+
+#include "fastscene/trace/patterns.h"
+
+namespace fastscene {
+namespace {
+
+TextureValue raw_texture(const Material& m, const TexturePoint& p) {
+    switch (m.pattern) {
+        case Pattern::plain: return {m.color_a, m.roughness, 0.5f};
+        case Pattern::plaster: return patterns::plaster(m, p);
+        case Pattern::wood: return patterns::wood(m, p);
+        case Pattern::planks: return patterns::planks(m, p);
+        case Pattern::herringbone: return patterns::herringbone(m, p);
+        case Pattern::parquet: return patterns::parquet(m, p);
+        case Pattern::tile: return patterns::tile(m, p);
+        case Pattern::checker: return patterns::checker(m, p);
+        case Pattern::subway: return patterns::subway(m, p);
+        case Pattern::brick: return patterns::brick(m, p);
+        case Pattern::concrete: return patterns::concrete(m, p);
+        case Pattern::marble: return patterns::marble(m, p);
+        case Pattern::terrazzo: return patterns::terrazzo(m, p);
+        case Pattern::fabric: return patterns::fabric(m, p);
+        case Pattern::knit: return patterns::knit(m, p);
+        case Pattern::carpet: return patterns::carpet(m, p);
+        case Pattern::leather: return patterns::leather(m, p);
+        case Pattern::rug: return patterns::rug(m, p);
+        case Pattern::stripes: return patterns::stripes(m, p);
+        case Pattern::damask: return patterns::damask(m, p);
+        case Pattern::floral: return patterns::floral(m, p);
+        case Pattern::wicker: return patterns::wicker(m, p);
+        case Pattern::metal: return patterns::metal(m, p);
+        case Pattern::art: return patterns::art(m, p);
+        case Pattern::book: return patterns::book(m, p);
+        case Pattern::leaf: return patterns::leaf(m, p);
+        case Pattern::grass: return patterns::grass(m, p);
+        case Pattern::bark: return patterns::bark(m, p);
+        case Pattern::screen: return patterns::screen(m, p);
+    }
+    return {m.color_a, m.roughness, 0.5f};
+}
+
+// Size of the finest relief of a pattern: below it no slope is computed.
+float relief_size(const Material& m) {
+    switch (m.pattern) {
+        case Pattern::brick: case Pattern::tile: case Pattern::subway: case Pattern::checker: return 0.02f;
+        case Pattern::knit: case Pattern::wicker: return 0.5f * m.scale_m;
+        case Pattern::planks: case Pattern::herringbone: case Pattern::parquet: return 0.008f;
+        default: return 0.006f;
+    }
+}
+
+}  // namespace
+
+int dominant_axis(Vec3f n) {
+    const float x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+    return z >= x && z >= y ? 2 : y >= x ? 1 : 0;
+}
+
+Vec2f flat_coords(Vec3f c, int axis) {
+    return axis == 2 ? Vec2f{c.x, c.y} : axis == 1 ? Vec2f{c.x, c.z} : Vec2f{c.z, c.y};
+}
+
+TextureValue sample_texture(const Material& material, const TexturePoint& point) {
+    TextureValue v = raw_texture(material, point);
+    v.albedo = {unit_clamp(v.albedo.x), unit_clamp(v.albedo.y), unit_clamp(v.albedo.z)};
+    v.roughness = std::clamp(v.roughness, 0.02f, 1.f);
+    v.height = unit_clamp(v.height);
+    return v;
+}
+
+Vec2f texture_slope(const Material& material, const TexturePoint& point, int axis) {
+    const float size = relief_size(material);
+    const float fade = detail_fade(point.footprint_m, size);
+    if (!(material.bump_m > 0.f) || !(fade > 0.f)) return {};
+    const float h = std::max(0.5f * point.footprint_m, 0.0004f);
+    const auto height = [&](float du, float dv) {
+        TexturePoint q = point;
+        q.flat = q.flat + Vec2f{du, dv};
+        q.coords += axis == 2 ? Vec3f{du, dv, 0} : axis == 1 ? Vec3f{du, 0, dv} : Vec3f{0, dv, du};
+        return raw_texture(material, q).height;
+    };
+    const float k = fade * material.bump_m / h;
+    const float here = height(0, 0);
+    const Vec2f slope{k * (height(h, 0) - here), k * (height(0, h) - here)};
+    // Steep flanks of joints would turn the normal below the horizon.
+    const float l = length(slope);
+    return l > 0.7f ? slope * (0.7f / l) : slope;
+}
+
+Vec3f mean_albedo(const Material& material) {
+    // The footprint of 1 cm leaves the fine grain to its mean; 256 places over four units cover the rest.
+    Vec3f sum{};
+    constexpr int kSide = 16;
+    const float span = 4.f * std::max(material.scale_m, 0.05f);
+    const bool whole = material.pattern == Pattern::art || material.pattern == Pattern::book;  // one unit only
+    for (int j = 0; j < kSide; ++j)
+        for (int i = 0; i < kSide; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) / kSide, v = (static_cast<float>(j) + 0.5f) / kSide;
+            TexturePoint p;
+            p.flat = whole ? Vec2f{u * material.scale_m, v * material.scale_m}
+                           : material.pattern == Pattern::rug ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m} : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
+            p.coords = {p.flat.x, p.flat.y, 0.3f * (u + v) * span};
+            p.footprint_m = 0.01f;
+            sum += sample_texture(material, p).albedo;
+        }
+    return sum / static_cast<float>(kSide * kSide);
+}
+
+}  // namespace fastscene
