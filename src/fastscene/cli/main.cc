@@ -103,6 +103,7 @@ int run(int argc, char** argv) {
     const SignalWatch signals;
     CLI::App app("From a sentence to a 3D indoor scene you can walk through.", "fastscene");
     app.require_subcommand(1);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so that a script's defaults can be overridden
     app.get_formatter()->column_width(34);
     app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     bool version = false;

@@ -24,6 +24,11 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     if (!viewer_dir && !std::filesystem::exists(folder.viewer_html())) throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
     server.set_tcp_nodelay(true);
+    // The library's default would let two servers share a port without a word.
+    server.set_socket_options([](socket_t socket) {
+        const int yes = 1;
+        ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
     const std::string settings = viewer_dir ? settings_of(folder) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
         response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=/splat/scene.compressed.ply" : "/viewer.html");

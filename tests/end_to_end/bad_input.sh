@@ -1,0 +1,118 @@
+# Everything that can be wrong from outside: the right exit code, a sentence that helps, and nothing lost.
+. "$(dirname "$0")/lib.sh"
+
+# Prompts.
+expect 2 "$fastscene" make "" -o p
+expect 2 "$fastscene" make "   " -o p
+expect 2 "$fastscene" make "$(head -c 10000 /dev/zero | tr '\0' 'x')" -o p
+expect 2 "$fastscene" make $'a bed \xff\xfe' -o p
+expect 2 "$fastscene" make -o p
+says "expected a prompt"
+expect 2 "$fastscene" make "xyzzy qwertz zzzzz" --strict -o p
+says "xyzzy"
+lacks p
+# Without one known word: a plausible room, and it is said.
+expect 0 "$fastscene" panorama "xyzzy qwertz zzzzz" -o unknown "${tiny[@]:0:8}"
+says "no word of the prompt was understood"
+has unknown/panorama/color.png
+grep -q xyzzy unknown/panorama/prompt.json || fail "prompt.json does not name the word"
+
+# Flags and verbs.
+expect 2 "$fastscene" make "$prompt" --qualty draft -o p
+says "did you mean --quality?"
+expect 2 "$fastscene" make "$prompt" --splat-step 7 -o p
+says "did you mean --splat-steps?"
+expect 2 "$fastscene" mak "$prompt"
+says "did you mean make?"
+expect 2 "$fastscene" make "$prompt" --quality best -o p
+expect 2 "$fastscene" make "$prompt" --panorama-width many -o p
+says "--panorama-width: expected a whole number"
+expect 2 "$fastscene" make "$prompt" --panorama-width 12 -o p
+says "expected a number from 64"
+expect 2 "$fastscene" make "$prompt" --panorama-cell nan -o p
+expect 2 "$fastscene" make "$prompt" --seed -1 -o p
+expect 2 "$fastscene" make "$prompt" too many -o p
+expect 2 "$fastscene"
+expect 2 "$fastscene" walk "$work/nowhere"
+says "no run.json"
+lacks p nowhere
+
+# A run to lose.
+expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
+contents run >before
+kept() { contents run | diff before - >log || fail "something of the run was lost or changed"; no_rest run; }
+
+# Another prompt, another seed, a foreign folder.
+expect 2 "$fastscene" make "a kitchen" -o run "${tiny[@]}"
+says "--force"
+expect 2 "$fastscene" make "$prompt" --seed 9 -o run "${tiny[@]}"
+says "seed 9"
+mkdir -p foreign/views && echo mine >foreign/views/holiday.txt
+expect 2 "$fastscene" make "$prompt" -o foreign "${tiny[@]}"
+[ "$(cat foreign/views/holiday.txt)" = mine ] || fail "a foreign file was touched"
+kept
+
+# Pictures.
+expect 2 "$fastscene" make --panorama run/panorama/color.png -o p "${tiny[@]}"
+says "--range FILE"
+expect 2 "$fastscene" make "$prompt" --range run/depth/range.exr -o p "${tiny[@]}"
+expect 0 "$fastscene" render run --size 100x90 -o odd.png
+expect 0 "$fastscene" render run --size 1x1 -o one.png
+head -c 3000 run/panorama/color.png >short.png
+with_picture() { expect 1 "$fastscene" make --panorama "$1" --range run/depth/range.exr -o p "${tiny[@]}"; says "$1"; lacks p; }
+with_picture odd.png
+says "found 100 x 90"
+with_picture one.png
+says "found 1 x 1"
+with_picture short.png
+with_picture absent.png
+echo "not a picture" >text.jpg
+with_picture text.jpg
+if command -v node >/dev/null; then
+  # A good PNG of 20000 x 10000, one bit a pixel.
+  node -e '
+    const zlib = require("zlib"), fs = require("fs"), w = 20000, h = 10000;
+    const table = [...Array(256).keys()].map(n => { for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1; return n >>> 0; });
+    const crc = b => { let c = 0xffffffff; for (const x of b) c = table[(c ^ x) & 255] ^ (c >>> 8); return (c ^ 0xffffffff) >>> 0; };
+    const chunk = (name, data) => { const body = Buffer.concat([Buffer.from(name), data]), out = Buffer.alloc(body.length + 8);
+      out.writeUInt32BE(data.length, 0); body.copy(out, 4); out.writeUInt32BE(crc(body), body.length + 4); return out; };
+    const head = Buffer.alloc(13); head.writeUInt32BE(w, 0); head.writeUInt32BE(h, 4); head[8] = 1;
+    fs.writeFileSync("wide.png", Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), chunk("IHDR", head),
+      chunk("IDAT", zlib.deflateSync(Buffer.alloc(h * (w / 8 + 1)))), chunk("IEND", Buffer.alloc(0))]));'
+  with_picture wide.png
+  says "found 20000 x 10000"
+fi
+
+# Range maps: PFM files of one value.
+pfm() { printf 'Pf\n%d %d\n-1.0\n' "$2" "$3" >"$1"; for _ in $(seq $(($2 * $3))); do printf "$4"; done >>"$1"; }
+pfm size.pfm 64 32 '\x00\x00\x80\x3f'
+pfm nan.pfm 128 64 '\x00\x00\xc0\x7f'
+pfm zero.pfm 128 64 '\x00\x00\x00\x00'
+with_map() { expect 1 "$fastscene" make --panorama run/panorama/color.png --range "$1" -o p "${tiny[@]}"; says "$1"; lacks p; }
+with_map size.pfm
+says "found 64 x 32"
+with_map nan.pfm
+with_map zero.pfm
+says "no finite value above zero"
+with_map absent.exr
+kept
+
+# Disks: a place that cannot be written, and a limit on the size of files in place of a full disk.
+echo x >file
+expect 1 "$fastscene" make "$prompt" -o file/below "${tiny[@]}"
+says "file/below"
+expect 1 "$fastscene" make "$prompt" -o /proc/fastscene "${tiny[@]}"
+says "/proc/fastscene"
+limited() { (ulimit -f 16; exec "$fastscene" "$@"); }
+expect 1 limited make "$prompt" -o full "${tiny[@]}"
+says "full"
+expect 1 limited make "$prompt" -o run "${tiny[@]}" --splat-steps 7
+kept
+no_rest full
+expect 0 "$fastscene" make "$prompt" -o full "${tiny[@]}"
+same run full
+
+# --force throws the other run away, as asked.
+expect 0 "$fastscene" make "a bright kitchen" -o full "${tiny[@]}" --force
+! cmp -s run/panorama/color.png full/panorama/color.png || fail "--force kept the old room"
+exit 0

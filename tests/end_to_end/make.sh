@@ -1,0 +1,59 @@
+# The main job: every file of the contract, the same bytes for any number of threads, and from a picture too.
+. "$(dirname "$0")/lib.sh"
+
+expect 0 "$fastscene" make "$prompt" -o one "${tiny[@]}"
+[ "$(cat out)" = one ] || fail "stdout is \"$(cat out)\", expected the folder"
+has one/{run.json,report.json,preview.jpg,credits.txt} one/panorama/{color.png,prompt.json,room.json,stage.json} \
+  one/depth/range.exr one/walk/poses.json one/walk/00{0,1,2}/{color.png,range.exr,known.png} \
+  one/views/transforms.json one/views/sparse/0/{cameras,images,points3D}.{txt,bin} one/splat/{scene.ply,scene.compressed.ply,curve.json,stage.json}
+[ "$(ls one/views/images | wc -l)" -ge 18 ] || fail "too few views"
+grep -q '"class": "armchair"' one/panorama/room.json || fail "no armchair in room.json"
+grep -q '"prompt": "a cozy bedroom' one/run.json || fail "no prompt in run.json"
+grep -q '"peak_memory_bytes"' one/report.json || fail "no memory in report.json"
+head -c 3000 one/splat/scene.ply | grep -ac '^property float' | grep -qx 62 || fail "scene.ply has not 62 floats a vertex"
+if [ -e one/viewer.html ]; then
+  ! grep -qE '(src|href)="https?:' one/viewer.html || fail "viewer.html refers to the network"
+else
+  says "npm ci"  # the log still holds the warning with the remedy
+fi
+no_rest one
+
+# The same bytes with one thread, with two, and another scene with another seed.
+expect 0 "$fastscene" make "$prompt" -o single "${tiny[@]}" --threads 1 --progress none
+expect 0 "$fastscene" make "$prompt" -o double "${tiny[@]}" --threads 2 --progress json
+grep -q '"event":"progress"' log || fail "--progress json shows none"
+same one single
+same one double
+expect 0 "$fastscene" make "$prompt" -o other --seed 1 "${tiny[@]}"
+! cmp -s one/panorama/color.png other/panorama/color.png || fail "another seed made the same room"
+
+# The second time nothing is made again; JSON goes to stdout alone.
+before=$(stat -c %Y.%Z one/splat/scene.ply)
+expect 0 "$fastscene" make "$prompt" -o one "${tiny[@]}" --json
+says "splat: already made"
+prints '"cpu_seconds"'
+[ "$before" = "$(stat -c %Y.%Z one/splat/scene.ply)" ] || fail "a finished stage was made again"
+
+# Another setting of a later stage leaves the earlier ones alone.
+before=$(stat -c %Y.%Z one/walk/poses.json)
+expect 0 "$fastscene" make "$prompt" -o one "${tiny[@]}" --splat-steps 5
+[ "$before" = "$(stat -c %Y.%Z one/walk/poses.json)" ] || fail "the walk was made again for a setting of the splats"
+grep -q '"step": 20' one/splat/curve.json && fail "the splats were not made again"
+
+# The default folder is named after the prompt.
+mkdir elsewhere
+(cd elsewhere && "$fastscene" panorama "A bright Kitchen!" "${tiny[@]:0:8}" >../printed 2>../log) || fail "panorama with a default folder"
+[ "$(cat printed)" = out/a-bright-kitchen/panorama ] || fail "printed \"$(cat printed)\""
+has elsewhere/out/a-bright-kitchen/panorama/color.png
+lacks elsewhere/out/a-bright-kitchen/depth
+
+# The user's own picture with its range map: here the ones just made.
+expect 0 "$fastscene" make --panorama other/panorama/color.png --range other/depth/range.exr -o picture "${tiny[@]}"
+cmp -s other/panorama/color.png picture/panorama/color.png || same_pixels=no
+has picture/{preview.jpg,credits.txt} picture/panorama/{color.png,prompt.json,room.json} picture/splat/scene.ply
+[ "${same_pixels:-yes}" = yes ] || fail "the picture came out changed"
+same_walk() { cmp -s "other/walk/$1" "picture/walk/$1" || fail "walk/$1 differs between the room and its picture"; }
+same_walk 002/color.png
+same_walk 002/range.exr
+
+exit 0
