@@ -49,27 +49,34 @@ int facing_of(Vec3f n) {
 }
 
 // Spreads points over every triangle, half a cell apart or closer, and sorts them into cells.
-void IrradianceCache::build(const Room& room) {
+void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) {
     struct Entry {
         std::uint64_t key;
         std::uint32_t order;  // random: which points a full cell keeps
         Sample sample;
+        float area;
+        int material;
     };
     std::vector<Entry> entries;
+    float area = 0;    // what each point of the triangle at hand stands for
+    int material = 0;
     const float step = 0.5f * cell_m_;
     const auto add = [&](Vec3f p, Vec3f n) {
         const Vec3f q = (p - origin_) / cell_m_;
         const std::uint64_t key = key_of(cell_index(q.x), cell_index(q.y), cell_index(q.z), facing_of(n));
-        entries.push_back({key, static_cast<std::uint32_t>(mix64(entries.size())), {p, n}});
+        entries.push_back({key, static_cast<std::uint32_t>(mix64(entries.size())), {p, n}, area, material});
     };
     for (const Mesh& mesh : room.meshes) {
         // Sheets are lit from both sides.
         const bool both = !is_closed(mesh);
+        material = mesh.material;
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
             const std::size_t i[3] = {mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2]};
             const Vec3f a = mesh.positions[i[0]], ab = mesh.positions[i[1]] - a, ac = mesh.positions[i[2]] - a;
             const Vec3f flat = normalize(cross(ab, ac));
             const int nu = std::max(1, static_cast<int>(std::ceil(length(ab) / step))), nv = std::max(1, static_cast<int>(std::ceil(length(ac) / step)));
+            const int points = nu == 1 && nv == 1 ? 1 : std::max(1, nu * nv / 2);
+            area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points);
             for (int ui = 0; ui < nu; ++ui)
                 for (int vi = 0; vi < nv; ++vi) {
                     float u = (static_cast<float>(ui) + 0.5f) / static_cast<float>(nu), v = (static_cast<float>(vi) + 0.5f) / static_cast<float>(nv);
@@ -84,6 +91,7 @@ void IrradianceCache::build(const Room& room) {
                     add(a + ab * u + ac * v, n);
                     if (both) add(a + ab * u + ac * v, -n);
                 }
+            area = 0;
             // The rim, where a neighbouring cell may be touched by a hair.
             if (nu > 1 || nv > 1)
                 for (const auto& [u, v] : {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f}, std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
@@ -101,18 +109,59 @@ void IrradianceCache::build(const Room& room) {
         keys_.push_back(entries[i].key);
         first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
         int kept = 0;
-        for (; end < entries.size() && entries[end].key == entries[i].key; ++end)
+        float whole = 0;
+        const Vec3f color = albedo[static_cast<std::size_t>(entries[i].material)];
+        for (; end < entries.size() && entries[end].key == entries[i].key; ++end) {
+            whole += entries[end].area;
             if (kept < kMaxSamples) {
                 samples_.push_back(entries[end].sample);
                 center += entries[end].sample.position;
                 normal += entries[end].sample.normal;
                 ++kept;
             }
-        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept)});
+        }
+        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole});
         i = end;
     }
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
+}
 
+// Cells that nobody in the room can see are no cells: the outside of the walls (every ray leaves), and what is buried in
+// something solid (every ray meets a back face). They would only darken their neighbours and draw samples to themselves.
+void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed) {
+    constexpr int kRays = 24;
+    std::vector<std::uint8_t> seen(cells_.size(), 0);
+    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto c = static_cast<std::size_t>(i);
+            const std::uint32_t first = first_sample_[c], n = first_sample_[c + 1] - first;
+            for (int s = 0; s < kRays && !seen[c]; ++s) {
+                const Sample& at = samples_[first + static_cast<std::uint32_t>(s) % n];
+                const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), {0.5f, 0.5f});
+                const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), cosine_direction(at.normal, uv.x, uv.y));
+                seen[c] = hit && !(hit.back && closed[static_cast<std::size_t>(hit.mesh)]);
+            }
+        }
+    });
+    std::vector<Cell> cells;
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> first_sample;
+    std::vector<Sample> samples;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        if (!seen[c]) continue;
+        cells.push_back(cells_[c]);
+        keys.push_back(keys_[c]);
+        first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
+        samples.insert(samples.end(), samples_.begin() + first_sample_[c], samples_.begin() + first_sample_[c + 1]);
+    }
+    first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
+    cells_ = std::move(cells);
+    keys_ = std::move(keys);
+    first_sample_ = std::move(first_sample);
+    samples_ = std::move(samples);
+}
+
+void IrradianceCache::index() {
     std::uint32_t capacity = 16;
     while (capacity < cells_.size() * 2 + 2) capacity *= 2;
     mask_ = capacity - 1;
@@ -152,11 +201,24 @@ int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
     return best;
 }
 
-Vec3f IrradianceCache::near_with_sun(Vec3f position, Vec3f normal) const {
+Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, bool with_sun) const {
     const int c = nearest(position, normal);
     if (c < 0) return {};
     const Cell& cell = cells_[static_cast<std::size_t>(c)];
-    return cell.direct + cell.indirect + cell.sun;
+    return with_sun ? cell.direct + cell.indirect + cell.sun : cell.direct + cell.indirect;
+}
+
+// Cells that the sun reaches, and the running sum of what they send back (luminance times area).
+std::vector<float> IrradianceCache::sunlit_cells(std::vector<std::uint32_t>& cells) const {
+    std::vector<float> power;
+    float sum = 0;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const float p = luminance(cells_[c].sun * cells_[c].albedo) * cells_[c].area;
+        if (!(p > 0)) continue;
+        power.push_back(sum += p);
+        cells.push_back(static_cast<std::uint32_t>(c));
+    }
+    return power;
 }
 
 Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
@@ -227,17 +289,20 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.
     cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
-    cache.build(room);
+    std::vector<Vec3f> albedo;
+    for (const Material& m : room.materials) {
+        // Metals and mirrors pass their light on as well, if not in all directions.
+        const bool mirror = m.metal > 0 || m.mirror > 0;
+        albedo.push_back(mean_albedo(m) * (mirror ? 0.7f : 1.f));
+    }
+    cache.build(room, albedo);
+    std::vector<bool> closed;
+    for (const Mesh& mesh : room.meshes) closed.push_back(is_closed(mesh));
+    cache.drop_unseen(bvh, closed);
+    cache.index();
     const auto count = static_cast<std::int64_t>(cache.cells_.size());
 
     const Lights lights(room);
-    std::vector<bool> closed;
-    for (const Mesh& mesh : room.meshes) closed.push_back(is_closed(mesh));
-    std::vector<Vec3f> albedo;
-    for (const Material& m : room.materials) albedo.push_back(mean_albedo(m) * (1.f - m.metal) + Vec3f{1, 1, 1} * 0.f);
-    for (std::size_t i = 0; i < room.materials.size(); ++i)
-        if (room.materials[i].metal > 0 || room.materials[i].mirror > 0) albedo[i] = mean_albedo(room.materials[i]) * 0.7f;
-
     const auto key = [&](std::size_t cell, std::uint64_t pass) { return run.seed ^ mix64(cache.keys_[cell] ^ mix64(pass)); };
     const auto sample_of = [&](std::size_t c, int i) -> const Sample& {
         const std::uint32_t first = cache.first_sample_[c], n = cache.first_sample_[c + 1] - first;
@@ -247,7 +312,21 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     constexpr int kPasses = 4;
     Progress progress(run, "light", (count / 1024 + 1) * (kPasses + 1));
 
-    // Lamps, windows and sun, directly.
+    // The sun first: what it lights is bright and small, and lights the rest of the room.
+    parallel_for(count, 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto c = static_cast<std::size_t>(i);
+            Random random(key(c, 100));
+            constexpr int kSunSamples = 16;
+            Vec3f sun{};
+            for (int s = 0; s < kSunSamples; ++s) sun += lights.sun(room, bvh, sample_of(c, s).position, sample_of(c, s).normal, random);
+            cache.cells_[c].sun = sun / static_cast<float>(kSunSamples);
+        }
+    });
+    std::vector<std::uint32_t> sunlit;
+    const std::vector<float> sunlit_power = cache.sunlit_cells(sunlit);
+
+    // Then lamps, windows and the first bounce of the sun, each asked directly.
     const int direct_samples = std::max(8, params.cell_samples / 2);
     parallel_for(count, 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
@@ -256,18 +335,36 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
             Cell& cell = cache.cells_[c];
             Random random(key(c, 0));
             const Lights::Choice choice = lights.choice_at(cell.center, cell.normal);
-            Vec3f direct{}, sun{};
+            const Vec2f shift{random.uniform(), random.uniform()};
+            Vec3f direct{};
             for (int s = 0; s < direct_samples; ++s) {
                 const Sample& at = sample_of(c, s);
-                direct += lights.sample(room, bvh, choice, at.position, at.normal, random);
-                if (s < 24) sun += lights.sun(room, bvh, at.position, at.normal, random);
+                const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
+                const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(direct_samples);
+                direct += lights.sample(room, bvh, choice, at.position, at.normal, which, uv, random);
+                if (sunlit.empty()) continue;
+                // One sunlit cell, by its power.
+                const float wanted = which * sunlit_power.back();
+                const auto found = static_cast<std::size_t>(std::upper_bound(sunlit_power.begin(), sunlit_power.end(), wanted) - sunlit_power.begin());
+                const Cell& lamp = cache.cells_[sunlit[std::min(found, sunlit.size() - 1)]];
+                const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = lamp.center + lamp.normal * (0.02f * cache.cell_m_) - from;
+                const float d2 = dot(to, to), far = std::sqrt(d2);
+                if (!(far > 0.5f * cache.cell_m_)) continue;
+                const Vec3f direction = to / far;
+                const float here = dot(at.normal, direction), there = -dot(lamp.normal, direction);
+                if (!(here > 0 && there > 0)) continue;
+                // Nearer than its own size a cell is no point.
+                const float geometry = here * there / std::max(d2, 4 * lamp.area);
+                if (bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) continue;
+                const Vec3f leaving = lamp.sun * lamp.albedo;
+                direct += leaving * (geometry / kPi * sunlit_power.back() / luminance(leaving));
             }
             cell.direct = direct / static_cast<float>(direct_samples);
-            cell.sun = sun / static_cast<float>(std::min(24, direct_samples));
         }
         progress.advance();
     });
-    cache.smooth(false, 1, 0.35f);
+    cache.smooth(false, 1, 0.3f);
+    cache.smooth(false, 2, 0.15f);
 
     // Everything else: what each entry sees of the others, pass by pass one bounce more. The first two passes only bring the
     // light round the room; the mean of the last two is kept.
@@ -303,8 +400,9 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                     Vec3f normal = shading_normal(mesh, hit);
                     if (hit.back) normal = -normal;
                     const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
-                    Vec3f arriving = cache.near_with_sun(p, normal) * (1.f - m.transmission);
-                    if (m.transmission > 0) arriving += cache.near_with_sun(p, -normal) * m.transmission;
+                    // The sun's bounce has been asked directly; its way through curtains has not.
+                    Vec3f arriving = cache.near(p, normal, false) * (1.f - m.transmission);
+                    if (m.transmission > 0) arriving += cache.near(p, -normal, true) * m.transmission;
                     sum += albedo[static_cast<std::size_t>(mesh.material)] * arriving;
                     if (lights.is_large(hit.mesh)) sum += m.emission * kPi;
                 }

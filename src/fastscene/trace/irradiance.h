@@ -23,20 +23,25 @@ class IrradianceCache {
 
     // Irradiance without sun at a point of a surface: interpolated between the entries around it. `normal` of length 1.
     Vec3f at(Vec3f position, Vec3f normal) const;
-    // With the sun's share, from the nearest entry only: for light that bounces or is mirrored.
-    Vec3f near_with_sun(Vec3f position, Vec3f normal) const;
+    // From the nearest entry only: for light that bounces or is mirrored.
+    Vec3f near(Vec3f position, Vec3f normal, bool with_sun) const;
     std::size_t size() const { return cells_.size(); }
 
   private:
     struct Cell {
         Vec3f direct, indirect, sun, normal, center;
+        Vec3f albedo;       // mean of what lies here
+        float area = 0;     // of the surface in the cell
     };
     struct Sample {
         Vec3f position, normal;
     };
     int find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const;
     int nearest(Vec3f position, Vec3f normal) const;
-    void build(const Room& room);
+    void build(const Room& room, const std::vector<Vec3f>& albedo);
+    void drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed);
+    void index();
+    std::vector<float> sunlit_cells(std::vector<std::uint32_t>& cells) const;
     void smooth(bool indirect, int radius, float tolerance);
 
     float cell_m_ = 0.03f;

@@ -74,13 +74,13 @@ Lights::Choice Lights::choice_at(Vec3f position, Vec3f normal) const {
     return choice;
 }
 
-Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Random& random) const {
+Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, float which, Vec2f uv, Random& random) const {
     if (choice.cumulative.empty()) return {};
-    const std::size_t i = pick(choice.cumulative, random.uniform());
+    const std::size_t i = pick(choice.cumulative, which);
     const Light& light = lights_[i];
     const float chance = (choice.cumulative[i] - (i ? choice.cumulative[i - 1] : 0.f)) / choice.cumulative.back();
     if (!(chance > 0)) return {};
-    const float u = random.uniform(), v = random.uniform(), w = random.uniform();
+    const float u = uv.x, v = uv.y, w = random.uniform();
     Vec3f target, facing;
     if (light.portal >= 0) {
         const Portal& p = room.portals[static_cast<std::size_t>(light.portal)];

@@ -18,8 +18,8 @@ class Lights {
         std::vector<float> cumulative;  // over all lights; empty: none shines here
     };
     Choice choice_at(Vec3f position, Vec3f normal) const;
-    // One estimate of the irradiance from lamps and windows.
-    Vec3f sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Random& random) const;
+    // One estimate of the irradiance from lamps and windows. `which`, `u`, `v`: uniform in [0, 1), best well spread.
+    Vec3f sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, float which, Vec2f uv, Random& random) const;
     // One estimate of the sun's irradiance (0.5 degree disc, a little wider for thin air).
     Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Random& random) const;
     // Lamps that are large (more than half a square metre) are found by gathering instead of by sampling.

@@ -60,8 +60,8 @@ struct SceneBvh::Impl {
 };
 
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
-    // One building thread: the tree, and with it the order of equal hits, does not depend on the number of threads.
-    impl_->device = rtcNewDevice("threads=1");
+    // No number of threads here: Embree would set it for the whole program, since it shares oneTBB with us.
+    impl_->device = rtcNewDevice(nullptr);
     if (!impl_->device) throw Error("Embree: expected a ray tracing device, found error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     impl_->scene = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);

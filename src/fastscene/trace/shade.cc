@@ -38,8 +38,8 @@ Vec3f mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, 
         const Vec3f out = direction - s.normal * (2 * dot(direction, s.normal));
         return mirrored_radiance(scene, s.position + s.normal * 1e-3f, out, angle, mirrors - 1, random);
     }
-    Vec3f front = scene.light.near_with_sun(s.position, s.normal), back{};
-    if (m.transmission > 0) back = scene.light.near_with_sun(s.position, -s.normal);
+    Vec3f front = scene.light.near(s.position, s.normal, true), back{};
+    if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, true);
     return diffuse_radiance(m, s.texture.albedo, front, back) + m.emission;
 }
 
