@@ -9,21 +9,21 @@ Verb add_metrics(CLI::App& app) {
     struct Flags {
         std::string folder;
         bool truth = false;
-        std::uint64_t seed = 0;
+        std::string seed = "0";
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("metrics", "How good is a scene? Compares it with the real room at poses never trained on.");
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR")->required();
     verb->add_flag("--truth", flags->truth, "Trace the real room behind the prompt and compare.");
-    verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->default_str("0");
+    verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
     return {verb, [flags](const Session& session) {
                 if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
                 TruthParams params;
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
-                const Json report = measure_run(flags->folder, params, session.run(flags->seed));
+                const Json report = measure_run(flags->folder, params, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
             }};
 }

@@ -44,7 +44,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     CLI::App* verb = app.add_subcommand(name, sentence);
     verb->add_option("prompt", flags->prompt, "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".")->type_name("PROMPT");
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")->type_name("DIR");
-    verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->default_str("0");
+    verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
     verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png) instead of a prompt.")->type_name("FILE");
     verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres).")->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
@@ -69,7 +69,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 if (flags->picture.empty()) understand_prompt(flags->prompt, request.params.panorama.strict);
                 const std::string title = flags->picture.empty() ? flags->prompt : std::filesystem::path(flags->picture).stem().string();
                 const RunFolder folder{flags->out.empty() ? std::filesystem::path("out") / slug_of(title) : std::filesystem::path(flags->out)};
-                make_and_print(request, folder, session.run(flags->seed.value_or(0)), session);
+                make_and_print(request, folder, session.run(number_from<std::uint64_t>("--seed", flags->seed)), session);
             }};
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "fastscene/cli/flags.h"
@@ -14,7 +13,7 @@ namespace fastscene::cli {
 struct RequestFlags {
     std::string prompt, picture, range_map, out;
     std::string quality = "standard";
-    std::optional<std::uint64_t> seed;
+    std::string seed = "0";
     bool force = false, strict = false, has_quality = false;
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
