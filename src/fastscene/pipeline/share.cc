@@ -1,7 +1,6 @@
 #include "fastscene/pipeline/share.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <set>
@@ -12,6 +11,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/viewer.h"
+#include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/stages.h"
 #include "fastscene/splat/splat.h"
@@ -20,7 +20,6 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float kPreviewFovDeg = 95.f;  // wide enough for half a room, narrow enough to keep its corners straight
 constexpr int kPreviewWidth = 1280, kPreviewHeight = 720;
 constexpr float kPreviewPitchDeg = -6.f;  // furniture stands below eye height
 
@@ -59,35 +58,6 @@ ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& w
     return out;
 }
 
-float best_yaw_deg(const RunFolder& folder) {
-    const Panorama first = load_first_panorama(folder);
-    const EquirectSize size = first.size();
-    // Per column, over the rows that a level camera sees: how much detail, and how far away (in doublings of a metre).
-    std::vector<double> column(static_cast<std::size_t>(size.width));
-    for (int x = 0; x < size.width; ++x)
-        for (int y = size.height / 3; y < size.height * 3 / 4; ++y) {
-            const Vec3f here = first.color.at(x, y), right = first.color.at(wrap_column(x + 1, size.width), y);
-            const double detail = std::abs(srgb_from_linear(luminance(here)) - srgb_from_linear(luminance(right)));
-            const float range = first.range.at(x, y);
-            const double far = std::isfinite(range) ? std::log2(1.0 + std::min(range, 8.f)) : 1.0;
-            column[static_cast<std::size_t>(x)] += std::min(detail, 0.1) * 20 + far;
-        }
-    constexpr int kYaws = 24;
-    const int half_field = static_cast<int>(static_cast<float>(size.width) * kPreviewFovDeg / 720.f);
-    double best = -1;
-    float yaw_deg = 0;
-    for (int i = 0; i < kYaws; ++i) {
-        const int center = size.width / 2 + i * size.width / kYaws;
-        double sum = 0;
-        for (int d = -half_field; d <= half_field; ++d) sum += column[static_cast<std::size_t>(wrap_column(center + d, size.width))];
-        if (sum > best) {
-            best = sum;
-            yaw_deg = 360.f * static_cast<float>(i) / kYaws;
-        }
-    }
-    return yaw_deg;
-}
-
 std::optional<fs::path> find_viewer_dir() {
     std::vector<fs::path> places;
     if (const char* place = std::getenv("FASTSCENE_VIEWER_DIR"); place && *place) places.emplace_back(place);
@@ -104,7 +74,7 @@ std::string viewer_remedy() {
 
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
     const Splats splats = load_splat_ply(folder.scene_ply());
-    const float yaw_deg = best_yaw_deg(folder);
+    const float yaw_deg = best_yaw_deg(load_first_panorama(folder), requested_directions(folder));
     const Rigid world_from_camera = world_from_camera_at({}, yaw_deg, kPreviewPitchDeg);
     const Pinhole camera = Pinhole::with_fov(kPreviewWidth, kPreviewHeight, kPreviewFovDeg);
     save_jpeg(folder.preview_jpg(), picture_of(splats, camera, world_from_camera));

@@ -18,9 +18,6 @@ Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg);
 // The splats as an 8-bit picture on black.
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera);
 
-// The yaw in degrees, of 24 around panorama 0, with the most to see: detail and depth in a wide picture's field.
-float best_yaw_deg(const RunFolder& folder);
-
 // The folder of the viewer's page: $FASTSCENE_VIEWER_DIR, or where npm put it in the checkout. Absent when neither holds one.
 std::optional<std::filesystem::path> find_viewer_dir();
 // How to get it, as a sentence for people.
