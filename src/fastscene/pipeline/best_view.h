@@ -9,7 +9,7 @@
 namespace fastscene {
 
 // Wide enough for half a room, narrow enough to keep its corners straight.
-inline constexpr float kPreviewFovDeg = 95.f;
+inline constexpr float kPreviewFovDeg = 105.f;
 
 // World directions (any length) from panorama 0 to the middles of what the prompt asked for, as room.json has them.
 std::vector<Vec3f> requested_directions(const RunFolder& folder);
