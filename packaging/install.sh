@@ -68,19 +68,34 @@ install_npm() {
   cp "$lock" "$modules/.complete"
 }
 
-# build_targets TARGET…: configures once, then lets ninja find out what has changed.
+# configure ON|OFF: with or without the tests (which need packages of their own). A build with them serves both.
+configure() {
+  local build=$root/build/release
+  if [ -f "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^FASTSCENE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; }; then return 0; fi
+  say "configuring"
+  # A half-made build folder of an earlier try would be believed.
+  [ -f "$build/build.ninja" ] || rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+  (cd "$root" && quietly cmake --preset release -DFASTSCENE_TESTS="$1") || fail "cmake failed"
+}
+
+# build_targets TARGET…: ninja finds out what has changed (a few hundredths of a second when nothing has).
 build_targets() {
   local build=$root/build/release
-  if ! [ -f "$build/build.ninja" ]; then
-    say "configuring"
-    # A half-made build folder of an earlier try would be believed.
-    rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
-    (cd "$root" && quietly cmake --preset release) || fail "cmake failed"
-  fi
-  # The dry run says whether there is anything to announce; it also costs the least when there is not.
-  if ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
-  say "building (some minutes the first time)"
-  quietly ninja -C "$build" "$@" || fail "the build failed"
+  local log last=-1 status=0 line done total
+  log=$(mktemp)
+  # ninja says [12/120] before each step: a line of ours each tenth of a long build, none for a short one.
+  { ninja -C "$build" "$@" </dev/null 2>&1 || echo "ninja failed"; } | while IFS= read -r line; do
+    printf '%s\n' "$line" >>"$log"
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    done=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+    if [ "$total" -gt 5 ] && [ $((10 * done / total)) -gt "$last" ]; then
+      last=$((10 * done / total))
+      say "building, step $done of $total"
+    fi
+  done
+  if [ "$(tail -n 1 "$log")" = "ninja failed" ]; then status=1; tail -n 60 "$log" >&2; fi
+  rm -f "$log"
+  [ "$status" = 0 ] || fail "the build failed"
 }
 
 # Whether everything was installed for this state of the lists; keeps the second start quick and off the network.
