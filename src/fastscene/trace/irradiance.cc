@@ -309,7 +309,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
         return cache.samples_[first + static_cast<std::uint32_t>(i) % n];
     };
     // Gathering is three quarters of the work: progress counts cells over all passes.
-    constexpr int kPasses = 4;
+    constexpr int kPasses = 8;
     Progress progress(run, "light", (count / 1024 + 1) * (kPasses + 1));
 
     // The sun first: what it lights is bright and small, and lights the rest of the room.
@@ -366,14 +366,15 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.smooth(false, 1, 0.3f);
     cache.smooth(false, 2, 0.15f);
 
-    // Everything else: what each entry sees of the others, pass by pass one bounce more. The first two passes only bring the
-    // light round the room; the mean of the last two is kept.
+    // Everything else: what each entry sees of the others, pass by pass one bounce more. The first six passes only bring the
+    // light round the room (in a bright room a tenth of it has bounced more than four times); the mean of the last two is kept.
     std::vector<Vec3f> gathered(cache.cells_.size());
     std::vector<Vec3f> kept(cache.cells_.size());
     const int total = std::max(8, params.cell_samples);
-    const std::array<int, kPasses> rays{std::max(2, total / 8), std::max(2, total / 8), std::max(2, total * 3 / 8), std::max(2, total * 3 / 8)};
+    constexpr int kKept = 2;
     for (int pass = 0; pass < kPasses; ++pass) {
-        const int n = rays[static_cast<std::size_t>(pass)];
+        const bool keep = pass >= kPasses - kKept;
+        const int n = std::max(2, keep ? total / 4 : total / 12);
         parallel_for(count, 1024, [&](std::int64_t begin, std::int64_t end) {
             run.check_stop();
             for (std::int64_t i = begin; i < end; ++i) {
@@ -412,9 +413,9 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
         });
         for (std::size_t c = 0; c < cache.cells_.size(); ++c) {
             cache.cells_[c].indirect = gathered[c];
-            if (pass >= 2) kept[c] += gathered[c] * 0.5f;
+            if (keep) kept[c] += gathered[c] * (1.f / kKept);
         }
-        if (pass < 2) cache.smooth(true, 2, 0.8f);
+        if (!keep) cache.smooth(true, 2, 0.8f);
     }
     for (std::size_t c = 0; c < cache.cells_.size(); ++c) cache.cells_[c].indirect = kept[c];
     // Entries are gathered one by one; what remains of their noise is spread over the neighbours, widely because bounced

@@ -36,6 +36,27 @@ Vec2f stratum(int i, int n, Random& random) {
     return {(static_cast<float>(i % side) + random.uniform()) / static_cast<float>(side), (static_cast<float>(i / side % side) + random.uniform()) / static_cast<float>(side)};
 }
 
+// How well the mean of the samples so far is known.
+class MeanError {
+  public:
+    void add(float v) {
+        ++count_;
+        sum_ += v;
+        squares_ += v * v;
+    }
+    // Standard error of the mean, in sRGB-encoded values: what the eye and PSNR see. Strata make the true error smaller.
+    float of_srgb_mean() const {
+        const float n = static_cast<float>(count_), mean = sum_ / n;
+        const float error = std::sqrt(std::max(0.f, squares_ / n - mean * mean) / n);
+        // The slope of the encoding, about half a power.
+        return error * 0.5f / std::sqrt(std::max(0.003f, mean));
+    }
+
+  private:
+    int count_ = 0;
+    float sum_ = 0, squares_ = 0;
+};
+
 }  // namespace
 
 struct TracedRoom::Impl {
@@ -51,8 +72,10 @@ struct TracedRoom::Impl {
     }
 
     // Radiances, or developed color when `look` is given.
-    ImageColor color(const Eye& eye, int samples, const Look* look, ImageColor* albedo, const Run& run) const {
+    ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo, const Run& run) const {
         const ShadeScene scene{room, bvh, lights, *light};
+        const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
+        const int round = parts.noise > 0 ? std::min(16, samples) : samples;
         ImageColor out(eye.width, eye.height);
         if (albedo) *albedo = ImageColor(eye.width, eye.height);
         Progress progress(run, "picture", eye.height);
@@ -62,16 +85,23 @@ struct TracedRoom::Impl {
                 for (int x = 0; x < eye.width; ++x) {
                     Random random(mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x)));
                     Vec3f sum{}, sum_albedo{};
-                    for (int s = 0; s < samples; ++s) {
-                        const Vec2f offset = stratum(s, samples, random);
-                        const Vec3f direction = world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
-                        const Shaded shaded = shade_ray(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, random);
-                        // Samples are developed before they are averaged: edges against a bright window stay smooth.
-                        sum += look ? develop(*look, shaded.radiance) : shaded.radiance;
-                        sum_albedo += shaded.albedo;
-                    }
-                    out.at(x, y) = sum / static_cast<float>(samples);
-                    if (albedo) albedo->at(x, y) = sum_albedo / static_cast<float>(samples);
+                    MeanError error;
+                    int taken = 0;
+                    do {
+                        for (int s = 0; s < round; ++s) {
+                            const Vec2f offset = stratum(s, round, random);
+                            const Vec3f direction = world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+                            const Shaded shaded = shade_ray(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, random);
+                            // Samples are developed before they are averaged: edges against a bright window stay smooth.
+                            const Vec3f color = look ? develop(*look, shaded.radiance) : shaded.radiance;
+                            sum += color;
+                            sum_albedo += shaded.albedo;
+                            if (parts.noise > 0) error.add(luminance(color));
+                        }
+                        taken += round;
+                    } while (taken < samples && error.of_srgb_mean() > parts.noise);
+                    out.at(x, y) = sum / static_cast<float>(taken);
+                    if (albedo) albedo->at(x, y) = sum_albedo / static_cast<float>(taken);
                 }
             progress.advance(end - begin);
         });
@@ -82,7 +112,7 @@ struct TracedRoom::Impl {
         Shot shot;
         if (parts.color || parts.albedo) {
             FASTSCENE_CHECK(light.has_value());
-            shot.color = color(eye, params.pixel_samples, &room.look, parts.albedo ? &shot.albedo : nullptr, run);
+            shot.color = color(eye, parts, &room.look, parts.albedo ? &shot.albedo : nullptr, run);
         }
         if (parts.range) shot.range = ImageF(eye.width, eye.height);
         if (parts.normal) shot.normal = ImageColor(eye.width, eye.height);
@@ -121,7 +151,7 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run) {
     impl_->params = params;
     impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run);
     const Run quiet{run.seed, nullptr, run.stop};
-    const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), 4, nullptr, nullptr, quiet);
+    const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), {.pixel_samples = 4}, nullptr, nullptr, quiet);
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small);
 }
 

@@ -37,6 +37,8 @@ struct Shot {
 };
 struct ShotParts {
     bool color = true, range = true, albedo = false, normal = false, object = false;
+    int pixel_samples = 0;   // camera rays a pixel; 0 = TraceParams::pixel_samples
+    float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
 };
 
 // A room ready to be looked at: triangles in Embree, light in the cache, exposure fixed.

@@ -1,0 +1,299 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
+#include "fastscene/image/color.h"
+#include "fastscene/image/ssim.h"
+#include "fastscene/trace/film.h"
+#include "fastscene/trace/irradiance.h"
+#include "fastscene/trace/sky.h"
+#include "fastscene/trace/texture.h"
+#include "fastscene/trace/trace.h"
+
+namespace fastscene {
+namespace {
+
+// A box; `inward` = the inside of a room, else a solid.
+Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) {
+    Mesh mesh;
+    mesh.material = material;
+    mesh.object = object;
+    for (std::size_t a = 0; a < 3; ++a)
+        for (int side = 0; side < 2; ++side) {
+            const std::size_t u = (a + 1) % 3, v = (a + 2) % 3;
+            Vec3f normal{};
+            normal[a] = (side ? 1.f : -1.f) * (inward ? -1.f : 1.f);
+            const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int corner = 0; corner < 4; ++corner) {
+                Vec3f p{};
+                p[a] = side ? high[a] : low[a];
+                p[u] = corner == 1 || corner == 2 ? high[u] : low[u];
+                p[v] = corner >= 2 ? high[v] : low[v];
+                mesh.positions.push_back(p);
+                mesh.coords.push_back(p);
+                mesh.normals.push_back(normal);
+            }
+            for (const std::uint32_t i : (side == 1) == inward ? std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2} : std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3})
+                mesh.triangles.push_back(base + i);
+        }
+    return mesh;
+}
+
+Material diffuse(Vec3f albedo) {
+    Material m;
+    m.color_a = m.color_b = m.color_c = albedo;
+    m.specular = 0;
+    m.roughness = 1;
+    return m;
+}
+
+const Vec3f kLow{-2, -1.1f, -2.5f}, kHigh{2, 1.5f, 2.5f};
+
+Room empty_room(Material walls) {
+    Room room;
+    room.min_corner = kLow;
+    room.max_corner = kHigh;
+    room.materials = {walls};
+    room.meshes = {box(kLow, kHigh, true, 0)};
+    return room;
+}
+
+// A room with things in it: a lamp, a red box on the right, a metal one on the left.
+Room furnished_room() {
+    Room room = empty_room(diffuse({0.7f, 0.65f, 0.6f}));
+    room.materials[0].pattern = Pattern::planks;
+    Material lamp = diffuse({0.8f, 0.8f, 0.8f}), red = diffuse({0.7f, 0.05f, 0.04f}), metal = diffuse({0.8f, 0.75f, 0.6f});
+    lamp.emission = {9, 8, 7};
+    metal.metal = 1;
+    metal.roughness = 0.25f;
+    room.materials.insert(room.materials.end(), {lamp, red, metal});
+    room.objects.resize(2);
+    room.meshes.push_back(box({-0.2f, -1.05f, 0.8f}, {0.2f, -1.f, 1.2f}, false, 1));
+    room.meshes.push_back(box({0.9f, 0.7f, 1.2f}, {1.5f, 1.5f, 1.8f}, false, 2, 0));
+    room.meshes.push_back(box({-1.5f, 0.9f, 1.2f}, {-0.9f, 1.5f, 1.8f}, false, 3, 1));
+    return room;
+}
+
+TraceParams quick() {
+    TraceParams p;
+    p.cell_m = 0.12f;
+    p.cell_samples = 128;
+    p.pixel_samples = 16;
+    return p;
+}
+
+// Closed room, albedo 1/2, emission 1/2: every bounce adds half of the one before, so all directions see radiance 1.
+TEST(Trace, Furnace) {
+    Material glowing = diffuse({0.5f, 0.5f, 0.5f});
+    glowing.emission = {0.5f, 0.5f, 0.5f};
+    const Room room = empty_room(glowing);
+    const SceneBvh bvh(room);
+    TraceParams params = quick();
+    params.cell_m = 0.25f;
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < 400; ++i) {
+        Random random(5, "furnace", static_cast<std::uint64_t>(i));
+        const Vec3f direction = normalize(Vec3f{random.normal(), random.normal(), random.normal()});
+        const RayHit hit = bvh.first_hit({}, direction);
+        ASSERT_TRUE(hit);
+        const float radiance = 0.5f + 0.5f * luminance(cache.at(direction * hit.distance, hit.normal)) / static_cast<float>(M_PI);
+        EXPECT_NEAR(radiance, 1.f, 0.06f);
+        sum += radiance;
+        ++count;
+    }
+    EXPECT_NEAR(sum / count, 1.0, 0.02);
+}
+
+TEST(Trace, RangeOfABoxRoomIsItsClosedForm) {
+    const TracedRoom room(empty_room(diffuse({0.5f, 0.5f, 0.5f})));
+    const EquirectSize size{128, 64};
+    const Shot shot = room.panorama({}, size, {.color = false, .range = true, .normal = true}, {});
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, size);
+            float expected = 1e9f;
+            for (std::size_t a = 0; a < 3; ++a)
+                if (d[a] != 0) expected = std::min(expected, (d[a] > 0 ? kHigh[a] : kLow[a]) / d[a]);
+            EXPECT_NEAR(shot.range.at(x, y), expected, 1e-4f * expected);
+            EXPECT_LT(dot(shot.normal.at(x, y), d), 0) << "normals look at the viewer";
+        }
+}
+
+// A small patch under a square lamp: E = L times the configuration factor of a parallel rectangle (Howell, B-3) times pi.
+TEST(Trace, LightOfASquareLampIsItsFormFactor) {
+    Room room = empty_room(diffuse({0, 0, 0}));
+    Material lamp = diffuse({0, 0, 0});
+    lamp.emission = {10, 10, 10};
+    room.materials.push_back(lamp);
+    const float half = 0.2f, height = 1.3f;  // under the small limit of half a square metre
+    room.meshes.push_back(box({-half, 1.48f - height, -half}, {half, 1.5f - height, half}, false, 1));
+    const SceneBvh bvh(room);
+    TraceParams params = quick();
+    params.cell_m = 0.1f;
+    params.cell_samples = 1024;
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    const float x = half / height, s = std::sqrt(1 + x * x);
+    const float quarter = (x / s * std::atan(x / s) * 2) / (2 * static_cast<float>(M_PI));
+    const float expected = 10 * static_cast<float>(M_PI) * 4 * quarter;
+    EXPECT_NEAR(cache.at({0, 1.5f, 0}, {0, -1, 0}).x / expected, 1.f, 0.06f);
+}
+
+// Sky of radiance 1 through a window: the wall opposite gets pi times the window's form factor from a far, even sky.
+TEST(Trace, WindowLetsTheSkyIn) {
+    Room room = empty_room(diffuse({0, 0, 0}));
+    // The wall at +x has a hole: its two triangles go, four boxes come.
+    Mesh& shell = room.meshes[0];
+    std::vector<std::uint32_t> kept;
+    for (std::size_t t = 0; t < shell.triangles.size(); t += 3)
+        if (shell.normals[shell.triangles[t]].x > -0.5f) kept.insert(kept.end(), {shell.triangles[t], shell.triangles[t + 1], shell.triangles[t + 2]});
+    shell.triangles = kept;
+    const float w = 0.4f;
+    room.meshes.push_back(box({2, kLow.y, kLow.z}, {2.1f, kHigh.y, -w}, false, 0));
+    room.meshes.push_back(box({2, kLow.y, w}, {2.1f, kHigh.y, kHigh.z}, false, 0));
+    room.meshes.push_back(box({2, kLow.y, -w}, {2.1f, -w, w}, false, 0));
+    room.meshes.push_back(box({2, w, -w}, {2.1f, kHigh.y, w}, false, 0));
+    room.portals.push_back({{2.1f, -w, -w}, {0, 0, 2 * w}, {0, 2 * w, 0}});
+    const Vec3f into = cross(room.portals[0].edge_u, room.portals[0].edge_v);
+    if (into.x > 0) std::swap(room.portals[0].edge_u, room.portals[0].edge_v);
+    room.sky.zenith = room.sky.horizon = room.sky.ground = {1, 1, 1};
+    room.sky.clouds = 0;
+    const SceneBvh bvh(room);
+    TraceParams params = quick();
+    params.cell_samples = 256;
+    params.cell_m = 0.06f;  // the outline of trees outside makes the light vary from place to place
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    // Direction by direction, with the sky as it is drawn (trees and all).
+    const Vec3f at{-2, 0, 0};
+    double expected = 0;
+    const int n = 400;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n; ++k) {
+            const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w, (2 * (static_cast<float>(k) + 0.5f) / n - 1) * w}, to = target - at;
+            const float d2 = dot(to, to), c = to.x / std::sqrt(d2);
+            if (bvh.blocked(at + Vec3f{1e-3f, 0, 0}, normalize(to), 0, std::sqrt(d2) * 0.99f)) continue;
+            expected += static_cast<double>(sky_radiance(room.sky, normalize(to)).x * c * c / d2) * (4 * w * w) / (n * n);
+        }
+    EXPECT_NEAR(cache.at(at, {1, 0, 0}).x / expected, 1.0, 0.05);
+}
+
+TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
+    TracedRoom room(furnished_room());
+    room.gather_light(quick(), {});
+    const EquirectSize size{256, 128};
+    const Shot shot = room.panorama({}, size, {.color = true, .range = true, .object = true}, {});
+    // The red box at +x: right of the picture's center; the metal one left of it.
+    std::array<double, 2> column{};
+    std::array<int, 2> pixels{};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            if (const int o = shot.object.at(x, y); o >= 0) column[static_cast<std::size_t>(o)] += x, ++pixels[static_cast<std::size_t>(o)];
+    ASSERT_GT(pixels[0], 20);
+    ASSERT_GT(pixels[1], 20);
+    EXPECT_GT(column[0] / pixels[0], 128 + 10);
+    EXPECT_LT(column[1] / pixels[1], 128 - 10);
+
+    const Pinhole camera = Pinhole::with_fov(65, 65, 60);
+    const Shot view = room.perspective({}, camera, {.color = true, .range = true}, {});
+    for (int y = 4; y < 65; y += 9)
+        for (int x = 4; x < 65; x += 9) {
+            const Vec3f d = normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+            EXPECT_NEAR(view.range.at(x, y), room.distance({}, d), 1e-4f);
+        }
+    // Columns beside the seam continue each other.
+    double across = 0, inside = 0;
+    for (int y = 20; y < 108; ++y) {
+        across += static_cast<double>(length(shot.color.at(0, y) - shot.color.at(255, y)));
+        inside += static_cast<double>(length(shot.color.at(1, y) - shot.color.at(2, y)));
+    }
+    EXPECT_LT(across, 2 * inside + 0.5);
+}
+
+TEST(Trace, SameBytesForOneAndTwoThreads) {
+    std::array<Shot, 2> shots;
+    for (int threads = 1; threads <= 2; ++threads) {
+        set_threads(threads);
+        TracedRoom room(furnished_room());
+        TraceParams params = quick();
+        params.cell_samples = 32;
+        params.pixel_samples = 4;
+        room.gather_light(params, {});
+        shots[static_cast<std::size_t>(threads - 1)] = room.panorama({}, {96, 48}, {.color = true, .range = true}, {});
+    }
+    set_threads(0);
+    EXPECT_EQ(shots[0].color, shots[1].color);
+    EXPECT_EQ(shots[0].range, shots[1].range);
+}
+
+TEST(Trace, TwoSetsOfCameraRaysAgree) {
+    TracedRoom room(furnished_room());
+    room.gather_light(quick(), {});
+    const Pinhole camera = Pinhole::with_fov(128, 128, 75);
+    fastscene::Run other;
+    other.seed = 77;
+    const auto picture = [&](const fastscene::Run& run, const ShotParts& parts) { return srgb8_from_linear(room.perspective({}, camera, parts, run).color); };
+    EXPECT_GT(psnr(picture({}, {}), picture(other, {})), 34);
+    const ShotParts fine{.color = true, .range = false, .pixel_samples = 256, .noise = 0.006f};
+    EXPECT_GT(psnr(picture({}, fine), picture(other, fine)), 42);
+}
+
+TEST(Trace, ClearanceIsZeroInsideAndTheDistanceOutside) {
+    const TracedRoom room(furnished_room());
+    EXPECT_EQ(room.clearance({1.2f, 1.1f, 1.5f}, 0.5f), 0.f);
+    EXPECT_NEAR(room.clearance({0.6f, 1.1f, 1.5f}, 0.5f), 0.3f, 1e-4f);
+    EXPECT_EQ(room.clearance({0, 0, 0}, 0.5f), 0.5f);
+}
+
+TEST(IsClosed, SolidsAreSheetsAreNot) {
+    Mesh solid = box({0, 0, 0}, {1, 1, 1}, false, 0);
+    EXPECT_TRUE(is_closed(solid));
+    solid.triangles.resize(solid.triangles.size() - 3);
+    EXPECT_FALSE(is_closed(solid));
+}
+
+TEST(Texture, EveryPatternIsInRangeAndRepeats) {
+    for (int p = 0; p <= static_cast<int>(Pattern::screen); ++p) {
+        Material m;
+        m.pattern = static_cast<Pattern>(p);
+        m.color_a = {0.6f, 0.4f, 0.2f};
+        m.color_b = {0.2f, 0.3f, 0.5f};
+        m.color_c = {0.8f, 0.8f, 0.7f};
+        m.scale_m = 0.15f;
+        for (int i = 0; i < 500; ++i) {
+            Random random(9, "texture", static_cast<std::uint64_t>(i));
+            TexturePoint point;
+            point.coords = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
+            point.flat = {point.coords.x, point.coords.y};
+            point.footprint_m = random.uniform(0, 0.02f);
+            const TextureValue v = sample_texture(m, point);
+            for (std::size_t a = 0; a < 3; ++a) {
+                ASSERT_GE(v.albedo[a], 0.f) << p;
+                ASSERT_LE(v.albedo[a], 1.f) << p;
+            }
+            ASSERT_GE(v.roughness, 0.02f);
+            ASSERT_LE(v.height, 1.f);
+            ASSERT_EQ(sample_texture(m, point).albedo, v.albedo);
+        }
+    }
+}
+
+TEST(Film, KeepsOrderAndRange) {
+    Look look;
+    look.contrast = 1.12f;
+    float before = -1;
+    for (float v = 0; v < 50; v = v * 1.3f + 0.001f) {
+        const Vec3f c = develop(look, {v, v, v});
+        EXPECT_GE(c.x, before - 1e-6f);
+        EXPECT_LE(c.x, 1.f);
+        EXPECT_NEAR(c.x, c.z, 1e-6f) << "gray stays gray";
+        before = c.x;
+    }
+    EXPECT_GT(before, 0.9f);
+}
+
+}  // namespace
+}  // namespace fastscene
