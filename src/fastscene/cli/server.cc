@@ -14,7 +14,7 @@ namespace fastscene::cli {
 namespace {
 
 std::string settings_of(const RunFolder& folder) {
-    const Vec3f target = world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), 0) * Vec3f{0, 0, 1};
+    const Vec3f target = world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), kPreviewPitchDeg) * Vec3f{0, 0, 1};
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 

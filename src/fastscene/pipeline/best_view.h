@@ -10,6 +10,8 @@ namespace fastscene {
 
 // Wide enough for half a room, narrow enough to keep its corners straight.
 inline constexpr float kPreviewFovDeg = 105.f;
+// Furniture stands below eye height.
+inline constexpr float kPreviewPitchDeg = -14.f;
 
 // World directions (any length) from panorama 0 to the middles of what the prompt asked for, as room.json has them.
 std::vector<Vec3f> requested_directions(const RunFolder& folder);

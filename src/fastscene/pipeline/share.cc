@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPreviewWidth = 1280, kPreviewHeight = 720;
-constexpr float kPreviewPitchDeg = -14.f;  // furniture stands below eye height
 
 float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180.f; }
 
