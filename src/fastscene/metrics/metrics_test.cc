@@ -81,7 +81,7 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
     trace.cell_m = 0.2f;
     trace.cell_samples = 16;
     trace.pixel_samples = 1;
-    Run run;
+    const fastscene::Run run;
     room.gather_light(trace, run);
     // From the origin nothing is unseen.
     const TruthPicture here = truth_picture(room, {}, run);
