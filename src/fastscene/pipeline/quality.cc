@@ -22,7 +22,7 @@ struct FromJson {
 // Two minutes a core: to see whether the prompt was understood as meant.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
-    p.panorama.trace = {.cell_m = 0.05f, .cell_samples = 128, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 16};
     p.walk.viewpoints = 8;
     p.views.size = 320;
     p.views.points = 200'000;
@@ -31,7 +31,7 @@ void fill_draft(SceneParams& p) {
 }
 void fill_standard(SceneParams& p) {
     p.panorama.width = 2048;
-    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 256, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 320, .pixel_samples = 16};
     p.walk.viewpoints = 14;
     p.views.size = 640;
     p.views.points = 500'000;
