@@ -1,6 +1,7 @@
 #include "fastscene/walk/complete.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "fastscene/base/parallel.h"
@@ -11,6 +12,9 @@ namespace {
 
 constexpr float kNearShare = 0.8f;     // of the rim's far range: what is nearer belongs to the foreground
 constexpr int kRim = 2;                // pixels about a hole that make its rim
+constexpr std::size_t kMostHits = 64;
+constexpr int kOpeningSteps = 6;       // looks on the way through a wall
+constexpr float kThickestWall_m = 0.6f;
 constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
 
 // Would panorama 0 have seen this point, had it been a surface? Then there is none.
@@ -21,26 +25,68 @@ bool is_known_free(Vec3f p, const ImageF& range) {
     return length(p) < 0.97f * seen - 0.02f;
 }
 
-// The nearest plane that the ray may end on; nothing when every plane contradicts panorama 0.
-bool fill_from_planes(CoarseView& view, int x, int y, Vec3f position, const WalkWorld& world) {
-    const Vec3f d = direction_of_pixel(x, y, {view.color.width, view.color.height});
-    float nearest = std::numeric_limits<float>::infinity();
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < world.planes.size(); ++i) {
+// Where the ray ends, as far as the planes can tell.
+struct Ending {
+    enum What { unknown, surface, sky } what = unknown;
+    float range = 0;
+    std::int16_t plane = kNoPlane;
+    Vec3f color;
+};
+
+Ending on_surface(Vec3f p, float range, std::size_t plane, const WalkWorld& world) {
+    return {Ending::surface, range, static_cast<std::int16_t>(plane), world.planes[plane].color_at(p)};
+}
+
+// What a ray meets that has passed wall `index` through an opening at range t: the opening's side, or the outside.
+Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const WalkWorld& world) {
+    const PlanePicture& wall = world.planes[index];
+    const float towards = -dot(wall.plane.normal, d);
+    bool sky = wall.wall_at(position + d * t) == Wall::sky;
+    for (int step = 1; step <= kOpeningSteps; ++step) {
+        const float deep = t + wall.openings.depth_m / towards * static_cast<float>(step) / kOpeningSteps;
+        const Vec3f p = position + d * deep;
+        if (wall.wall_at(p) == Wall::solid && !is_known_free(p, world.first_range)) return on_surface(p, deep, index, world);
+        sky |= wall.wall_at(p) == Wall::sky;
+    }
+    return sky ? Ending{Ending::sky, std::numeric_limits<float>::infinity(), kNoPlane, {}} : Ending{};
+}
+
+// Follows a ray from plane to plane. Furniture's faces end where they were last seen; the room ends at its first wall,
+// unless panorama 0 saw through that.
+Ending follow(Vec3f position, Vec3f d, const WalkWorld& world) {
+    std::array<std::pair<float, std::size_t>, kMostHits> hits;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < world.planes.size() && count < kMostHits; ++i) {
         const PlanePicture& picture = world.planes[i];
         const float towards = dot(picture.plane.normal, d);
         if (picture.empty() || !(towards < -1e-3f)) continue;
         const float t = (picture.plane.offset - dot(picture.plane.normal, position)) / towards;
-        if (!(t > 0.02f && t < nearest)) continue;
-        const Vec3f p = position + d * t;
-        if (!picture.reaches(p) || is_known_free(p, world.first_range)) continue;
-        nearest = t;
-        best = i;
+        if (t > 0.02f && picture.reaches(position + d * t)) hits[count++] = {t, i};
     }
-    if (!std::isfinite(nearest)) return false;
-    view.range.at(x, y) = nearest;
-    view.color.at(x, y) = world.planes[best].color_at(position + d * nearest);
-    view.plane.at(x, y) = static_cast<std::int16_t>(best);
+    std::sort(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(count));
+    float room_ends = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < count && hits[k].first < room_ends; ++k) {
+        const auto [t, index] = hits[k];
+        const Vec3f p = position + d * t;
+        const bool hull = world.planes[index].plane.hull;
+        const bool open = is_known_free(p, world.first_range) || (hull && world.planes[index].wall_at(p) != Wall::solid);
+        if (!open) return on_surface(p, t, index, world);
+        if (!hull || !world.planes[index].openings.any()) continue;
+        const Ending ending = beyond_opening(position, d, t, index, world);
+        if (ending.what != Ending::unknown) return ending;
+        room_ends = std::min(room_ends, t + kThickestWall_m);
+    }
+    return {};
+}
+
+bool fill_from_planes(CoarseView& view, int x, int y, Vec3f position, const WalkWorld& world) {
+    const EquirectSize size{view.color.width, view.color.height};
+    const Vec3f d = direction_of_pixel(x, y, size);
+    const Ending ending = follow(position, d, world);
+    if (ending.what == Ending::unknown) return false;
+    view.range.at(x, y) = ending.range;
+    view.plane.at(x, y) = ending.plane;
+    view.color.at(x, y) = ending.what == Ending::surface ? ending.color : world.outside.at(x, y);
     return true;
 }
 

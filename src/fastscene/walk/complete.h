@@ -10,6 +10,7 @@ namespace fastscene {
 struct WalkWorld {
     ImageF first_range;                    // panorama 0's
     std::vector<PlanePicture> planes;
+    ImageColor outside;                    // outside_picture
     const Inpainter* inpainter = nullptr;
 };
 

@@ -14,7 +14,7 @@ constexpr int kLongestSide = 640;
 constexpr float kMargin_m = 0.15f;     // hidden part of a furniture face that we believe in
 
 PlanePicture blank(ScenePlane plane) {
-    PlanePicture picture{plane, 0.01f, {}};
+    PlanePicture picture{plane, 0.01f, {}, {}};
     Vec2f& low = picture.plane.low;
     Vec2f& high = picture.plane.high;
     low = {std::max(low.x - kMargin_m, -kReach_m), std::max(low.y - kMargin_m, -kReach_m)};
@@ -48,6 +48,12 @@ bool PlanePicture::reaches(Vec3f point) const {
     return a > plane.low.x && a < plane.high.x && b > plane.low.y && b < plane.high.y;
 }
 
+Wall PlanePicture::wall_at(Vec3f point) const {
+    if (!openings.any()) return Wall::solid;
+    const auto cell = [&](float from_low, int count) { return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1); };
+    return openings.wall.at(cell(dot(plane.u, point) - plane.low.x, openings.wall.width), cell(dot(plane.v, point) - plane.low.y, openings.wall.height));
+}
+
 std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& label,
                                        const ImageMask& cuts, const std::vector<ScenePlane>& planes, const Inpainter& inpainter, const Run& run) {
     std::vector<PlanePicture> pictures(planes.size());
@@ -72,6 +78,8 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
             }
         if (!any) picture.color = {};
         else picture.color = inpainter.fill(picture.color, hole, run);
+        if (any && picture.plane.hull)
+            picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
         pictures[index] = std::move(picture);
     });
     return pictures;

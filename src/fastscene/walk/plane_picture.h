@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fastscene/inpaint/inpaint.h"
-#include "fastscene/walk/planes.h"
+#include "fastscene/walk/openings.h"
 
 namespace fastscene {
 
@@ -13,11 +13,14 @@ struct PlanePicture {
     ScenePlane plane;
     float metres_per_pixel = 0.01f;
     ImageColor color;
+    Openings openings;         // walls only
     bool empty() const { return color.empty(); }
     // Bilinear; beyond the picture, its border.
     Vec3f color_at(Vec3f point) const;
     // Lies the point (in the plane) within what was seen of it, with a margin? Walls have no end.
     bool reaches(Vec3f point) const;
+    // Is there wall at the point (its foot on the plane)?
+    Wall wall_at(Vec3f point) const;
 };
 // `label`: label_planes. `color`: silhouettes cleaned.
 std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& label,

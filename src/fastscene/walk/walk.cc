@@ -58,7 +58,7 @@ std::vector<Panorama> walk_through(const Panorama& first, const WalkParams& para
     std::vector<WarpSource> observed, invented;
     observed.push_back(make_warp_source(first.color, first.range, label, {}, {}));
     const WalkWorld world{first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
-                          inpainter.get()};
+                          outside_picture(first.color, first.range), inpainter.get()};
 
     std::vector<Panorama> walked{first};
     if (walked[0].known.empty()) walked[0].known = Image<Known>(size.width, size.height, Known::original);
