@@ -326,6 +326,9 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     std::vector<std::uint32_t> sunlit;
     const std::vector<float> sunlit_power = cache.sunlit_cells(sunlit);
 
+    // A sunlit cell close by is asked too rarely and answers too loudly: within eight cells gathering finds it instead.
+    const float near_sun = 8 * params.cell_m;
+
     // Then lamps, windows and the first bounce of the sun, each asked directly.
     const int direct_samples = std::max(8, params.cell_samples / 2);
     parallel_for(count, 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -349,12 +352,11 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                 const Cell& lamp = cache.cells_[sunlit[std::min(found, sunlit.size() - 1)]];
                 const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = lamp.center + lamp.normal * (0.02f * cache.cell_m_) - from;
                 const float d2 = dot(to, to), far = std::sqrt(d2);
-                if (!(far > 0.5f * cache.cell_m_)) continue;
+                if (!(far > near_sun)) continue;
                 const Vec3f direction = to / far;
                 const float here = dot(at.normal, direction), there = -dot(lamp.normal, direction);
                 if (!(here > 0 && there > 0)) continue;
-                // Nearer than its own size a cell is no point.
-                const float geometry = here * there / std::max(d2, 4 * lamp.area);
+                const float geometry = here * there / d2;
                 if (bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) continue;
                 const Vec3f leaving = lamp.sun * lamp.albedo;
                 direct += leaving * (geometry / kPi * sunlit_power.back() / luminance(leaving));
@@ -401,8 +403,8 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                     Vec3f normal = shading_normal(mesh, hit);
                     if (hit.back) normal = -normal;
                     const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
-                    // The sun's bounce has been asked directly; its way through curtains has not.
-                    Vec3f arriving = cache.near(p, normal, false) * (1.f - m.transmission);
+                    // The sun's bounce has been asked directly, unless it is close by; its way through curtains has not.
+                    Vec3f arriving = cache.near(p, normal, hit.distance <= near_sun) * (1.f - m.transmission);
                     if (m.transmission > 0) arriving += cache.near(p, -normal, true) * m.transmission;
                     sum += albedo[static_cast<std::size_t>(mesh.material)] * arriving;
                     if (lights.is_large(hit.mesh)) sum += m.emission * kPi;
