@@ -18,8 +18,7 @@ try {
     const page = await browser.newPage({ viewport: { width: 720, height: 450 } });
     const outside = [];
     page.on('request', (r) => { if (!/^(file|data|blob):/.test(r.url())) outside.push(r.url()); });
-    // Without tracks of ours the viewer drifts along a figure of its own; ?noanim holds it still for the measurement.
-    await page.goto(`${pathToFileURL(path.resolve(html)).href}?noanim`);
+    await page.goto(pathToFileURL(path.resolve(html)).href);
 
     // Mean color of a part of the screenshot (fractions of its sides); decoded by the browser itself.
     const means = async (parts) => {
