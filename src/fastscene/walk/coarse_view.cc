@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kBandRows = 32;          // rows of the target that one piece of work owns
 constexpr float kEdgeSlack = 0.01f;    // triangles overlap by a hundredth, so that rounding opens no cracks
+constexpr float kDeepestFold_m = 0.25f;   // chosen on walked rooms with known truth, as is the next
+constexpr float kDeepestGuess_m = 0.6f;   // before the sky: a gap between a curtain's folds is rarely a window
 constexpr float kSkyRange = 0.5f * kFarthestRange;
 
 struct Corner {
@@ -23,7 +25,9 @@ struct Colors {
     std::array<Vec3f, 4> corners;
     const WarpSource* around = nullptr;
     int x = 0, y = 0;
+    Cover cover = Cover::front;   // a bridge between two surfaces: each keeps its own color up to the middle
 };
+bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 
 struct Band {
     CoarseView& view;
@@ -62,6 +66,7 @@ std::array<float, 4> cubic_weights(float t) {
 
 // Cubic inside a surface: a panorama warped with bilinear values is visibly softer than the one it came from.
 Vec3f color_in_cell(const Colors& c, float u, float v) {
+    if (is_bridge(c.cover)) return c.corners[(u > 0.5f ? 1 : 0) + (v > 0.5f ? 2 : 0)];
     if (!c.around) return lerp(lerp(c.corners[0], c.corners[1], u), lerp(c.corners[2], c.corners[3], u), v);
     const auto wu = cubic_weights(u), wv = cubic_weights(v);
     const ImageColor& image = c.around->color;
@@ -101,12 +106,13 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
             if (!(sum > 0.f) || ea < slack || eb < slack || ec < slack) continue;
             const float t = volume * sign / sum;
             float& range = band.view.range.at(x, y);
-            if (!(t < range)) continue;
+            if (!(t < range) || (is_bridge(colors.cover) && sign < 0)) continue;
+            if (colors.cover == Cover::guess && range < kSkyRange && band.view.cover.at(x, y) != Cover::guess) continue;
             range = t;
             const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
             band.view.color.at(x, y) = color_in_cell(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
             band.view.plane.at(x, y) = plane;
-            band.view.cover.at(x, y) = sign > 0 ? Cover::front : Cover::back;
+            band.view.cover.at(x, y) = sign > 0 ? colors.cover : Cover::back;
         }
 }
 
@@ -191,29 +197,52 @@ void draw_quarter(const Band& band, const Placed& placed, int x, int y, int cell
     draw(band, b, d, c, colors, plane);
 }
 
-void draw_cell(const Band& band, const Placed& placed, int x, int y) {
+// The surface between four pixels.
+void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cover) {
+    const WarpSource& s = placed.source;
+    const int r = wrap_column(x + 1, s.color.width);
+    const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0}), c = placed.corner(x, y + 1, {0, 1}),
+                 d = placed.corner(r, y + 1, {1, 1});
+    const float top = std::min({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y}), bottom = std::max({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y});
+    const float margin = 0.05f * static_cast<float>(placed.size.height);
+    if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
+    const Colors colors{{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)},
+                        cover == Cover::front && is_inside(s, x, y) ? &s : nullptr, x, y, cover};
+    const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
+    draw(band, a, b, c, colors, plane);
+    draw(band, b, d, c, colors, plane);
+}
+
+// When the jump in a cell is no deeper than a fold or a frame, the two surfaces are most likely joined by a third,
+// and what shows between them is that, not the world behind.
+float jump_in_cell(const WarpSource& s, int x, int y) {
+    const int r = wrap_column(x + 1, s.color.width);
+    const auto [low, high] = std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y), s.inverse_range.at(x, y + 1), s.inverse_range.at(r, y + 1)});
+    return 1.f / low - 1.f / high;
+}
+
+// `guesses`: only the bridges over deeper jumps, which must wait until all surfaces are drawn.
+void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesses) {
     const WarpSource& s = placed.source;
     const int r = wrap_column(x + 1, s.color.width);
     const bool u00 = placed.used(x, y), u10 = placed.used(r, y), u01 = placed.used(x, y + 1), u11 = placed.used(r, y + 1);
     if (!(u00 || u10 || u01 || u11)) return;
     const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) && !(s.cuts.at(r, y) & kCutDown) &&
                        !(s.cuts.at(x, y + 1) & kCutRight);
-    if (!whole) {
-        if (u00) draw_quarter(band, placed, x, y, x, y, false, false);
-        if (u10) draw_quarter(band, placed, r, y, x, y, true, false);
-        if (u01) draw_quarter(band, placed, x, y + 1, x, y, false, true);
-        if (u11) draw_quarter(band, placed, r, y + 1, x, y, true, true);
+    if (whole) {
+        if (!guesses) draw_whole(band, placed, x, y, Cover::front);
         return;
     }
-    const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0}), c = placed.corner(x, y + 1, {0, 1}),
-                 d = placed.corner(r, y + 1, {1, 1});
-    const float top = std::min({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y}), bottom = std::max({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y});
-    const float margin = 0.05f * static_cast<float>(placed.size.height);
-    if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
-    const Colors colors{{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)}, is_inside(s, x, y) ? &s : nullptr, x, y};
-    const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
-    draw(band, a, b, c, colors, plane);
-    draw(band, b, d, c, colors, plane);
+    const float jump = u00 && u10 && u01 && u11 ? jump_in_cell(s, x, y) : kFarthestRange;
+    if (guesses) {
+        if (jump >= kDeepestFold_m && jump < kDeepestGuess_m) draw_whole(band, placed, x, y, Cover::guess);
+        return;
+    }
+    if (u00) draw_quarter(band, placed, x, y, x, y, false, false);
+    if (u10) draw_quarter(band, placed, r, y, x, y, true, false);
+    if (u01) draw_quarter(band, placed, x, y + 1, x, y, false, true);
+    if (u11) draw_quarter(band, placed, r, y + 1, x, y, true, true);
+    if (jump < kDeepestFold_m) draw_whole(band, placed, x, y, Cover::bridge);
 }
 
 // Between the outermost row and the pole: a fan about the row's mean.
@@ -238,7 +267,7 @@ void draw_cap(const Band& band, const Placed& placed, bool top) {
     }
 }
 
-void draw_source(const Band& band, const Placed& placed) {
+void draw_source(const Band& band, const Placed& placed, bool guesses) {
     const int h = placed.source_size.height;
     const float margin = 0.06f * static_cast<float>(placed.size.height);
     const auto touches = [&](float low, float high) {
@@ -247,8 +276,9 @@ void draw_source(const Band& band, const Placed& placed) {
     for (int y = 0; y + 1 < h; ++y) {
         const Vec2f a = placed.rows[static_cast<std::size_t>(y)], b = placed.rows[static_cast<std::size_t>(y) + 1];
         if (!touches(std::min(a.x, b.x), std::max(a.y, b.y))) continue;
-        for (int x = 0; x < placed.source_size.width; ++x) draw_cell(band, placed, x, y);
+        for (int x = 0; x < placed.source_size.width; ++x) draw_cell(band, placed, x, y, guesses);
     }
+    if (guesses) return;
     draw_cap(band, placed, true);
     draw_cap(band, placed, false);
 }
@@ -261,11 +291,15 @@ CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size
     Image<Vec3f> direction(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) direction.at(x, y) = direction_of_pixel(x, y, size);
+    const auto draw_all = [&](const Placed& placed, bool guesses) {
+        parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
+            draw_source({view, direction, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
+        });
+    };
     for (const WarpSource& source : sources) {
         const Placed placed(source, size, position);
-        parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
-            draw_source({view, direction, static_cast<int>(begin), static_cast<int>(end)}, placed);
-        });
+        draw_all(placed, false);
+        if (source.used.empty()) draw_all(placed, true);
     }
     for (float& range : view.range.pixels)
         if (range > kSkyRange) range = std::numeric_limits<float>::infinity();

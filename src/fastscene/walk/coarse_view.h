@@ -25,7 +25,13 @@ struct WarpSource {
 WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& plane, const ImageMask& used,
                             Vec3f position);
 
-enum class Cover : std::uint8_t { hole, front, back };  // back: a surface seen from behind hides what lies beyond
+enum class Cover : std::uint8_t {
+    hole,
+    front,
+    back,     // a surface seen from behind hides what lies beyond
+    bridge,   // the step between two surfaces, stretched across a shallow jump
+    guess,    // a bridge across a deeper jump, drawn only over the outside and where nothing is
+};
 
 struct CoarseView {
     ImageColor color;

@@ -83,6 +83,7 @@ bool fill_from_planes(CoarseView& view, int x, int y, Vec3f position, const Walk
     const EquirectSize size{view.color.width, view.color.height};
     const Vec3f d = direction_of_pixel(x, y, size);
     const Ending ending = follow(position, d, world);
+    if (view.cover.at(x, y) == Cover::guess && ending.what != Ending::surface) return true;
     if (ending.what == Ending::unknown) return false;
     view.range.at(x, y) = ending.range;
     view.plane.at(x, y) = ending.plane;
@@ -174,7 +175,7 @@ void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, con
     parallel_for(hole.height, 16, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < hole.width; ++x) {
-                if (!hole.at(x, y) || view.cover.at(x, y) == Cover::back) continue;   // a back keeps its own range and color
+                if (!hole.at(x, y) || (view.cover.at(x, y) != Cover::hole && view.cover.at(x, y) != Cover::guess)) continue;   // backs and bridges keep what they have
                 rest.at(x, y) = !fill_from_planes(view, x, y, position, world);
             }
     });

@@ -30,8 +30,9 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Wa
     const CoarseView other = coarse_view(invented, size, position);
     known = Image<Known>(size.width, size.height, Known::invented);
     for (std::size_t i = 0; i < view.color.size(); ++i) {
-        const bool seen = view.cover.pixels[i] != Cover::hole;
-        const bool painted = other.cover.pixels[i] == Cover::front;   // what we made up has no back
+        const bool seen = view.cover.pixels[i] != Cover::hole && view.cover.pixels[i] != Cover::guess;
+        const bool guessed = view.cover.pixels[i] == Cover::guess && other.range.pixels[i] > kFarthestRange;   // as good as sky painted earlier
+        const bool painted = other.cover.pixels[i] == Cover::front && !guessed;   // what we made up has no back
         if (painted && (!seen || other.range.pixels[i] * kObservedWins + kObservedWins_m < view.range.pixels[i])) {
             view.color.pixels[i] = other.color.pixels[i];
             view.range.pixels[i] = other.range.pixels[i];
