@@ -33,6 +33,7 @@ rm -f "$root.log"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
 cp -L /etc/hosts "$root/etc/hosts"
 if ls /etc/apt/apt.conf.d/*proxy* >/dev/null 2>&1; then cp /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/"; fi
+if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then cp -L "$NODE_EXTRA_CA_CERTS" "$root/etc/network-ca.crt"; fi
 mount -t proc proc "$root/proc"
 git clone -q --no-local "$here" "$root/fastscene"
 
@@ -40,6 +41,7 @@ inside() { # COMMAND…: in the new system, with an environment of its own
   env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
     ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
     ${npm_config_registry:+npm_config_registry="$npm_config_registry"} \
+    ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS=/etc/network-ca.crt} \
     chroot "$root" bash -c 'cd /fastscene && "$@"' inside "$@" </dev/null
 }
 disk() { du -sxm "$root" | cut -f1; }
