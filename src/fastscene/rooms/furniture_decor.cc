@@ -132,7 +132,11 @@ void picture(Kit& k) {
 void rug(Kit& k) {
     const Vec3f s = k.wanted({2.3f, 0.012f, 1.6f});
     Material m = k.style.rug;
-    m.seed = k.seed();
+    // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). Formal rooms have medallions,
+    // northern ones zigzag; the fourth, large blots, looks like a hide and is left out.
+    static constexpr std::array<std::uint32_t, 12> kWoven{8, 9, 19, 20, 4, 6, 7, 11, 2, 3, 5, 10};
+    const int first = k.style.mouldings == Mouldings::rich ? 4 : k.style.name == "scandinavian" ? 8 : 0, range = first == 0 ? 12 : 4;
+    m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * std::max(s.x, s.z) : m.scale_m;
     const int pile = k.main(m);
     Mesh r = shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);

@@ -12,6 +12,7 @@ namespace {
 constexpr float kSlotStep = 0.07f;
 constexpr float kWallGap = 0.015f;
 constexpr float kEyeHeight = 1.5f;
+constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
 constexpr float kPi = std::numbers::pi_v<float>;
 
 Vec2f flat(Vec3f v) { return {v.x, v.z}; }
@@ -70,11 +71,14 @@ bool Layout::blocks_opening(const Footprint& box, float height) const {
     for (const Opening& o : plan_.openings) {
         const WallFace face = plan_.wall(o.wall);
         const bool door = o.kind == Opening::Kind::door;
-        if (!door && height < o.y0 + 0.04f) continue;
+        // What is on a desk may reach a little above the sill.
+        constexpr float kAboveSill = 0.2f;
+        if (!door && height < o.y0 + kAboveSill) continue;
         const float deep = door ? 0.85f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
-        Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 + (door ? 0.05f : 0.f), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
-        if (!door) zone.y0 = o.y0 + 0.04f;
+        // Beside a window hang its curtains.
+        Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 + (door ? 0.05f : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
+        if (!door) zone.y0 = o.y0 + kAboveSill;
         if (overlap(box, zone)) return true;
     }
     return false;
@@ -155,6 +159,10 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                 p.position = face.point(u, 0) + face.inward * (size.z / 2 + kWallGap);
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, clearance)) continue;
+                if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
+                        return o.wall == w && o.kind == Opening::Kind::window && u + size.x / 2 > o.u0 && u - size.x / 2 < o.u1;
+                    }))
+                    continue;
                 const float off = std::abs(u - face.length / 2) / (face.length / 2), edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
                 float score = -wish.center_pull * off + 0.02f * dice_.uniform();
                 if (wish.corner) score += 2.f - edge;
@@ -372,7 +380,14 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             bool free = true;
             for (const Placed& other : placed_) free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f));
             if (!free) continue;
-            const float score = wanted_u ? -std::abs(u - *wanted_u) : -0.3f * std::abs(u - face.length / 2) + dice_.uniform() * 1.2f - (w == 2 ? 0.5f : 0.f);
+            float score = wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (w == 2 ? 0.4f : 0.f);
+            if (!wanted_u) {
+                // Where the wall is barest.
+                float bare = 2.f;
+                for (const Placed& other : placed_)
+                    if (!other.flat && !other.overhead && footprint_of(other).y1 > 1.2f) bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
+                score += 0.8f * bare;
+            }
             if (score > best_score) best_score = score, best = p;
         }
     }
@@ -391,23 +406,83 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     return keep(p, from);
 }
 
-void Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
+int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
+    int hung = 0;
     for (const Opening& o : plan_.openings) {
         if (o.kind != Opening::Kind::window) continue;
         const WallFace face = plan_.wall(o.wall);
-        PieceRequest r = request;
-        const float margin = 0.32f, top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
-        r.size_m = {o.u1 - o.u0 + 2 * margin, top - 0.02f, 0};
-        Placed p;
-        p.piece = make_piece(r);
-        p.yaw = yaw_of(face.inward);
-        p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : 0.f) + face.inward * 0.045f;
-        if (p.piece.mount != Mount::wall) p.position = p.position + face.inward * (p.piece.size_m.z / 2);
-        const Footprint box = footprint_of(p);
-        bool free = inside_room(box);
-        for (const Placed& other : placed_) free = free && (other.flat || !overlap(box, footprint_of(other)));
-        if (free) keep(p, from);
+        const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
+        const auto hang = [&](float margin, float low) {
+            PieceRequest r = request;
+            r.size_m = {std::min(o.u1 - o.u0 + 2 * margin, face.length - 0.04f), top - low, 0};
+            Placed p;
+            p.piece = make_piece(r);
+            p.yaw = yaw_of(face.inward);
+            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) + face.inward * 0.045f;
+            if (p.piece.mount != Mount::wall) p.position = p.position + face.inward * (p.piece.size_m.z / 2);
+            const Footprint box = footprint_of(p);
+            bool free = inside_room(box);
+            for (const Placed& other : placed_) free = free && (other.flat || !overlap(box, footprint_of(other)));
+            if (free) keep(p, from);
+            return free;
+        };
+        // To the floor; else to the sill, or to what stands below; at last narrower.
+        bool done = hang(kCurtainMargin, 0.02f);
+        for (const float margin : {kCurtainMargin, 0.18f, 0.08f})
+            for (const float low : {o.y0 - 0.12f, o.y0 - 0.02f, o.y0 + 0.15f, o.y0 + 0.4f}) done = done || hang(margin, std::max(0.02f, low));
+        hung += done;
     }
+    return hung;
+}
+
+namespace {
+
+// Whether the segment from a to b passes through the box (slabs in the box's own frame).
+bool passes(const Footprint& box, Vec3f a, Vec3f b) {
+    const auto axes = axes_of(box);
+    float t0 = 0, t1 = 1;
+    const auto slab = [&](float from, float to, float low, float high) {
+        const float d = to - from;
+        if (std::abs(d) < 1e-6f) {
+            if (from < low || from > high) t0 = 2;
+            return;
+        }
+        const float u = (low - from) / d, v = (high - from) / d;
+        t0 = std::max(t0, std::min(u, v));
+        t1 = std::min(t1, std::max(u, v));
+    };
+    for (std::size_t k = 0; k < 2; ++k) {
+        const float half = k == 0 ? box.half.x : box.half.y;
+        slab(dot(flat(a) - box.center, axes[k]), dot(flat(b) - box.center, axes[k]), -half, half);
+    }
+    slab(a.y, b.y, box.y0, box.y1);
+    return t0 < t1;
+}
+
+}  // namespace
+
+// How many of the pieces that were asked for nothing can be seen of: other pieces stand before them.
+int Layout::hidden_wishes(Vec3f eye) const {
+    int hidden = 0;
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+        if (placed_[i].wish.klass.empty()) continue;
+        const Footprint box = footprint_of(placed_[i]);
+        const auto axes = axes_of(box);
+        bool seen = false;
+        for (const float along : {0.f, -0.7f, 0.7f})
+            for (const float up : {0.95f, 0.5f}) {
+                if (seen) break;
+                const Vec2f at = box.center + axes[0] * (along * box.half.x);
+                const Vec3f target{at.x, box.y0 + up * (box.y1 - box.y0), at.y};
+                seen = true;
+                for (std::size_t k = 0; k < placed_.size() && seen; ++k) {
+                    if (k == i || placed_[k].flat || placed_[k].on == static_cast<int>(i) || placed_[i].on == static_cast<int>(k)) continue;
+                    seen = !passes(footprint_of(placed_[k]), eye, target);
+                }
+            }
+        hidden += !seen;
+    }
+    return hidden;
 }
 
 Vec3f Layout::camera_position() const {
@@ -425,7 +500,9 @@ Vec3f Layout::camera_position() const {
                 else if (f.y1 < kEyeHeight) low = std::min(low, far);
             }
             // Beyond 1.1 m more space is no gain; the middle of the room shows most of it.
-            const float score = 3.f * std::min(tall, 1.1f) + 0.8f * std::min(low, 0.4f) - 0.35f * std::hypot(x, z);
+            float score = 3.f * std::min(tall, 1.1f) + 0.8f * std::min(low, 0.4f) - 0.35f * std::hypot(x, z);
+            if (score <= best_score) continue;
+            score -= 0.6f * static_cast<float>(hidden_wishes({x, kEyeHeight, z}));
             if (score > best_score) best_score = score, best = {x, kEyeHeight, z};
         }
     return best;

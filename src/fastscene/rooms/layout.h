@@ -45,6 +45,7 @@ class Layout {
         float center_pull = 1.f;       // how much the middle of a wall is preferred
         float window_pull = 0.f;       // > 0: under a window; < 0: away from it
         bool corner = false;
+        bool clear_of_windows = false;  // not below one either
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
     std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {});
@@ -57,7 +58,8 @@ class Layout {
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
-    void at_windows(const PieceRequest& request, const PromptObject& from = {});
+    // A pair at every window where they find room; returns how many. They end above what stands below a window.
+    int at_windows(const PieceRequest& request, const PromptObject& from = {});
 
     PieceRequest request(std::string klass, const PromptObject* wish = nullptr);
     std::optional<int> find(std::string_view klass) const;
@@ -67,7 +69,7 @@ class Layout {
     PromptSpec& spec() { return spec_; }
     Random& dice() { return dice_; }
 
-    // Where the camera stands: eye height, free of things, with a view. Nothing when every spot is blocked.
+    // Where the camera stands: eye height, free of things, in sight of what was asked for.
     Vec3f camera_position() const;
 
   private:
@@ -75,6 +77,7 @@ class Layout {
     bool inside_room(const Footprint& box) const;
     bool blocks_opening(const Footprint& box, float height) const;
     std::optional<int> keep(Placed placed, const PromptObject& from);
+    int hidden_wishes(Vec3f eye) const;
     bool wall_is_free(int wall, float u0, float u1, float y0, float y1) const;
 
     const Plan& plan_;

@@ -12,6 +12,12 @@ using WallWish = Layout::WallWish;
 
 Vec2f flat(Vec3f v) { return {v.x, v.z}; }
 
+bool is_piece(std::string_view klass) { return std::binary_search(piece_classes().begin(), piece_classes().end(), klass); }
+bool is_small(std::string_view klass) {
+    static constexpr std::array<std::string_view, 15> kSmall{"table_lamp", "vase", "vase_small", "book_stack", "bowl", "candle", "plant_small", "picture", "mirror", "tv", "clock", "rug", "cushion", "guitar", "cat"};
+    return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
+}
+
 // The prompt's wishes by class, taken one by one as the groups use them up.
 class Wishes {
   public:
@@ -22,10 +28,20 @@ class Wishes {
         return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
     }
     // The next wish of this class that is not yet fulfilled; null: nobody asked.
-    const PromptObject* next(std::string_view klass) {
-        for (std::size_t i = 0; i < left_.size(); ++i)
-            if (left_[i] > 0 && spec_.objects[i].klass == klass) return --left_[i], &spec_.objects[i];
+    // Small things that were asked for at a certain piece ("a lamp on the desk") are only given for that one.
+    const PromptObject* next(std::string_view klass, std::string_view at = {}) {
+        for (std::size_t i = 0; i < left_.size(); ++i) {
+            const PromptObject& o = spec_.objects[i];
+            if (left_[i] <= 0 || o.klass != klass) continue;
+            if (is_small(klass) && is_piece(o.relation_to) && o.relation_to != at) continue;
+            return --left_[i], &o;
+        }
         return nullptr;
+    }
+    bool has_at_window(std::string_view klass) const {
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (left_[i] > 0 && spec_.objects[i].klass == klass && spec_.objects[i].relation_to == "window") return true;
+        return false;
     }
     bool has(std::string_view klass) const {
         for (std::size_t i = 0; i < left_.size(); ++i)
@@ -46,7 +62,7 @@ class Wishes {
     template <class F>
     void each_left(F&& f) {
         for (std::size_t i = 0; i < left_.size(); ++i)
-            for (; left_[i] > 0; --left_[i]) f(spec_.objects[i]);
+            while (left_[i] > 0 && f(spec_.objects[i])) --left_[i];
     }
 
   private:
@@ -65,6 +81,10 @@ class Furnisher {
 
     void run() {
         const std::string& room = l_.spec().room;
+        // What must stand at a window comes first, while the windows are free.
+        if (wishes_.has_at_window("desk")) working_place(1);
+        for (const char* klass : {"armchair", "bench", "piano", "piano", "console_table", "dresser", "plant", "plant_tree"})
+            if (wishes_.has_at_window(klass)) wall(klass, 1);
         if (room == "bedroom" || room == "attic") bedroom();
         else if (room == "kids") kids_room();
         else if (room == "kitchen") kitchen();
@@ -85,9 +105,9 @@ class Furnisher {
 
     // Places through `how`, with the prompt's wish of this class if there is one. Unwished pieces need `probability`.
     template <class How>
-    std::optional<int> put(const char* klass, float probability, How&& how) {
+    std::optional<int> put(const char* klass, float probability, How&& how, std::string_view at = {}) {
         if (wishes_.forbids(klass)) return {};
-        const PromptObject* wish = wishes_.next(klass);
+        const PromptObject* wish = wishes_.next(klass, at);
         if (!wish && !chance(probability)) return {};
         const auto index = how(l_.request(klass, wish), wish ? *wish : PromptObject{});
         if (!index && wish) wishes_.give_back(wish);
@@ -96,7 +116,12 @@ class Furnisher {
     std::optional<int> wall(const char* klass, float probability, WallWish w = {}) {
         return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) {
             if (o.relation == "in the corner") w.corner = true;
-            if (o.relation_to == "window") w.window_pull = 1.5f;
+            if (o.relation_to == "window") w.window_pull = 4.f, w.center_pull = 0.2f;
+            if (const auto anchor = l_.find(o.relation_to)) w.near = front_point(*anchor, 0.f);
+            if (const auto i = l_.against_wall(r, w, o)) return i;
+            // Better below a window than not at all, when it was asked for.
+            if (o.klass.empty() || !w.clear_of_windows) return std::optional<int>{};
+            w.clear_of_windows = false;
             return l_.against_wall(r, w, o);
         });
     }
@@ -107,11 +132,12 @@ class Furnisher {
         return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); });
     }
     std::optional<int> top(int anchor, const char* klass, float probability) {
-        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); }, klass_of(anchor));
     }
     std::optional<int> above(int anchor, const char* klass, float probability) {
-        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); });
+        return put(klass, probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); }, klass_of(anchor));
     }
+    std::string klass_of(int i) const { return l_.placed()[static_cast<std::size_t>(i)].piece.klass; }
     std::optional<int> picture(float probability) {
         return put("picture", probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
     }
@@ -123,7 +149,7 @@ class Furnisher {
                 if (const auto i = l_.under(anchor, r, shift, o)) return i;
             }
             return std::optional<int>{};
-        });
+        }, klass_of(anchor));
     }
     Vec2f front_point(int anchor, float far) const {
         const Placed& a = l_.placed()[static_cast<std::size_t>(anchor)];
@@ -212,10 +238,10 @@ class Furnisher {
         beside(*sofa, "floor_lamp", 0.65f, -side, 0.06f);
         // What the sofa looks at.
         const int opposite = wall_opposite(*sofa);
-        if (wishes_.has("fireplace") || chance(0.18f)) {
-            if (const auto fire = wall("fireplace", 1, {.wall = opposite, .center_pull = 1.5f})) above(*fire, chance(0.5f) ? "mirror" : "picture", 0.7f);
+        if (wishes_.has("fireplace") || (!wishes_.has("tv") && chance(0.18f))) {
+            if (const auto fire = wall("fireplace", 1, {.wall = opposite, .center_pull = 1.5f, .clear_of_windows = true})) above(*fire, chance(0.5f) ? "mirror" : "picture", 0.7f);
         } else if (!wishes_.forbids("tv")) {
-            if (const auto stand = wall("tv_stand", 0.85f, {.wall = opposite, .center_pull = 1.5f, .window_pull = -2})) {
+            if (const auto stand = wall("tv_stand", 0.85f, {.wall = opposite, .center_pull = 1.5f, .window_pull = -2, .clear_of_windows = true})) {
                 if (!top(*stand, "tv", 0.9f)) above(*stand, "tv", 0.8f);
                 if (chance(clutter_)) top(*stand, "book_stack", 0.6f);
             }
@@ -281,16 +307,26 @@ class Furnisher {
         }
         wall("fridge", 0.95f, {.center_pull = -0.5f, .window_pull = -1, .corner = true});
         if (wishes_.has("kitchen_island"))
-            put("kitchen_island", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
+            if (const auto island = put("kitchen_island", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); })) seats_at(*island);
         if (!l_.find("kitchen_island") || wishes_.has("dining_table")) eating_place(4);
         wall("sideboard", 0.4f, {.window_pull = -0.5f});
         put("shelf", 0.6f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
         put("clock", 0.5f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
     }
+    // Stools along an island.
+    void seats_at(int island) {
+        const char* klass = wishes_.has("stool") ? "stool" : "bar_stool";
+        if (wishes_.forbids(klass) || (!wishes_.has(klass) && !chance(0.7f))) return;
+        const int wished = wishes_.count(klass);
+        const PromptObject* wish = wishes_.next(klass);
+        const int placed = l_.around(island, l_.request(klass, wish), std::max(wished, wish ? 1 : 2), wish ? *wish : PromptObject{});
+        for (int i = 1; i < std::min(placed, wished); ++i) wishes_.next(klass);
+        if (placed == 0 && wish) wishes_.give_back(wish);
+    }
     void bathroom() {
         wall("bathtub", wishes_.has("shower") ? 0.f : 0.85f, {.center_pull = 0, .window_pull = 0.5f, .corner = true});
         if (!l_.find("bathtub") || wishes_.has("shower")) wall("shower", 1, {.window_pull = -1, .corner = true});
-        if (const auto basin = wall("vanity", 1, {.center_pull = 0.6f, .window_pull = -1})) above(*basin, "mirror", 1);
+        if (const auto basin = wall("washbasin", 1, {.center_pull = 0.6f, .window_pull = -1})) above(*basin, "mirror", 1);
         wall("toilet", 1, {.center_pull = 0});
         wall("towel_rail", 0.9f, {.window_pull = -0.5f});
         wall("basket", 0.7f, {.corner = true});
@@ -344,6 +380,16 @@ class Furnisher {
         wall("plant", 0.8f, {.corner = true});
     }
 
+    // On a low piece, else on a wall, else it gets a stand of its own.
+    std::optional<int> television(const PieceRequest& r, const PromptObject& wish) {
+        for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
+            if (const auto anchor = l_.find(klass))
+                if (const auto i = l_.on_top(*anchor, r, wish)) return i;
+        if (const auto stand = l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
+            if (const auto i = l_.on_top(*stand, r, wish)) return i;
+        return l_.on_wall(r, {}, wish);
+    }
+
     // A wish that no group has used: placed by what kind of piece it is.
     std::optional<int> anywhere(const PromptObject& wish) {
         const PieceRequest r = l_.request(wish.klass, &wish);
@@ -360,6 +406,7 @@ class Furnisher {
                     for (const int side : {1, -1})
                         if (const auto i = l_.beside(*anchor, r, side, 0.08f, wish)) return i;
             }
+        if (wish.klass == "tv") return television(r, wish);
         switch (piece.mount) {
             case Mount::surface: return l_.on_any_top(r, wish);
             case Mount::wall: return l_.on_wall(r, {}, wish);
@@ -380,21 +427,25 @@ class Furnisher {
         w.corner = wish.relation == "in the corner" || wish.klass == "plant";
         w.window_pull = wish.relation_to == "window" ? 2.f : piece.size_m.y > 1.2f ? -1.f : 0.f;
         w.center_pull = 0.4f;
+        w.clear_of_windows = wish.klass == "fireplace" || wish.klass == "tv_stand";
+        if (const auto i = l_.against_wall(r, w, wish)) return i;
+        w.clear_of_windows = w.corner = false;
         if (const auto i = l_.against_wall(r, w, wish)) return i;
         return l_.free_standing(r, wish);
     }
+    // The large pieces first: the small ones stand on them.
     void remaining_wishes() {
-        const std::vector<std::string>& known = piece_classes();
-        wishes_.each_left([&](const PromptObject& wish) {
-            static constexpr std::array<const char*, 7> kShell{"window", "door", "wall", "floor", "ceiling", "beams", "curtain"};
-            if (std::find(kShell.begin(), kShell.end(), wish.klass) != kShell.end()) return;
-            if (wish.klass == "cushion" && (l_.find("sofa") || l_.find("bed"))) return;  // they come with cushions
-            if (!std::binary_search(known.begin(), known.end(), wish.klass)) {
-                l_.spec().not_placed.push_back(wish.words + ": there is no such piece yet");
-                return;
-            }
-            if (!anywhere(wish)) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
-        });
+        for (const bool small : {false, true}) {
+            wishes_.each_left([&](const PromptObject& wish) {
+                static constexpr std::array<const char*, 7> kShell{"window", "door", "wall", "floor", "ceiling", "beams", "curtain"};
+                if (std::find(kShell.begin(), kShell.end(), wish.klass) != kShell.end()) return true;
+                if (is_small(wish.klass) != small) return false;
+                if (wish.klass == "cushion" && (l_.find("sofa") || l_.find("bed"))) return true;  // they come with cushions
+                if (!is_piece(wish.klass)) l_.spec().not_placed.push_back(wish.words + ": there is no such piece yet");
+                else if (!anywhere(wish)) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
+                return true;
+            });
+        }
     }
 
     // What makes a room lived in: curtains, plants, pictures, light, small things.
@@ -404,7 +455,10 @@ class Furnisher {
             if (o.klass == "curtain" && !o.forbidden) curtain = &o;
         const std::string& room = l_.spec().room;
         const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
-        if (!wishes_.forbids("curtain") && (curtain || !wet)) l_.at_windows(l_.request("curtain", curtain), curtain ? *curtain : PromptObject{});
+        if (!wishes_.forbids("curtain") && (curtain || !wet)) {
+            const int hung = l_.at_windows(l_.request("curtain", curtain), curtain ? *curtain : PromptObject{});
+            if (curtain && hung == 0) l_.spec().not_placed.push_back(curtain->words + ": no window has room for them");
+        }
 
         if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !wishes_.forbids("ceiling_lamp")) {
             const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f;

@@ -47,19 +47,24 @@ constexpr Line kLines[] = {
     {WordKind::object, "sofa", "sofa,couch,settee,chesterfield,~davenport,sectional,~divan,corner sofa,~sofa bed,three seater"},
     {WordKind::object, "loveseat", "loveseat,love seat,two seater,~chaise longue,~chaise"},
     {WordKind::object, "armchair", "armchair,arm chair,recliner,lounge chair,easy chair,club chair,wing chair,reading chair,~rocking chair,accent chair,wingback"},
-    {WordKind::object, "ottoman", "ottoman,pouf,pouffe,footstool,hassock,~bean bag,~beanbag"},
+    {WordKind::object, "ottoman", "ottoman,footstool,hassock"},
+    {WordKind::object, "pouf", "pouf,pouffe,floor cushion,~bean bag,~beanbag"},
     {WordKind::object, "coffee_table", "coffee table,cocktail table,low table,tea table"},
-    {WordKind::object, "side_table", "side table,end table,~console,~console table,~pedestal,~table"},
-    {WordKind::object, "dining_table", "dining table,kitchen table,round table,big table,~conference table,~pool table,~billiard table"},
+    {WordKind::object, "side_table", "side table,end table,~pedestal,~table"},
+    {WordKind::object, "console_table", "console table,console,hall table"},
+    {WordKind::object, "dining_table", "dining table,kitchen table,big table,~conference table,~pool table,~billiard table"},
+    {WordKind::object, "dining_table_round", "round table,round dining table,bistro table,cafe table"},
     {WordKind::object, "chair", "chair,dining chair,wooden chair,~seat"},
-    {WordKind::object, "stool", "stool,bar stool,barstool,counter stool"},
+    {WordKind::object, "stool", "stool"},
+    {WordKind::object, "bar_stool", "bar stool,barstool,counter stool"},
     {WordKind::object, "bench", "bench,~window seat,~pew"},
     {WordKind::object, "desk", "desk,writing desk,work desk,computer desk,bureau,~workbench,~standing desk,~computer"},
     {WordKind::object, "office_chair", "office chair,desk chair,swivel chair,gaming chair"},
     {WordKind::object, "bookshelf", "bookshelf,bookcase,book shelf,book case,shelving unit,bookshelves,~shelving,~wine rack"},
     {WordKind::object, "shelf", "shelf,wall shelf,floating shelf,shelves"},
     {WordKind::object, "ladder_shelf", "ladder shelf,leaning shelf"},
-    {WordKind::object, "sideboard", "sideboard,cabinet,credenza,buffet,cupboard,~hutch,~display cabinet,~bar cabinet,~china cabinet"},
+    {WordKind::object, "sideboard", "sideboard,credenza,buffet"},
+    {WordKind::object, "cabinet", "cabinet,cupboard,~hutch,~display cabinet,~bar cabinet,~china cabinet"},
     {WordKind::object, "tv_stand", "tv stand,tv unit,media console,tv cabinet,entertainment center,tv console"},
     {WordKind::object, "tv", "tv,television,flat screen,tv screen,~screen,~projector screen"},
     {WordKind::object, "kitchen_counter", "kitchen counter,counter,worktop,kitchen cabinets,kitchen units,~stove,~oven,~sink,~kitchen sink,~countertop"},
@@ -69,7 +74,7 @@ constexpr Line kLines[] = {
     {WordKind::object, "toilet", "toilet,wc,loo,~bidet"},
     {WordKind::object, "bathtub", "bathtub,bath tub,bath,tub,clawfoot tub,freestanding tub,~jacuzzi,~hot tub"},
     {WordKind::object, "shower", "shower,shower cabin,shower stall,walk in shower"},
-    {WordKind::object, "vanity", "vanity,washbasin,wash basin,basin,bathroom sink,~washstand"},
+    {WordKind::object, "washbasin", "vanity,washbasin,wash basin,basin,bathroom sink,~washstand"},
     {WordKind::object, "mirror", "mirror,wall mirror,full length mirror,~looking glass"},
     {WordKind::object, "towel_rail", "towel rail,towel rack,towel,towels"},
     {WordKind::object, "floor_lamp", "floor lamp,standing lamp,arc lamp,~lamp post"},
@@ -77,8 +82,12 @@ constexpr Line kLines[] = {
     {WordKind::object, "pendant_lamp", "pendant lamp,pendant light,pendant,hanging lamp,pendant lights,hanging light"},
     {WordKind::object, "ceiling_lamp", "ceiling lamp,ceiling light,~ceiling fan,~downlight,~spotlight,~track light"},
     {WordKind::object, "chandelier", "chandelier,candelabra,crystal chandelier"},
-    {WordKind::object, "plant", "plant,potted plant,houseplant,house plant,fern,ficus,monstera,palm,~tree,~bonsai,~cactus,~orchid,greenery,~succulent,rubber plant,snake plant,~flowers in pots,indoor plant,~olive tree"},
+    {WordKind::object, "plant", "plant,potted plant,houseplant,house plant,fern,ficus,monstera,greenery,rubber plant,snake plant,indoor plant"},
+    {WordKind::object, "plant_tree", "palm,palm tree,indoor tree,potted tree,fiddle leaf fig,~tree,~olive tree,~lemon tree"},
+    {WordKind::object, "plant_small", "small plant,succulent,herbs,~bonsai,~cactus,~orchid,~flowers in pots"},
     {WordKind::object, "vase", "vase,flower vase,~flower,~flowers,~bouquet,~roses,~tulips,~urn,~amphora"},
+    {WordKind::object, "vase_small", "bud vase,small vase"},
+    {WordKind::object, "cat", "cat,sleeping cat,kitten,~dog,~pet"},
     {WordKind::object, "picture", "picture,painting,artwork,art,poster,print,framed picture,canvas,photograph,~tapestry,wall art,~photo,frame,~map"},
     {WordKind::object, "rug", "rug,area rug,persian rug,mat,~runner,~sheepskin,round rug,~tatami"},
     {WordKind::object, "curtain", "curtain,drapes,draperies,~blinds,~shutters,~blind"},
@@ -160,7 +169,7 @@ constexpr Line kLines[] = {
     {WordKind::mood, "bare", "bare,empty,tidy,uncluttered,sparse,simple,neat"},
     {WordKind::mood, "colorful", "colorful,colourful,vibrant,playful,cheerful,lively"},
 
-    {WordKind::count, "1", "a,an,one,single,the"},
+    {WordKind::count, "1", "a,an,one,single,the,1"},
     {WordKind::count, "2", "two,pair of,couple of,twin,2,pair"},
     {WordKind::count, "3", "three,several,some,few,3,a few"},
     {WordKind::count, "4", "four,many,4,lots of,multiple,various"},
@@ -270,5 +279,11 @@ std::vector<std::string> room_types() {
 }
 
 std::size_t lexicon_size() { return table().size(); }
+
+std::vector<std::string> lexicon_terms() {
+    std::vector<std::string> out;
+    for (const auto& [term, word] : table()) out.push_back(term);
+    return out;
+}
 
 }  // namespace fastscene

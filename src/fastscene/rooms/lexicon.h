@@ -29,5 +29,7 @@ std::optional<std::string> nearest_term(const std::string& word);
 std::string room_title(std::string_view room);
 std::vector<std::string> room_types();
 std::size_t lexicon_size();
+// Every term, sorted; without the color names.
+std::vector<std::string> lexicon_terms();
 
 }  // namespace fastscene

@@ -26,9 +26,14 @@ const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, boo
 }
 
 // Color and material wishes of a surface of the shell.
-void apply_wish(Material& m, const PromptObject& wish) {
+void apply_wish(Material& m, const PromptObject& wish, bool boarded = false) {
     const float scale = m.scale_m;
-    if (const auto material = wish.material.empty() ? std::nullopt : material_named(wish.material)) m = *material;
+    if (const auto material = wish.material.empty() ? std::nullopt : material_named(wish.material)) {
+        // Wood comes as boards on floors and walls; bare grain is for furniture.
+        const bool herringbone = m.pattern == Pattern::herringbone || m.pattern == Pattern::parquet;
+        m = *material;
+        if (boarded && m.pattern == Pattern::wood) m.pattern = herringbone ? Pattern::herringbone : Pattern::planks, m.scale_m = herringbone ? 0.08f : 0.12f;
+    }
     if (!(m.scale_m > 0.f)) m.scale_m = scale;
     if (const auto color = wish.color.empty() ? std::nullopt : color_named(wish.color)) {
         // The pattern's other colors keep their relation to the main one.
@@ -41,6 +46,13 @@ void apply_wish(Material& m, const PromptObject& wish) {
     if (wish.pattern == "floral") m.pattern = Pattern::floral, m.scale_m = 0.3f;
     if (wish.pattern == "damask") m.pattern = Pattern::damask, m.scale_m = 0.4f;
     if (wish.pattern == "checkered") m.pattern = Pattern::checker, m.scale_m = 0.3f;
+}
+
+// Words such as "oak" and "walnut" are woods before they are colors.
+void apply_floor_wish(Material& m, PromptObject wish) {
+    if (wish.material.empty() || wish.material == "wood")
+        if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood) wish.material = wish.color;
+    apply_wish(m, wish, true);
 }
 
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
@@ -113,7 +125,9 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     if (spec.style.empty()) {
         const std::vector<std::string> all = styles();
-        spec.style = spec.mood == "cozy" ? (dice.chance(0.5f) ? "scandinavian" : "rustic") : all[static_cast<std::size_t>(dice.index(static_cast<int>(all.size())))];
+        static const std::vector<std::string> kCozy{"scandinavian", "rustic"}, kForChildren{"modern", "scandinavian", "boho", "mid-century"};
+        const std::vector<std::string>& choice = spec.mood == "cozy" ? kCozy : spec.room == "kids" || spec.mood == "colorful" ? kForChildren : all;
+        spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
     Plan plan;
@@ -127,6 +141,13 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     plan.height = spec.room == "loft" ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
     plan.beams = plan.style.beams || wish_for(spec, "beams");
     plan.accent = spec.room != "hallway" && dice.chance(0.6f);
+
+    // Children and cheerful people paint a wall in a color they love.
+    if (spec.room == "kids" || spec.mood == "colorful") {
+        plan.accent = true;
+        plan.style.accent_wall = plan.style.wall;
+        plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
+    }
 
     // Wet rooms have tiles where others have boards.
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
@@ -146,12 +167,12 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
             const bool one = wish.words == "wall" || wish.words == "accent wall";
             const bool accent = one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
             if (!accent && wish.material.empty()) plan.accent = false;
-            apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish);
+            apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish, true);
             if (accent || wish.material == "brick") plan.accent = true;
             if (!accent && !wish.material.empty()) plan.style.accent_wall = plan.style.wall;
         }
-        if (wish.klass == "floor") apply_wish(plan.style.floor, wish);
-        if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish);
+        if (wish.klass == "floor") apply_floor_wish(plan.style.floor, wish);
+        if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish, true);
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }

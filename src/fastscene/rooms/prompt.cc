@@ -18,6 +18,9 @@ std::size_t first_bad_byte(std::string_view text) {
         const auto c = static_cast<unsigned char>(text[i]);
         const std::size_t length = c < 0x80 ? 1 : c >= 0xc2 && c < 0xe0 ? 2 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xf0 && c < 0xf5 ? 4 : 0;
         if (length == 0 || i + length > text.size()) return i;
+        // Overlong forms, surrogates and what lies beyond U+10FFFF are no UTF-8 either (RFC 3629).
+        const unsigned char second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0x80;
+        if ((c == 0xe0 && second < 0xa0) || (c == 0xed && second > 0x9f) || (c == 0xf0 && second < 0x90) || (c == 0xf4 && second > 0x8f)) return i;
         for (std::size_t k = 1; k < length; ++k)
             if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return i;
         i += length;
@@ -122,6 +125,17 @@ std::optional<std::size_t> noun_after(const std::vector<Match>& matches, std::si
     return {};
 }
 
+// "A table" is the table one expects in that room.
+void name_tables(std::vector<Match>& matches) {
+    std::string room, meaning;
+    for (const Match& m : matches)
+        if (m.word && m.word->kind == WordKind::room && room.empty()) room = m.word->meaning;
+    if (room == "dining" || room == "kitchen") meaning = "dining_table";
+    if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
+    for (Match& m : matches)
+        if (!meaning.empty() && m.word && (m.words == "table" || m.words == "tables")) m.word = Word{WordKind::object, meaning, true};
+}
+
 std::string described(const PromptObject& object) {
     std::string text = object.klass;
     for (const auto& [name, value] : {std::pair{"color", &object.color}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}})
@@ -137,7 +151,8 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
     check_prompt(text);
     PromptSpec spec;
     spec.text = text;
-    const std::vector<Match> matches = match(tokens_of(text), spec);
+    std::vector<Match> matches = match(tokens_of(text), spec);
+    name_tables(matches);
 
     // Nouns first, so that the adjectives find them.
     std::vector<int> object_at(matches.size(), -1);
@@ -151,13 +166,19 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
         if (word.kind == WordKind::negation) negated = true;
         if (word.kind == WordKind::stop && (matches[i].words == "with" || matches[i].words == "but")) negated = false;
         if (!takes_adjectives(word.kind)) continue;
+        // "the desk" is the desk that the prompt speaks of elsewhere, not a second one.
+        const bool definite = i > 0 && matches[i - 1].words == "the";
+        for (std::size_t k = 0; k < i && word.kind == WordKind::object; ++k)
+            if (object_at[k] >= 0 && spec.objects[static_cast<std::size_t>(object_at[k])].klass == word.meaning && (definite || (k > 0 && matches[k - 1].words == "the")) && !negated)
+                object_at[i] = object_at[k];
+        if (object_at[i] >= 0) continue;
         object_at[i] = static_cast<int>(spec.objects.size());
         PromptObject object;
         object.klass = word.meaning;
         object.words = matches[i].words;
         object.forbidden = negated;
         // A bare plural means more than one ("plants", "chairs").
-        if (word.kind == WordKind::object && matches[i].words.ends_with("s") && !word.meaning.ends_with("s") && word.meaning != "kitchen_counter" &&
+        if ((word.kind == WordKind::object || word.meaning == "window") && matches[i].words.ends_with("s") && !word.meaning.ends_with("s") && word.meaning != "kitchen_counter" &&
             word.meaning != "curtain" && word.meaning != "towel_rail" && word.meaning != "toy_box" && !matches[i].words.ends_with("drawers") && !matches[i].words.ends_with("shelves"))
             object.count = 2;
         spec.objects.push_back(object);
@@ -230,7 +251,7 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
                 if (word.meaning == "spacious" || !bind(&PromptObject::size, "size")) spec.size = word.meaning == "small" ? "small" : "large", remember(i, "size of the room: " + spec.size);
                 break;
             case WordKind::count:
-                if (object && noun && matches[*noun].word->kind == WordKind::object) {
+                if (object && noun && (matches[*noun].word->kind == WordKind::object || object->klass == "window")) {
                     const int count = std::stoi(word.meaning);
                     if (count > 1) object->count = count, remember(i, "count " + word.meaning + " of " + object->klass);
                     else if (matches[i].words != "the") object->count = 1;
@@ -259,7 +280,7 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
         }
     }
     for (std::size_t i = 0; i < matches.size(); ++i)
-        if (object_at[i] >= 0) {
+        if (object_at[i] >= 0 && std::find(object_at.begin(), object_at.begin() + static_cast<std::ptrdiff_t>(i), object_at[i]) == object_at.begin() + static_cast<std::ptrdiff_t>(i)) {
             const PromptObject& object = spec.objects[static_cast<std::size_t>(object_at[i])];
             remember(i, (object.forbidden ? "without: " : "object: ") + described(object));
         }

@@ -90,13 +90,13 @@ void build_skirting(const Plan& plan, int index, Room& room, int trim) {
     float u = 0;
     for (const Opening& o : plan.openings)
         if (o.wall == index && o.kind == Opening::Kind::door) {
-            wall.box(u, o.u0 - 0.08f, 0, 0.09f, 0, 0.014f, trim);
+            wall.box(u, o.u0 - 0.08f, 0, 0.09f, 0, 0.02f, trim);
             u = o.u1 + 0.08f;
         }
-    wall.box(u, face.length, 0, 0.09f, 0, 0.014f, trim);
+    wall.box(u, face.length, 0, 0.09f, 0, 0.02f, trim);
     if (plan.style.mouldings == Mouldings::none) return;
-    wall.box(0, face.length, plan.height - 0.09f, plan.height, 0, 0.05f, trim);
-    wall.box(0, face.length, plan.height - 0.05f, plan.height, 0.05f, 0.09f, trim);
+    // One plain profile: finer ones are thinner than the light is sampled.
+    wall.box(0, face.length, plan.height - 0.1f, plan.height, 0, 0.06f, trim);
     if (plan.style.mouldings != Mouldings::rich) return;
     // A dado rail, interrupted by openings.
     u = 0;
@@ -105,10 +105,10 @@ void build_skirting(const Plan& plan, int index, Room& room, int trim) {
         if (o.wall == index && o.y0 < 1.f) breaks.push_back(o);
     std::sort(breaks.begin(), breaks.end(), [](const Opening& a, const Opening& b) { return a.u0 < b.u0; });
     for (const Opening& o : breaks) {
-        wall.box(u, o.u0 - 0.08f, 0.92f, 0.97f, 0, 0.022f, trim);
+        wall.box(u, o.u0 - 0.08f, 0.92f, 0.98f, 0, 0.025f, trim);
         u = o.u1 + 0.08f;
     }
-    wall.box(u, face.length, 0.92f, 0.97f, 0, 0.022f, trim);
+    wall.box(u, face.length, 0.92f, 0.98f, 0, 0.025f, trim);
 }
 
 int add_object(Room& room, const char* klass, const Opening& o, const WallFace& face, float depth) {
@@ -147,9 +147,9 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     // The sill, and a casing on the wall where the style has mouldings.
     wall.box(o.u0 - 0.05f, o.u1 + 0.05f, o.y0 - 0.03f, o.y0, -0.12f, 0.04f, frame, object);
     if (plan.style.mouldings != Mouldings::none) {
-        wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.018f, frame, object);
-        wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.018f, frame, object);
-        wall.box(o.u0 - 0.08f, o.u1 + 0.08f, o.y1, o.y1 + 0.08f, 0, 0.018f, frame, object);
+        wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.025f, frame, object);
+        wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);
+        wall.box(o.u0 - 0.08f, o.u1 + 0.08f, o.y1, o.y1 + 0.08f, 0, 0.025f, frame, object);
     }
     // The light comes in through the outer face of the wall; u x v points into the room.
     const Vec3f corner = face.point(o.u0, o.y0) - face.inward * kWallThickness;
@@ -166,10 +166,10 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
     wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
     // Two panels stand proud of the leaf.
     const float inset = 0.13f, middle = 0.95f;
-    wall.box(o.u0 + inset, o.u1 - inset, 0.2f, middle - 0.06f, 0.02f, 0.029f, door, object);
-    wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.029f, door, object);
-    for (const auto& [u0, u1] : {std::pair{o.u0 - 0.08f, o.u0}, std::pair{o.u1, o.u1 + 0.08f}}) wall.box(u0, u1, 0, o.y1 + 0.08f, 0, 0.032f, trim, object);
-    wall.box(o.u0, o.u1, o.y1, o.y1 + 0.08f, 0, 0.032f, trim, object);
+    wall.box(o.u0 + inset, o.u1 - inset, 0.2f, middle - 0.06f, 0.02f, 0.04f, door, object);
+    wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.04f, door, object);
+    for (const auto& [u0, u1] : {std::pair{o.u0 - 0.08f, o.u0}, std::pair{o.u1, o.u1 + 0.08f}}) wall.box(u0, u1, 0, o.y1 + 0.08f, 0, 0.045f, trim, object);
+    wall.box(o.u0, o.u1, o.y1, o.y1 + 0.08f, 0, 0.045f, trim, object);
     const float handle = o.u0 < face.length / 2 ? o.u1 - 0.07f : o.u0 + 0.07f, reach = o.u0 < face.length / 2 ? -0.12f : 0.12f;
     wall.box(handle - 0.012f, handle + 0.012f, 0.99f, 1.05f, 0.02f, 0.028f, metal, object);
     wall.box(handle - 0.008f, handle + 0.008f, 1.012f, 1.03f, 0.028f, 0.065f, metal, object);

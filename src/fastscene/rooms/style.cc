@@ -95,26 +95,26 @@ std::vector<Style> make_styles() {
     const Material white_trim = make("white trim", Pattern::plain, named("white"), named("white"), 0.1f, 0.4f);
     std::vector<Style> all;
     // name, floor, wall, accent, ceiling, trim, wood, wood2, metal, fabric, fabric2, leather, curtain, rug, palette, …
-    all.push_back({"modern", boards(Pattern::planks, "oak", 0.16f), paint("white"), paint("slate"), white_ceiling, white_trim, timber("walnut"), timber("oak"), black_metal(),
+    all.push_back({"modern", boards(Pattern::planks, "oak", 0.125f), paint("white"), paint("slate"), white_ceiling, white_trim, timber("walnut"), timber("oak"), black_metal(),
                    cloth("gray"), cloth("charcoal"), hide("black"), veil("white", 0.45f), carpet_of(Pattern::carpet, "ash", "silver", "white"),
                    palette_of({"teal", "mustard", "charcoal", "white", "slate", "rust"}), LampFamily::dome, LegType::metal_frame, SofaType::block, Mouldings::none, 1, 1, 0.4f, 0.4f, 2.75f, false, {10.f, 7.8f, 5.4f}});
-    all.push_back({"scandinavian", boards(Pattern::planks, "birch", 0.14f), paint("white"), paint("duck egg"), white_ceiling, white_trim, timber("birch"), timber("oak"), black_metal(),
+    all.push_back({"scandinavian", boards(Pattern::planks, "birch", 0.115f), paint("white"), paint("duck egg"), white_ceiling, white_trim, timber("birch"), timber("oak"), black_metal(),
                    cloth("silver"), cloth("cream"), hide("camel"), veil("linen", 0.5f), carpet_of(Pattern::rug, "cream", "charcoal", "silver"),
                    palette_of({"sage", "dusty pink", "mustard", "charcoal", "cream", "sky"}), LampFamily::drum, LegType::tapered, SofaType::slim, Mouldings::plain, 2, 2, 0.7f, 0.55f, 2.6f, false, {9.f, 6.8f, 4.4f}});
-    all.push_back({"japandi", boards(Pattern::planks, "natural", 0.2f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
+    all.push_back({"japandi", boards(Pattern::planks, "natural", 0.15f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
                    cloth("oatmeal"), cloth("stone"), hide("taupe"), veil("linen", 0.5f), carpet_of(Pattern::carpet, "oatmeal", "sand", "taupe"),
                    palette_of({"clay", "sage", "charcoal", "oatmeal", "taupe", "olive"}), LampFamily::paper, LegType::tapered, SofaType::slim, Mouldings::none, 1, 3, 0.5f, 0.25f, 2.5f, false, {9.f, 7.f, 4.8f}});
     all.push_back({"industrial", make("concrete floor", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.5f, 0.0006f), paint("ash"),
-                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.215f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, named("ash"), named("gray"), 0.6f, 0.8f, 0.0006f), black_metal(),
+                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, named("ash"), named("gray"), 0.6f, 0.8f, 0.0006f), black_metal(),
                    timber("teak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
                    palette_of({"rust", "charcoal", "mustard", "denim", "umber", "stone"}), LampFamily::cage, LegType::metal_frame, SofaType::block, Mouldings::none, 3, 4, 0.4f, 0.6f, 3.2f, true, {11.f, 7.2f, 3.8f}});
     all.push_back({"classic", boards(Pattern::herringbone, "oak", 0.09f), paint("ivory"), make("damask wallpaper", Pattern::damask, named("sage"), named("eucalyptus"), 0.45f, 0.7f), white_ceiling, white_trim,
                    timber("mahogany", 0.3f), timber("cherry", 0.3f), brass(), cloth("champagne"), cloth("burgundy"), hide("oxblood"), veil("wine", 0.12f), carpet_of(Pattern::rug, "burgundy", "navy", "champagne"),
                    palette_of({"burgundy", "gold", "navy", "ivory", "forest", "rose"}), LampFamily::candelabra, LegType::turned, SofaType::rolled, Mouldings::rich, 2, 4, 0.4f, 0.6f, 3.1f, false, {9.f, 6.2f, 3.6f}});
-    all.push_back({"boho", boards(Pattern::planks, "pine", 0.13f), paint("cream"), paint("terracotta"), white_ceiling, white_trim, timber("teak"), timber("pine"), brass(), cloth("oatmeal"), cloth("terracotta"), hide("caramel"),
+    all.push_back({"boho", boards(Pattern::planks, "pine", 0.11f), paint("cream"), paint("terracotta"), white_ceiling, white_trim, timber("teak"), timber("pine"), brass(), cloth("oatmeal"), cloth("terracotta"), hide("caramel"),
                    veil("cream", 0.5f), carpet_of(Pattern::rug, "terracotta", "cream", "teal"), palette_of({"terracotta", "mustard", "teal", "dusty pink", "olive", "plum"}), LampFamily::paper, LegType::splayed, SofaType::slim, Mouldings::none,
                    2, 2, 1.f, 0.9f, 2.7f, false, {10.f, 6.8f, 3.8f}});
-    all.push_back({"rustic", boards(Pattern::planks, "teak", 0.19f), paint("cream"), make("rough planks", Pattern::planks, named("umber"), named("chocolate"), 0.18f, 0.75f, 0.003f), paint("ivory"), timber("teak", 0.65f), timber("pine", 0.6f), timber("teak", 0.65f), black_metal(),
+    all.push_back({"rustic", boards(Pattern::planks, "teak", 0.145f), paint("cream"), make("rough planks", Pattern::planks, named("umber"), named("chocolate"), 0.18f, 0.75f, 0.003f), paint("ivory"), timber("teak", 0.65f), timber("pine", 0.6f), timber("teak", 0.65f), black_metal(),
                    cloth("linen"), cloth("brick"), hide("brown"), veil("linen", 0.35f), carpet_of(Pattern::rug, "brick", "cream", "olive"), palette_of({"brick", "olive", "mustard", "cream", "denim", "umber"}), LampFamily::drum, LegType::square, SofaType::rolled,
                    Mouldings::plain, 2, 3, 0.6f, 0.7f, 2.6f, true, {9.f, 6.f, 3.4f}});
     all.push_back({"mid-century", boards(Pattern::parquet, "teak", 0.06f), paint("off white"), paint("petrol"), white_ceiling, timber("walnut"), timber("walnut", 0.35f), timber("teak", 0.35f), brass(), cloth("mustard"), cloth("teal"), hide("cognac"),
@@ -197,8 +197,12 @@ std::optional<Material> material_named(std::string_view name) {
     if (n == "terrazzo") return make("terrazzo", Pattern::terrazzo, named("ivory"), named("terracotta"), 0.03f, 0.3f);
     if (n == "granite" || n == "stone" || n == "slate") return make(n, Pattern::concrete, named(n == "slate" ? "slate" : "stone"), named("gray"), 0.3f, 0.4f);
     if (n == "concrete" || n == "cement") return make("concrete", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.7f, 0.0006f);
-    if (n == "brick" || n == "bricks") return make("brick", Pattern::brick, named("brick"), named("stone"), 0.215f, 0.85f, 0.006f);
+    if (n == "brick" || n == "bricks") return make("brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f);
     if (n == "tile" || n == "tiles" || n == "tiled" || n == "ceramic" || n == "porcelain") return make("tiles", Pattern::tile, named("white"), named("silver"), 0.2f, 0.2f, 0.002f);
+    if (n == "carpet") return carpet_of(Pattern::carpet, "ash", "silver", "white");
+    if (n == "planks") return boards(Pattern::planks, "oak", 0.12f);
+    if (n == "parquet") return boards(Pattern::herringbone, "oak", 0.08f);
+    if (n == "plaster") return paint("off white");
     if (n == "brass" || n == "gold" || n == "golden") return brass();
     if (n == "copper") return alloy("copper", {0.75f, 0.4f, 0.26f}, 0.28f);
     if (n == "chrome" || n == "steel" || n == "stainless steel" || n == "silver" || n == "aluminium") return chrome();
