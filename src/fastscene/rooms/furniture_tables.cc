@@ -71,11 +71,11 @@ void desk(Kit& k) {
     for (Mesh* m : {&lid, &face}) shapes::move(shapes::turn(*m, {1, 0, 0}, -16), {0, s.y + 0.122f, -0.09f});
     k.add(lid, alu);
     k.add(face, screen);
-    put_small(k, "table_lamp", {-0.5f * s.x + 0.22f, s.y, -0.12f});
     put_small(k, "book_stack", {0.5f * s.x - 0.25f, s.y, -0.08f}, 12);
     const std::array<Vec2f, 2> cup{Vec2f{0.036f, 0}, {0.04f, 0.09f}};
     k.add(shapes::vessel(cup, 0.004f, 18), k.material(plain("mug", k.accent(), 0.3f)), {0.3f, s.y, 0.14f});
-    k.top(s.y, -0.32f, 0.16f, 0.1f, 0.08f);
+    // Room for a lamp at the left.
+    k.top(s.y, -0.5f * s.x + 0.25f, -0.04f, 0.2f, 0.22f);
     k.piece.clearance_front_m = 0.8f;
     k.piece.against_wall = true;
 }

@@ -159,6 +159,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                 p.position = face.point(u, 0) + face.inward * (size.z / 2 + kWallGap);
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, clearance)) continue;
+                if (p.piece.mount == Mount::wall && !wall_is_free(w, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y)) continue;
                 if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
                         return o.wall == w && o.kind == Opening::Kind::window && u + size.x / 2 > o.u0 && u - size.x / 2 < o.u1;
                     }))

@@ -218,7 +218,7 @@ class Furnisher {
         if (!desk) return {};
         before(*desk, wishes_.has("chair") && !wishes_.has("office_chair") ? "chair" : "office_chair", 1, -0.2f, true) ||
             before(*desk, "chair", 1, 0.05f, true);
-        top(*desk, "table_lamp", 0.5f);
+        top(*desk, "table_lamp", 0.85f);
         return desk;
     }
     void seating_group() {

@@ -131,6 +131,24 @@ TEST(Layout, PicturesHangAtEyeHeight) {
     }
 }
 
+TEST(Layout, NothingHangsBeforeAWindow) {
+    for (const std::string& room : room_types())
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Furnished f = furnished("a " + room_title(room) + " with a mirror and two pictures", seed);
+            for (const Placed& p : f.placed) {
+                if (p.piece.klass != "mirror" && p.piece.klass != "picture") continue;
+                const Footprint box = footprint_of(p);
+                for (const Opening& o : f.plan.openings) {
+                    const WallFace face = f.plan.wall(o.wall);
+                    const Vec3f at = p.position - face.origin;
+                    const float u = dot(at, face.along);
+                    if (std::abs(dot(at, face.inward)) > 0.1f || p.on >= 0) continue;
+                    EXPECT_FALSE(u + box.half.x > o.u0 && u - box.half.x < o.u1 && box.y0 < o.y1 && box.y1 > o.y0) << room << ", seed " << seed << ": " << p.piece.klass;
+                }
+            }
+        }
+}
+
 TEST(Layout, CurtainsHangBeforeTheirWindow) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const Furnished f = furnished("a bedroom with red curtains", seed);
