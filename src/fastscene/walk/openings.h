@@ -19,7 +19,7 @@ struct Openings {
 Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSize grid, float metres_per_pixel);
 
 // The outside is so far away that its color depends on the direction alone. What panorama 0 saw of it, gone on behind
-// walls, frames and curtains; empty when it saw none. `cuts`: range_edges.
+// walls, frames and curtains; empty when it saw none.
 ImageColor outside_picture(const ImageColor& color, const ImageF& range);
 
 }  // namespace fastscene

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/image/color.h"
@@ -11,6 +12,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/scene/synthetic.h"
 #include "fastscene/walk/coarse_view.h"
+#include "fastscene/walk/openings.h"
 
 namespace fastscene {
 namespace {
@@ -193,6 +195,89 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
         }
         EXPECT_GE(good, all * 95 / 100) << all;
     }
+}
+
+// A box room whose far wall (0.25 m thick, with a bar across) has a window; outside, the color is the direction's.
+struct Seen {
+    Vec3f color;
+    float range;
+};
+Vec3f outside_color(Vec3f d) { return d.y < 0 ? Vec3f{0.5f, 0.6f, 0.9f} : Vec3f{0.2f, 0.7f, 0.2f}; }
+Seen look_at_window_room(Vec3f from, Vec3f d) {
+    const float inf = std::numeric_limits<float>::infinity();
+    const auto reach = [&](float p, float v, float low, float high) { return v > 0 ? (high - p) / v : v < 0 ? (low - p) / v : inf; };
+    const float tx = reach(from.x, d.x, -2, 2), ty = reach(from.y, d.y, -1.2f, 1.4f), tz = reach(from.z, d.z, -2, 2);
+    const float t = std::min({tx, ty, tz});
+    const Vec3f wall{0.7f, 0.4f, 0.3f}, p = from + d * t;
+    if (t < tz || d.z < 0) return {t == ty ? Vec3f{0.5f, 0.4f, 0.3f} : wall, t};
+    if (std::fabs(p.x) > 1 || std::fabs(p.y) > 0.7f) return {wall, t};
+    const float through = reach(from.z, d.z, -2, 2.25f), rx = reach(from.x, d.x, -1, 1), ry = reach(from.y, d.y, -0.7f, 0.7f);
+    if (std::min(rx, ry) < through) return {wall, std::min(rx, ry)};
+    if (std::fabs(from.x + d.x * through) < 0.03f) return {Vec3f{0.9f, 0.9f, 0.9f}, through};
+    return {outside_color(d), inf};
+}
+Panorama panorama_of_window_room(Vec3f from) {
+    Panorama out{ImageColor(kSize.width, kSize.height), ImageF(kSize.width, kSize.height), {}, {{}, from}};
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+            const Seen seen = look_at_window_room(from, direction_of_pixel(x, y, kSize));
+            out.color.at(x, y) = seen.color;
+            out.range.at(x, y) = seen.range;
+        }
+    return out;
+}
+
+TEST(Walk, ThroughAWindowHolesAreTheOutside) {
+    WalkParams params;
+    params.viewpoints = 8;
+    int holes = 0, right = 0, sky = 0;
+    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {})) {
+        const Panorama truth = panorama_of_window_room(panorama.world_from_pano.translation);
+        const ImageMask edges = near_edges(truth.range, 2);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (edges.pixels[i] || panorama.known.pixels[i] == Known::original) continue;
+            ++holes;
+            const bool outside = std::isinf(truth.range.pixels[i]);
+            sky += outside;
+            right += outside == std::isinf(panorama.range.pixels[i]) && length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.05f;
+        }
+    }
+    std::printf("%d holes, %d of them sky, %d right\n", holes, sky, right);
+    EXPECT_GT(sky, 1000);
+    EXPECT_GE(right, holes * 9 / 10);
+}
+
+TEST(CoarseView, AFoldStaysClosedButADeepJumpOpens) {
+    for (const float depth : {0.1f, 1.f}) {   // a wall in two halves, the right one `depth` behind
+        Panorama first{ImageColor(kSize.width, kSize.height, Vec3f{0.5f, 0.5f, 0.5f}), ImageF(kSize.width, kSize.height), {}, {}};
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) {
+                const Vec3f d = direction_of_pixel(x, y, kSize);
+                first.range.at(x, y) = d.z > 0.3f ? (d.x < 0 ? 2.f : 2.f + depth) / d.z : 5.f;
+            }
+        const CoarseView view = coarse_view({source_of(first)}, kSize, {0.6f, 0, 0});
+        int holes = 0;
+        for (int x = kSize.width * 3 / 8; x < kSize.width / 2; ++x) holes += view.cover.at(x, kSize.height / 2) == Cover::hole;
+        if (depth < 0.2f) EXPECT_EQ(holes, 0);
+        else EXPECT_GT(holes, 3);
+    }
+}
+
+TEST(Outside, GoesOnAlongTheRows) {
+    ImageColor color(64, 32);
+    ImageF range(64, 32, 2.f);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) color.at(x, y) = {static_cast<float>(y), 0, x < 20 || x > 44 ? 9.f : 1.f};
+    EXPECT_TRUE(outside_picture(color, range).empty());
+    for (int y = 8; y < 24; ++y)
+        for (int x = 20; x <= 44; ++x) range.at(x, y) = std::numeric_limits<float>::infinity();
+    const ImageColor out = outside_picture(color, range);
+    for (int y = 10; y < 22; ++y)
+        for (int x = 0; x < 64; ++x) {
+            EXPECT_FLOAT_EQ(out.at(x, y).x, static_cast<float>(y));   // layers stay layers
+            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                     // nothing of the wall
+        }
+    EXPECT_FLOAT_EQ(out.at(0, 0).z, 1.f);
 }
 
 TEST(Walk, SameBytesForAnyNumberOfThreads) {
