@@ -35,7 +35,7 @@ std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) 
     for (std::size_t i = 1; i < inputs.world_from_pano.size(); ++i) {
         run.check_stop();
         const Run quiet{run.seed + i, nullptr, run.stop};
-        const Shot shot = inputs.room->panorama(inputs.world_from_pano[i], inputs.first.size(), {.color = true, .range = true}, quiet);
+        const Shot shot = inputs.room->panorama(inputs.world_from_pano[i], inputs.first.size(), inputs.shot, quiet);
         panoramas.push_back({linear_from_srgb8(srgb8_from_linear(shot.color)), shot.range, {}, inputs.world_from_pano[i]});
         progress.advance();
     }

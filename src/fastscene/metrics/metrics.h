@@ -63,6 +63,7 @@ struct TruthInputs {
     Splats splats;
     ViewsParams views;                    // for the bounds: the same cutting …
     SplatParams splat;                    // … and the same trainer
+    ShotParts shot;                       // how panorama 0 was shot: true panoramas are shot alike
     std::string key;                      // names these inputs: bounds trained before under the same key are used again
 };
 // Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,

@@ -38,6 +38,8 @@ struct RoomPanorama {
 };
 // The room alone, its light gathered: deterministic, so that metrics can make the same room again.
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run);
+// How its panoramas are shot; true panoramas for comparison are shot alike.
+ShotParts panorama_parts(const TraceParams& trace);
 RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run);
 
 // Backend "image". Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.

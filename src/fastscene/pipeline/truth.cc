@@ -44,6 +44,7 @@ Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params
     inputs.splats = load_splat_ply(folder.scene_ply());
     inputs.views = request.params.views;
     inputs.splat = request.params.splat;
+    inputs.shot = panorama_parts(panorama.trace);
     inputs.key = stage_key("metrics", json_of_params(request.params), {walk->result}, recorded.seed);
     const Json truth = measure_truth(inputs, params, folder.metrics(), run);
 

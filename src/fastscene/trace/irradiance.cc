@@ -120,7 +120,8 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
                 ++kept;
             }
         }
-        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole});
+        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole,
+                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission});
         i = end;
     }
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
@@ -208,17 +209,40 @@ Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, bool with_sun) const {
     return with_sun ? cell.direct + cell.indirect + cell.sun : cell.direct + cell.indirect;
 }
 
-// Cells that the sun reaches, and the running sum of what they send back (luminance times area).
-std::vector<float> IrradianceCache::sunlit_cells(std::vector<std::uint32_t>& cells) const {
-    std::vector<float> power;
-    float sum = 0;
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-        const float p = luminance(cells_[c].sun * cells_[c].albedo) * cells_[c].area;
-        if (!(p > 0)) continue;
-        power.push_back(sum += p);
-        cells.push_back(static_cast<std::uint32_t>(c));
+// Cells that the sun reaches; curtains shine on both sides.
+std::vector<IrradianceCache::SunPatch> IrradianceCache::sun_patches() const {
+    std::vector<SunPatch> patches;
+    for (const Cell& cell : cells_) {
+        const Vec3f back = cell.sun * cell.albedo;
+        if (!(luminance(back) * cell.area > 0)) continue;
+        const float lift = 0.02f * cell_m_;
+        patches.push_back({cell.center + cell.normal * lift, cell.normal, back * (1.f - cell.transmission), cell.area});
+        if (cell.transmission > 0) patches.push_back({cell.center - cell.normal * lift, -cell.normal, back * cell.transmission, cell.area});
     }
-    return power;
+    return patches;
+}
+
+// For each patch, the share of some places in the room that see it: the outer side of a curtain is bright and lights nothing.
+std::vector<float> IrradianceCache::usefulness(const std::vector<SunPatch>& patches, const SceneBvh& bvh, std::uint64_t seed) const {
+    constexpr int kPlaces = 24;
+    std::vector<float> useful(patches.size());
+    parallel_for(static_cast<std::int64_t>(patches.size()), 256, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const SunPatch& patch = patches[static_cast<std::size_t>(i)];
+            Random random(seed, "usefulness", static_cast<std::uint64_t>(i));
+            float seen = 0;
+            for (int k = 0; k < kPlaces; ++k) {
+                const Cell& place = cells_[static_cast<std::size_t>(random.index(static_cast<int>(cells_.size())))];
+                const Vec3f from = place.center + place.normal * (0.05f * cell_m_), to = patch.position - from;
+                const float far = length(to);
+                if (!(dot(to, patch.normal) < 0 && dot(to, place.normal) > 0)) continue;
+                seen += bvh.blocked(from, to / far, 0.f, far - 0.3f * cell_m_) ? 0.f : 1.f;
+            }
+            // Never quite zero: a few places may see it that were not asked.
+            useful[static_cast<std::size_t>(i)] = 0.02f + seen / kPlaces;
+        }
+    });
+    return useful;
 }
 
 Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
@@ -323,9 +347,12 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
             cache.cells_[c].sun = sun / static_cast<float>(kSunSamples);
         }
     });
-    std::vector<std::uint32_t> sunlit;
-    const std::vector<float> sunlit_power = cache.sunlit_cells(sunlit);
-
+    const std::vector<SunPatch> patches = cache.sun_patches();
+    const std::vector<float> useful = cache.usefulness(patches, bvh, run.seed);
+    std::vector<float> cumulative;
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        cumulative.push_back((i ? cumulative.back() : 0.f) + luminance(patches[i].leaving) * patches[i].area * useful[i]);
+    const bool sunny = !cumulative.empty() && cumulative.back() > 0;
     // A sunlit cell close by is asked too rarely and answers too loudly: within eight cells gathering finds it instead.
     const float near_sun = 8 * params.cell_m;
 
@@ -345,21 +372,19 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                 const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
                 const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(direct_samples);
                 direct += lights.sample(room, bvh, choice, at.position, at.normal, which, uv, random);
-                if (sunlit.empty()) continue;
-                // One sunlit cell, by its power.
-                const float wanted = which * sunlit_power.back();
-                const auto found = static_cast<std::size_t>(std::upper_bound(sunlit_power.begin(), sunlit_power.end(), wanted) - sunlit_power.begin());
-                const Cell& lamp = cache.cells_[sunlit[std::min(found, sunlit.size() - 1)]];
-                const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = lamp.center + lamp.normal * (0.02f * cache.cell_m_) - from;
+                if (!sunny) continue;
+                // One sunlit patch, by its power and usefulness.
+                const auto found = static_cast<std::size_t>(std::upper_bound(cumulative.begin(), cumulative.end(), which * cumulative.back()) - cumulative.begin());
+                const std::size_t picked = std::min(found, patches.size() - 1);
+                const SunPatch& patch = patches[picked];
+                const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
                 const float d2 = dot(to, to), far = std::sqrt(d2);
                 if (!(far > near_sun)) continue;
                 const Vec3f direction = to / far;
-                const float here = dot(at.normal, direction), there = -dot(lamp.normal, direction);
-                if (!(here > 0 && there > 0)) continue;
-                const float geometry = here * there / d2;
-                if (bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) continue;
-                const Vec3f leaving = lamp.sun * lamp.albedo;
-                direct += leaving * (geometry / kPi * sunlit_power.back() / luminance(leaving));
+                const float here = dot(at.normal, direction), there = -dot(patch.normal, direction);
+                if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) continue;
+                const float chance = luminance(patch.leaving) * patch.area * useful[picked] / cumulative.back();
+                direct += patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
             }
             cell.direct = direct / static_cast<float>(direct_samples);
         }
@@ -403,9 +428,10 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                     Vec3f normal = shading_normal(mesh, hit);
                     if (hit.back) normal = -normal;
                     const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
-                    // The sun's bounce has been asked directly, unless it is close by; its way through curtains has not.
-                    Vec3f arriving = cache.near(p, normal, hit.distance <= near_sun) * (1.f - m.transmission);
-                    if (m.transmission > 0) arriving += cache.near(p, -normal, true) * m.transmission;
+                    // The sun's first bounce has been asked directly, unless it is close by.
+                    const bool with_sun = hit.distance <= near_sun;
+                    Vec3f arriving = cache.near(p, normal, with_sun) * (1.f - m.transmission);
+                    if (m.transmission > 0) arriving += cache.near(p, -normal, with_sun) * m.transmission;
                     sum += albedo[static_cast<std::size_t>(mesh.material)] * arriving;
                     if (lights.is_large(hit.mesh)) sum += m.emission * kPi;
                 }

@@ -32,6 +32,13 @@ class IrradianceCache {
         Vec3f direct, indirect, sun, normal, center;
         Vec3f albedo;       // mean of what lies here
         float area = 0;     // of the surface in the cell
+        float transmission = 0;
+    };
+    // A bit of surface that the sun lights, as a lamp for the rest of the room.
+    struct SunPatch {
+        Vec3f position, normal;
+        Vec3f leaving;      // radiant exitance
+        float area;
     };
     struct Sample {
         Vec3f position, normal;
@@ -39,9 +46,10 @@ class IrradianceCache {
     int find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const;
     int nearest(Vec3f position, Vec3f normal) const;
     void build(const Room& room, const std::vector<Vec3f>& albedo);
+    std::vector<SunPatch> sun_patches() const;
+    std::vector<float> usefulness(const std::vector<SunPatch>& patches, const SceneBvh& bvh, std::uint64_t seed) const;
     void drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed);
     void index();
-    std::vector<float> sunlit_cells(std::vector<std::uint32_t>& cells) const;
     void smooth(bool indirect, int radius, float tolerance);
 
     float cell_m_ = 0.03f;

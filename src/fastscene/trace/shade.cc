@@ -79,7 +79,7 @@ Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float p
     if (!(dot(mirrored, s.normal) > 0.01f)) mirrored = direction - s.normal * (2 * dot(direction, s.normal));
     Vec3f seen = mirrored_radiance(scene, s.position + s.normal * 1e-3f, normalize(mirrored), pixel_angle + 0.3f * alpha, 3, random);
     // A single bright thing met by chance would sparkle: it is held to a few times the light around.
-    const float limit = 12.f * (luminance(front) / kPi + 0.05f), bright = luminance(seen);
+    const float limit = 6.f * (luminance(front) / kPi + 0.05f), bright = luminance(seen);
     if (alpha > 1e-3f && bright > limit) seen = seen * (limit / bright);
     out.radiance = out.radiance * (1.f - max_component(fresnel)) + fresnel * seen;
     if (m.mirror > 0.5f) out.radiance = fresnel * seen;
