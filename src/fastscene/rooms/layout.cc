@@ -322,6 +322,8 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     for (const Surface& s : a.piece.surfaces) {
         const float slack_x = s.half.x - p.piece.size_m.x / 2 - 0.01f, slack_z = s.half.y - p.piece.size_m.z / 2 - 0.005f;
         if (slack_x < 0 || slack_z < 0) continue;
+        // Out of reach only vases and baskets are kept.
+        if (s.center.y > 1.5f && p.piece.klass != "vase" && p.piece.klass != "basket") continue;
         for (int tries = 0; tries < 14; ++tries) {
             // Televisions and the like stand in the middle, small things anywhere.
             const bool middle = p.piece.size_m.x > 0.55f && tries == 0;
@@ -342,7 +344,9 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
     for (std::size_t k = 0; k < placed_.size(); ++k) {
         const int i = static_cast<int>((static_cast<std::size_t>(first) + k) % placed_.size());
         const Placed& p = placed_[static_cast<std::size_t>(i)];
+        static constexpr std::array<const char*, 7> kSeats{"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair"};
         if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
+        if (request.klass != "cat" && request.klass != "cushion" && std::find(kSeats.begin(), kSeats.end(), p.piece.klass) != kSeats.end()) continue;
         if (const auto index = on_top(i, request, from)) return index;
     }
     return {};

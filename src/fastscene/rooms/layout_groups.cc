@@ -213,7 +213,7 @@ class Furnisher {
         wall("basket", 0.7f, {.corner = true});
     }
     std::optional<int> working_place(float probability) {
-        if (!wishes_.has("desk") && !chance(probability)) return {};
+        if (!wishes_.has("desk") && (l_.find("desk") || !chance(probability))) return l_.find("desk");
         const auto desk = wall("desk", 1, {.center_pull = 0.5f, .window_pull = 0.8f});
         if (!desk) return {};
         before(*desk, wishes_.has("chair") && !wishes_.has("office_chair") ? "chair" : "office_chair", 1, -0.2f, true) ||

@@ -21,8 +21,8 @@ constexpr Daylight kDaylight[] = {
     {"morning", Sky::Time::morning, 20, {8.5f, 6.6f, 4.6f}, {0.9f, 1.35f, 2.2f}, {2.7f, 2.5f, 2.2f}, {0.50f, 0.46f, 0.38f}},
     {"day", Sky::Time::day, 38, {11.f, 10.1f, 8.8f}, {1.1f, 1.8f, 3.1f}, {3.0f, 3.3f, 3.7f}, {0.75f, 0.70f, 0.58f}},
     {"evening", Sky::Time::evening, 11, {8.f, 4.7f, 2.4f}, {0.6f, 0.8f, 1.4f}, {2.6f, 1.7f, 1.0f}, {0.35f, 0.27f, 0.20f}},
-    {"dusk", Sky::Time::dusk, 4, {}, {0.10f, 0.15f, 0.36f}, {0.70f, 0.42f, 0.34f}, {0.06f, 0.05f, 0.06f}},
-    {"night", Sky::Time::night, 30, {}, {0.006f, 0.009f, 0.022f}, {0.025f, 0.028f, 0.045f}, {0.006f, 0.006f, 0.008f}},
+    {"dusk", Sky::Time::dusk, 4, {}, {0.05f, 0.08f, 0.19f}, {0.36f, 0.22f, 0.18f}, {0.03f, 0.025f, 0.03f}},
+    {"night", Sky::Time::night, 30, {}, {0.0012f, 0.0018f, 0.0045f}, {0.004f, 0.005f, 0.008f}, {0.0012f, 0.0012f, 0.0016f}},
 };
 
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the floor.
