@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Truth over ten rooms, as docs/benchmarks.md has it: five prompts of our choice, five drawn at random.
-#   bench/truth.sh [draft|standard|high] [OUT] [VIEWS] [ROOMS]
+#   bench/truth.sh [draft|standard|high] [OUT] [VIEWS] [ROOMS]      FASTSCENE=program to measure another build
 set -euo pipefail
 here=$(cd "$(dirname "$0")/.." && pwd)
+program=${FASTSCENE:-$here/fastscene}
 quality=${1:-draft} out=${2:-$here/out/truth-$quality} views=${3:-30} rooms=${4:-10}
 
 prompts=(
@@ -24,9 +25,9 @@ done
 mkdir -p "$out"
 for i in $(seq 0 $((rooms - 1))); do
   dir=$out/room-$i
-  "$here/fastscene" make "${prompts[$i]}" -o "$dir" --quality "$quality" --seed "$i" >"$dir.log" 2>&1 || { cat "$dir.log" >&2; exit 1; }
+  "$program" make "${prompts[$i]}" -o "$dir" --quality "$quality" --seed "$i" >"$dir.log" 2>&1 || { cat "$dir.log" >&2; exit 1; }
   for radius in 0.3 0.6; do
-    "$here/fastscene" metrics "$dir" --truth --views "$views" --radius "$radius" --bounds >>"$dir.log" 2>&1
+    "$program" metrics "$dir" --truth --views "$views" --radius "$radius" --bounds >>"$dir.log" 2>&1
     cp "$dir/metrics/report.json" "$out/room-$i-$radius.json"
   done
 done
