@@ -471,7 +471,11 @@ class Furnisher {
         for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
         put("shelf", 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
         wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
-        wall("floor_lamp", l_.count("floor_lamp") == 0 && !wet ? 0.5f : 0.f, {.center_pull = 0, .corner = true});
+        // After sunset a room wants light from more than its ceiling.
+        const PromptSpec& spec = l_.spec();
+        const bool dark = spec.time == "night" || spec.time == "dusk" || spec.mood == "lamps on";
+        const bool damp = room == "bathroom" || room == "kitchen" || room == "laundry";
+        wall("floor_lamp", l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f : dark ? 1.f : wet ? 0.f : 0.5f, {.center_pull = 0, .corner = true});
         static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
         const int small = static_cast<int>(std::lround(3 + 7 * clutter_));
         for (int i = 0; i < small; ++i) {

@@ -169,6 +169,17 @@ TEST(Layout, CurtainsHangBeforeTheirWindow) {
     }
 }
 
+TEST(Layout, NothingIsPutOnSeats) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+        const Furnished f = furnished("a cluttered living room with an armchair and a sofa", seed);
+        for (const Placed& p : f.placed) {
+            if (p.on < 0 || p.piece.klass == "cushion" || p.piece.klass == "cat") continue;
+            const std::string& below = f.placed[static_cast<std::size_t>(p.on)].piece.klass;
+            EXPECT_TRUE(below != "armchair" && below != "sofa" && below != "chair") << p.piece.klass << " on " << below;
+        }
+    }
+}
+
 TEST(Layout, FaultsAreFound) {
     Furnished f = furnished("a living room with a sofa", 1);
     ASSERT_FALSE(f.placed.empty());
