@@ -11,10 +11,11 @@ namespace {
 
 constexpr float kReach_m = 8.f;        // a plane's picture ends here on each side of panorama 0
 constexpr int kLongestSide = 640;
-constexpr float kMargin_m = 0.15f;     // hidden part of a furniture face that we believe in
+constexpr float kMargin_m = 0.3f;      // hidden part of a furniture face that we believe in; chosen on walked rooms with known truth
+constexpr float kWidestGap_m = 0.8f;   // hidden part between two seen ones
 
 PlanePicture blank(ScenePlane plane) {
-    PlanePicture picture{plane, 0.01f, {}, {}};
+    PlanePicture picture{plane, 0.01f, {}, {}, {}};
     Vec2f& low = picture.plane.low;
     Vec2f& high = picture.plane.high;
     low = {std::max(low.x - kMargin_m, -kReach_m), std::max(low.y - kMargin_m, -kReach_m)};
@@ -36,6 +37,42 @@ bool is_inside(const Image<std::int16_t>& label, const ImageMask& cuts, int x, i
     return true;
 }
 
+// Steps to the last nonzero pixel before each pixel of a line, in both directions; `far` where there is none.
+struct Steps {
+    std::vector<int> before, after;
+};
+template <class SeenAt>
+Steps steps_along(int n, int far, SeenAt seen_at) {
+    Steps out{std::vector<int>(static_cast<std::size_t>(n)), std::vector<int>(static_cast<std::size_t>(n))};
+    for (int i = 0, steps = far; i < n; ++i) out.before[static_cast<std::size_t>(i)] = steps = seen_at(i) ? 0 : std::min(far, steps + 1);
+    for (int i = n - 1, steps = far; i >= 0; --i) out.after[static_cast<std::size_t>(i)] = steps = seen_at(i) ? 0 : std::min(far, steps + 1);
+    return out;
+}
+
+// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and
+// between places seen that are not far apart.
+ImageMask face_of(const ImageMask& hole, float metres_per_pixel) {
+    const int margin = static_cast<int>(kMargin_m / metres_per_pixel), gap = static_cast<int>(kWidestGap_m / metres_per_pixel), far = 1 << 20;
+    ImageMask face(hole.width, hole.height), beside(hole.width, hole.height);
+    for (int y = 0; y < hole.height; ++y) {
+        const Steps steps = steps_along(hole.width, far, [&](int x) { return !hole.at(x, y); });
+        for (int x = 0; x < hole.width; ++x) {
+            const int before = steps.before[static_cast<std::size_t>(x)], after = steps.after[static_cast<std::size_t>(x)];
+            beside.at(x, y) = std::min(before, after) <= margin;
+            face.at(x, y) = before + after <= gap;
+        }
+    }
+    for (int x = 0; x < hole.width; ++x) {
+        const Steps seen = steps_along(hole.height, far, [&](int y) { return !hole.at(x, y); });
+        const Steps near = steps_along(hole.height, far, [&](int y) { return beside.at(x, y) != 0; });
+        for (int y = 0; y < hole.height; ++y) {
+            const auto i = static_cast<std::size_t>(y);
+            if (seen.before[i] + seen.after[i] <= gap || std::min(near.before[i], near.after[i]) <= margin) face.at(x, y) = 1;
+        }
+    }
+    return face;
+}
+
 }  // namespace
 
 Vec3f PlanePicture::color_at(Vec3f point) const {
@@ -44,8 +81,9 @@ Vec3f PlanePicture::color_at(Vec3f point) const {
 
 bool PlanePicture::reaches(Vec3f point) const {
     if (plane.hull) return true;
-    const float a = dot(plane.u, point), b = dot(plane.v, point);
-    return a > plane.low.x && a < plane.high.x && b > plane.low.y && b < plane.high.y;
+    const float a = (dot(plane.u, point) - plane.low.x) / metres_per_pixel, b = (dot(plane.v, point) - plane.low.y) / metres_per_pixel;
+    if (!(a >= 0 && b >= 0 && a < static_cast<float>(face.width) && b < static_cast<float>(face.height))) return false;
+    return face.at(static_cast<int>(a), static_cast<int>(b)) != 0;
 }
 
 Wall PlanePicture::wall_at(Vec3f point) const {
@@ -78,6 +116,7 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
             }
         if (!any) picture.color = {};
         else picture.color = inpainter.fill(picture.color, hole, run);
+        if (any && !picture.plane.hull) picture.face = face_of(hole, picture.metres_per_pixel);
         if (any && picture.plane.hull)
             picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
         pictures[index] = std::move(picture);

@@ -14,6 +14,7 @@ struct PlanePicture {
     float metres_per_pixel = 0.01f;
     ImageColor color;
     Openings openings;         // walls only
+    ImageMask face;            // furniture only: nonzero where it was seen, close by, and between
     bool empty() const { return color.empty(); }
     // Bilinear; beyond the picture, its border.
     Vec3f color_at(Vec3f point) const;
