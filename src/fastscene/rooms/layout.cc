@@ -115,6 +115,7 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
 
 std::optional<int> Layout::keep(Placed placed, const PromptObject& from) {
     placed.wish = from;
+    ways_.add(placed);
     placed_.push_back(std::move(placed));
     return static_cast<int>(placed_.size()) - 1;
 }
@@ -174,7 +175,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                         const float apart = std::max(0.f, std::abs(u - (o.u0 + o.u1) / 2) - (o.u1 - o.u0) / 2 - size.x / 2);
                         score += wish.window_pull * std::max(0.f, 1.f - apart);
                     }
-                if (score > best_score) best_score = score, best = p;
+                if (score > best_score && leaves_way(p)) best_score = score, best = p;
             }
         }
         if (best) return keep(*best, from);
@@ -192,7 +193,7 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
         for (const float side : {0.f, 0.15f, -0.15f, 0.35f, -0.35f}) {
             p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) + right * side;
             p.position.y = 0;
-            if (fits(p, false)) return keep(p, from);
+            if (fits(p, false) && leaves_way(p)) return keep(p, from);
         }
     return {};
 }
@@ -208,7 +209,7 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
         p.position = a.position + right * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap + extra)) +
                      front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
         p.position.y = 0;
-        if (fits(p, false)) return keep(p, from);
+        if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
 }
@@ -228,7 +229,7 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
                 float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform();
                 for (const Placed& other : placed_)
                     if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other))) score -= 0.5f;
-                if (score > best_score) best_score = score, best = p;
+                if (score > best_score && leaves_way(p)) best_score = score, best = p;
             }
     return best ? keep(*best, from) : std::nullopt;
 }
@@ -249,7 +250,7 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
             if (!fits(p, false)) continue;
             const float wall = std::min(plan_.width / 2 - std::abs(x), plan_.depth / 2 - std::abs(z));
             const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * dice_.uniform();
-            if (score > best_score) best_score = score, best = p;
+            if (score > best_score && leaves_way(p)) best_score = score, best = p;
         }
     return best ? keep(*best, from) : std::nullopt;
 }
@@ -284,7 +285,7 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
         for (const float pull : {0.02f, 0.12f}) {
             p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);
             p.position.y = 0;
-            if (fits(p, false)) {
+            if (fits(p, false) && leaves_way(p)) {
                 keep(p, from);
                 ++placed;
                 break;
@@ -333,7 +334,7 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
             if (!inside_room(footprint_of(p))) continue;
             bool free = true;
             for (const Placed& other : placed_) free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
-            if (free) return keep(p, from);
+            if (free && leaves_way(p)) return keep(p, from);
         }
     }
     return {};
@@ -393,7 +394,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
                     if (!other.flat && !other.overhead && footprint_of(other).y1 > 1.2f) bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
                 score += 0.8f * bare;
             }
-            if (score > best_score) best_score = score, best = p;
+            if (score > best_score && leaves_way(p)) best_score = score, best = p;
         }
     }
     if (above && best_score < -0.5f) return {};
@@ -408,6 +409,7 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     if (!inside_room(footprint_of(p))) return {};
     for (const Placed& other : placed_)
         if (!other.flat && overlap(footprint_of(p, 0.05f), footprint_of(other))) return {};
+    if (!leaves_way(p)) return {};
     return keep(p, from);
 }
 
@@ -428,6 +430,7 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
             const Footprint box = footprint_of(p);
             bool free = inside_room(box);
             for (const Placed& other : placed_) free = free && (other.flat || !overlap(box, footprint_of(other)));
+            free = free && leaves_way(p);
             if (free) keep(p, from);
             return free;
         };
@@ -506,6 +509,11 @@ Vec3f Layout::camera_position() const {
             }
             // Beyond 1.1 m more space is no gain; the middle of the room shows most of it.
             float score = 3.f * std::min(tall, 1.1f) + 0.8f * std::min(low, 0.4f) - 0.35f * std::hypot(x, z);
+            // Air around the eyes comes before all that may be seen, and behind a barrier of tables nobody stands.
+            constexpr float kMustBeFree = 0.58f;
+            if (tall < kMustBeFree) score -= 100.f * (kMustBeFree - tall) + 10.f;
+            if (score <= best_score) continue;
+            if (!ways_.reaches({x, z})) score -= 50.f;
             if (score <= best_score) continue;
             score -= 0.6f * static_cast<float>(hidden_wishes({x, kEyeHeight, z}));
             if (score > best_score) best_score = score, best = {x, kEyeHeight, z};
@@ -533,6 +541,9 @@ std::vector<std::string> layout_faults(const Plan& plan, const std::vector<Place
                 if (overlap(a, {flat(middle), {0.4f, 0.34f}, yaw_of(face.inward), 0, 2})) faults.push_back(name(i) + " blocks the door");
             }
     }
+    Ways ways(plan);
+    for (const Placed& p : placed) ways.add(p);
+    if (!ways.open()) faults.push_back("no way leads from the door to a place for the camera");
     return faults;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture.h"
+#include "fastscene/rooms/layout_ways.h"
 #include "fastscene/rooms/plan.h"
 
 namespace fastscene {
@@ -36,7 +37,7 @@ float distance_to(const Footprint& box, Vec2f point);
 // The room being furnished.
 class Layout {
   public:
-    Layout(const Plan& plan, PromptSpec& spec, Random& dice) : plan_(plan), spec_(spec), dice_(dice) {}
+    Layout(const Plan& plan, PromptSpec& spec, Random& dice) : plan_(plan), spec_(spec), dice_(dice), ways_(plan) {}
 
     // Each returns the index of the new piece, or nothing when there is no room for it.
     struct WallWish {
@@ -74,6 +75,8 @@ class Layout {
 
   private:
     bool fits(const Placed& placed, bool with_clearance) const;
+    // Whether the way from the door to a spot for the camera stays open with this piece.
+    bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
     bool inside_room(const Footprint& box) const;
     bool blocks_opening(const Footprint& box, float height) const;
     std::optional<int> keep(Placed placed, const PromptObject& from);
@@ -84,6 +87,7 @@ class Layout {
     PromptSpec& spec_;
     Random& dice_;
     std::vector<Placed> placed_;
+    Ways ways_;
 };
 
 // Furnishes by the room's type, what the prompt asks for first; what does not fit goes to spec.not_placed.

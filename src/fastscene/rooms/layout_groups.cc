@@ -367,6 +367,20 @@ class Furnisher {
     }
     void sunroom() {
         seating_group();
+        // Glass on three sides often leaves no wall for a sofa: then chairs about a low table.
+        if (!l_.find("sofa") && !l_.find("loveseat")) {
+            const auto table = put("coffee_table", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
+            const Vec2f middle = table ? flat(l_.placed()[static_cast<std::size_t>(*table)].position) : Vec2f{0, 0};
+            for (int i = 0; i < 3; ++i) put("armchair", i < 2 ? 1.f : 0.5f, [&](const PieceRequest& r, const PromptObject& o) { return l_.angled_towards(middle, r, o); });
+            if (table) {
+                rug(*table, 0.9f, 2.4f, 1.7f, 0);
+                top(*table, "book_stack", 0.8f);
+                top(*table, "plant_small", 0.9f);
+            }
+        }
+        // What is lower than the sills stands below them.
+        if (const auto bench = wall("bench", 0.9f, {.window_pull = 1})) top(*bench, "plant_small", 0.9f);
+        for (const char* klass : {"pouf", "basket"}) wall(klass, 0.8f, {.center_pull = 0, .window_pull = 0.5f});
         for (int i = 0; i < 4; ++i) wall("plant", 0.9f, {.center_pull = 0, .window_pull = 1, .corner = i < 2});
         reading_corner(0.7f);
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,15 +17,17 @@ struct Furnished {
     PromptSpec spec;
     Plan plan;
     std::vector<Placed> placed;
+    Vec3f camera;
 };
 
 Furnished furnished(const std::string& text, std::uint64_t seed) {
-    Furnished out{understand_prompt(text, false), {}, {}};
+    Furnished out{understand_prompt(text, false), {}, {}, {}};
     Random dice(seed, "layout test");
     out.plan = make_plan(out.spec, dice);
     Layout layout(out.plan, out.spec, dice);
     furnish(layout);
     out.placed = layout.placed();
+    out.camera = layout.camera_position();
     return out;
 }
 
@@ -178,6 +181,86 @@ TEST(Layout, NothingIsPutOnSeats) {
             EXPECT_TRUE(below != "armchair" && below != "sofa" && below != "chair") << p.piece.klass << " on " << below;
         }
     }
+}
+
+// Every class asked for, or reported, once for each time it was asked for.
+void expect_there_or_reported(const Furnished& f, const std::string& klass) {
+    for (const PromptObject& wish : f.spec.objects) {
+        if (wish.klass != klass) continue;
+        const auto there = std::count_if(f.placed.begin(), f.placed.end(), [&](const Placed& p) { return p.wish.klass == klass; }) +
+                           std::count_if(f.plan.openings.begin(), f.plan.openings.end(), [&](const Opening& o) { return o.requested && (o.kind == Opening::Kind::door ? "door" : "window") == klass; });
+        const auto reported = std::count_if(f.spec.not_placed.begin(), f.spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
+        EXPECT_EQ(there + reported, wish.count) << f.spec.text << ": " << klass;
+    }
+}
+
+TEST(Layout, AWayLeadsFromTheDoorToTheCameraEvenInACrowd) {
+    for (const char* text : {"a small bedroom with a bed, a wardrobe, a dresser, a desk and two armchairs", "a living room with 12 pianos", "a living room with ten armchairs and six bookshelves",
+                             "a small kitchen with a kitchen island, six stools and a dining table", "a tiny bathroom with a bathtub, a shower and a washing machine", "a boho sunroom with ten plants"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Furnished f = furnished(text, seed);
+            Ways ways(f.plan);
+            for (const Placed& p : f.placed) ways.add(p);
+            EXPECT_TRUE(ways.open()) << text << ", seed " << seed;
+            EXPECT_TRUE(ways.reaches({f.camera.x, f.camera.z})) << text << ", seed " << seed;
+            float nearest = std::min(f.plan.width / 2 - std::abs(f.camera.x), f.plan.depth / 2 - std::abs(f.camera.z));
+            for (const Placed& p : f.placed) {
+                const Footprint box = footprint_of(p);
+                if (!p.flat) nearest = std::min(nearest, std::hypot(distance_to(box, {f.camera.x, f.camera.z}), std::max({0.f, box.y0 - f.camera.y, f.camera.y - box.y1})));
+            }
+            EXPECT_GE(nearest, 0.45f) << text << ", seed " << seed;
+        }
+}
+
+TEST(Ways, AWallOfPiecesClosesThem) {
+    Plan plan;  // 4 m wide, 5 m deep
+    Opening door;
+    door.kind = Opening::Kind::door;
+    door.wall = 2;
+    door.u0 = 1.5f, door.u1 = 2.4f, door.y1 = 2;
+    plan.openings.push_back(door);
+    Ways ways(plan);
+    EXPECT_TRUE(ways.open());
+    EXPECT_TRUE(ways.reaches({0, 2}));
+    Placed block;
+    block.piece.klass = "bookshelf";
+    block.piece.size_m = {4, 2, 0.4f};
+    block.position = {0, 0, -1.5f};
+    EXPECT_FALSE(ways.open_with(block)) << "right before the door, from wall to wall";
+    block.piece.size_m.x = 2.6f;
+    block.position.x = -0.7f;
+    EXPECT_TRUE(ways.open_with(block)) << "1.4 m are left";
+    block.position.x = -0.2f;
+    EXPECT_TRUE(ways.open_with(block)) << "0.9 m are left on one side";
+    block.piece.size_m.x = 3.2f;
+    block.position.x = 0;
+    EXPECT_FALSE(ways.open_with(block)) << "0.4 m on each side are no way";
+    block.flat = true;
+    EXPECT_TRUE(ways.open_with(block)) << "one walks over rugs";
+    block.flat = false;
+    ways.add(block);
+    EXPECT_FALSE(ways.reaches({0, 2}));
+}
+
+TEST(Layout, OpeningsAreCountedAndKeepApart) {
+    for (const char* text : {"a study with two doors", "a living room with six windows", "a living room with four large windows", "a small bathroom with four large windows"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Furnished f = furnished(text, seed);
+            expect_there_or_reported(f, "window");
+            expect_there_or_reported(f, "door");
+            for (std::size_t i = 0; i < f.plan.openings.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k) {
+                    const Opening &a = f.plan.openings[i], &b = f.plan.openings[k];
+                    EXPECT_TRUE(a.wall != b.wall || a.u1 + 0.1f <= b.u0 || b.u1 + 0.1f <= a.u0) << text << ", seed " << seed;
+                }
+        }
+    const std::vector<Opening> openings = furnished("a bedroom with no door", 1).plan.openings;
+    EXPECT_TRUE(std::none_of(openings.begin(), openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::door; }));
+}
+
+TEST(Layout, ASunroomIsFurnished) {
+    for (const std::string& style : styles())
+        for (const std::uint64_t seed : {1u, 2u, 11u, 12u}) EXPECT_GE(furnished("a " + style + " sunroom", seed).placed.size(), 10u) << style << ", seed " << seed;
 }
 
 TEST(Layout, FaultsAreFound) {

@@ -170,16 +170,19 @@ constexpr Line kLines[] = {
     {WordKind::mood, "colorful", "colorful,colourful,vibrant,playful,cheerful,lively"},
 
     {WordKind::count, "1", "a,an,one,single,the,1"},
-    {WordKind::count, "2", "two,pair of,couple of,twin,2,pair"},
-    {WordKind::count, "3", "three,several,some,few,3,a few"},
-    {WordKind::count, "4", "four,many,4,lots of,multiple,various"},
-    {WordKind::count, "5", "five,5"},
-    {WordKind::count, "6", "six,6,half a dozen"},
-    {WordKind::count, "7", "seven,7"},
-    {WordKind::count, "8", "eight,8"},
-    {WordKind::count, "9", "nine,9"},
-    {WordKind::count, "10", "ten,10"},
-    {WordKind::count, "12", "twelve,12,dozen,a dozen"},
+    {WordKind::count, "2", "two,pair of,couple of,twin,pair"},
+    {WordKind::count, "3", "three,several,some,few,a few"},
+    {WordKind::count, "4", "four,many,lots of,multiple,various"},
+    {WordKind::count, "5", "five"},
+    {WordKind::count, "6", "six,half a dozen"},
+    {WordKind::count, "7", "seven"},
+    {WordKind::count, "8", "eight"},
+    {WordKind::count, "9", "nine"},
+    {WordKind::count, "10", "ten"},
+    {WordKind::count, "11", "eleven"},
+    {WordKind::count, "12", "twelve,dozen,a dozen"},
+    {WordKind::count, "15", "fifteen"},
+    {WordKind::count, "20", "twenty"},
 
     {WordKind::negation, "no", "no,without,not,minus,free of,lacking"},
 
@@ -197,7 +200,7 @@ constexpr Line kLines[] = {
                          "design,designed,decor,decorated,decoration,furnished,furniture,featuring,features,view,very,really,quite,beautiful,nice,pretty,lovely,stylish,gorgeous,"
                          "photo,photorealistic,realistic,image,render,3d,360,panorama,panoramic view,indoor,inside,home,house,please,make,me,my,create,generate,i,want,would,like,"
                          "show,set,side,against,into,through,covered,made,filled,full of,or,but,also,plus,as,where,while,color,colored,coloured,toned,tone,tones,theme,themed,accents,accent,touches,"
-                         "light wood,hanging,standing,old,new,fancy,perfect,high,quality,detailed,4k,8k,hd,lighting,looking,look,overlooking,coming,shining,streaming,matching,"
+                         "light wood,hanging,standing,old,new,fancy,soft,fluffy,perfect,high,quality,detailed,4k,8k,hd,lighting,looking,look,overlooking,coming,shining,streaming,matching,"
                          "upper,lower,left,right,center,middle,centre,front,back,all,each,every,other,another,both,wall mounted,mounted,built,built in"},
 };
 
@@ -246,6 +249,8 @@ bool within_one(std::string_view a, std::string_view b) {
 std::optional<Word> look_up(const std::string& term) {
     const auto find = [](const std::string& t) -> std::optional<Word> {
         if (const auto at = table().find(t); at != table().end()) return at->second;
+        // Digits; more than 99 of a thing is no room.
+        if (t.size() <= 2 && t[0] >= '1' && t[0] <= '9' && std::all_of(t.begin(), t.end(), [](char c) { return c >= '0' && c <= '9'; })) return Word{WordKind::count, t, true};
         if (color_named(t)) return Word{WordKind::color, t, true};
         return {};
     };

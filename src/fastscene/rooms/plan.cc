@@ -57,6 +57,9 @@ void apply_floor_wish(Material& m, PromptObject wish) {
 
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
 
+// The end of a door that stands at the left of its wall, with its casing and a hand of wall.
+constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kBesideDoor = kDoorMargin + kDoorWidth + 0.3f;
+
 void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
@@ -67,6 +70,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const int first = spec.room == "hallway" ? 0 : dice.chance(0.5f) ? 1 : 3;
     const int order[4] = {first, 0, first == 1 ? 3 : 1, 2};
+    for (int i = 4; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has at most four");
     for (int i = 0; i < count; ++i) {
         Opening window;
         window.wall = order[i];
@@ -78,13 +82,22 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         const float slack = free_margin(length, width) - 0.25f;
         window.u0 = free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f);
         window.u1 = window.u0 + width;
+        if (window.wall == 2) {  // beside the door
+            window.u1 = length - 0.3f;
+            window.u0 = std::max(kBesideDoor, window.u1 - width);
+            if (!(window.u1 - window.u0 >= 0.5f)) {
+                if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
+                continue;
+            }
+        }
         window.requested = wish != nullptr;
         if (wish) window.color = wish->color;
         plan.openings.push_back(window);
     }
 }
 
-void add_door(const PromptSpec& spec, Plan& plan, Random& dice) {
+void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
+    if (wish_for(spec, "door", true)) return;
     Opening door;
     door.kind = Opening::Kind::door;
     door.wall = 2;
@@ -92,11 +105,11 @@ void add_door(const PromptSpec& spec, Plan& plan, Random& dice) {
     door.requested = wish != nullptr;
     if (wish) door.color = wish->color;
     const float length = plan.wall(2).length;
-    door.u0 = dice.chance(0.5f) ? 0.28f : length - 0.28f - 0.88f;
-    door.u1 = door.u0 + 0.88f;
+    for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
+    const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.wall == 2; });
+    door.u0 = dice.chance(0.5f) || shared ? kDoorMargin : length - kDoorMargin - kDoorWidth;
+    door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
-    for (const Opening& o : plan.openings)
-        if (o.wall == 2) door.wall = 0;  // a fourth window took the near wall
     plan.openings.push_back(door);
 }
 

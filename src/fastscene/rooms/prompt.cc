@@ -100,6 +100,7 @@ std::vector<Match> match(const std::vector<std::string>& tokens, PromptSpec& spe
     return matches;
 }
 
+bool is_adjective(WordKind kind) { return kind == WordKind::color || kind == WordKind::material || kind == WordKind::size || kind == WordKind::pattern; }
 bool takes_adjectives(WordKind kind) { return kind == WordKind::object || kind == WordKind::structure; }
 
 // The noun that the adjective at `at` belongs to: the next one within reach, in the same phrase.
@@ -108,21 +109,36 @@ std::optional<std::size_t> noun_after(const std::vector<Match>& matches, std::si
     for (std::size_t i = at + 1; i < matches.size() && steps <= kReach; ++i, ++steps) {
         if (matches[i].comma) {
             // "a red, soft sofa": a comma between adjectives does not end the phrase.
-            const bool adjective_follows = i + 1 < matches.size() && matches[i + 1].word &&
-                                           (matches[i + 1].word->kind == WordKind::color || matches[i + 1].word->kind == WordKind::material ||
-                                            matches[i + 1].word->kind == WordKind::size || matches[i + 1].word->kind == WordKind::pattern);
-            if (!adjective_follows) return {};
+            // A word that we do not know may be one too, when an adjective stands behind it ("black, silky leather sofa").
+            std::size_t next = i + 1;
+            if (next + 1 < matches.size() && !matches[next].comma && (!matches[next].word || matches[next].word->kind == WordKind::stop)) ++next;
+            if (next >= matches.size() || !matches[next].word || !is_adjective(matches[next].word->kind)) return {};
             continue;
         }
         if (!matches[i].word) continue;
         const WordKind kind = matches[i].word->kind;
         if (takes_adjectives(kind)) return i;
         if (kind == WordKind::room || kind == WordKind::negation || kind == WordKind::relation || (kind == WordKind::count && i > at + 1)) return {};
-        if (kind == WordKind::stop && matches[i].words != "and" && matches[i].words != "wall mounted" && matches[i].words != "old" && matches[i].words != "new" &&
+        if (kind == WordKind::stop && matches[i].words != "and" && matches[i].words != "wall mounted" && matches[i].words != "old" && matches[i].words != "new" && matches[i].words != "soft" && matches[i].words != "fluffy" &&
             matches[i].words != "colored" && matches[i].words != "coloured")
             return {};
     }
     return {};
+}
+
+// "Dark" and "bright" before a noun, with nothing but its adjectives between, speak of the noun: what color they mean.
+// Elsewhere they speak of the room's light.
+std::optional<std::string> shade_of_noun(const std::vector<Match>& matches, std::size_t at, std::size_t noun) {
+    const std::string& word = matches[at].words;
+    if (word != "dark" && word != "bright" && word != "dim") return {};
+    bool brown = false;
+    for (std::size_t i = at + 1; i < noun; ++i) {
+        if (!matches[i].word || !is_adjective(matches[i].word->kind) || matches[i].word->kind == WordKind::color) return {};
+        const std::string& meaning = matches[i].word->meaning;
+        brown = brown || meaning == "wood" || meaning == "oak" || meaning == "walnut" || meaning == "pine" || meaning == "leather" || meaning == "planks" || meaning == "parquet" || meaning == "rattan";
+    }
+    if (word == "bright") return brown ? "light brown" : "white";
+    return brown ? "dark brown" : "charcoal";
 }
 
 // "A table" is the table one expects in that room.
@@ -178,7 +194,7 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
         object.words = matches[i].words;
         object.forbidden = negated;
         // A bare plural means more than one ("plants", "chairs").
-        if ((word.kind == WordKind::object || word.meaning == "window") && matches[i].words.ends_with("s") && !word.meaning.ends_with("s") && word.meaning != "kitchen_counter" &&
+        if ((word.kind == WordKind::object || word.meaning == "window" || word.meaning == "door") && matches[i].words.ends_with("s") && !word.meaning.ends_with("s") && word.meaning != "kitchen_counter" &&
             word.meaning != "curtain" && word.meaning != "towel_rail" && word.meaning != "toy_box" && !matches[i].words.ends_with("drawers") && !matches[i].words.ends_with("shelves"))
             object.count = 2;
         spec.objects.push_back(object);
@@ -214,9 +230,8 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
             case WordKind::time: spec.time = word.meaning, remember(i, "time: " + word.meaning); break;
             case WordKind::weather: spec.weather = word.meaning, remember(i, "weather: " + word.meaning); break;
             case WordKind::light:
-                // "dark wooden floor": darkness belongs to a noun when one follows at once.
-                if (noun && *noun == i + 1 && (word.meaning == "dim" || word.meaning == "bright")) {
-                    if (object->color.empty()) object->color = word.meaning == "dim" ? "charcoal" : "white";
+                if (const auto shade = noun ? shade_of_noun(matches, i, *noun) : std::nullopt) {
+                    if (object->color.empty()) object->color = *shade;
                     remember(i, "color " + object->color + " of " + object->klass);
                 } else {
                     if (spec.mood.empty() || word.meaning != "bright") spec.mood = word.meaning;
@@ -251,7 +266,7 @@ PromptSpec understand_prompt(const std::string& text, bool strict) {
                 if (word.meaning == "spacious" || !bind(&PromptObject::size, "size")) spec.size = word.meaning == "small" ? "small" : "large", remember(i, "size of the room: " + spec.size);
                 break;
             case WordKind::count:
-                if (object && noun && (matches[*noun].word->kind == WordKind::object || object->klass == "window")) {
+                if (object && noun && (matches[*noun].word->kind == WordKind::object || object->klass == "window" || object->klass == "door")) {
                     const int count = std::stoi(word.meaning);
                     if (count > 1) object->count = count, remember(i, "count " + word.meaning + " of " + object->klass);
                     else if (matches[i].words != "the") object->count = 1;

@@ -72,6 +72,30 @@ TEST(Prompt, CountsAndPlurals) {
         EXPECT_FALSE(read(words).objects.empty()) << words;
 }
 
+TEST(Prompt, AllCountsOfTwoDigits) {
+    EXPECT_EQ(object_of(read("twenty chairs"), "chair")->count, 20);
+    EXPECT_EQ(object_of(read("17 chairs"), "chair")->count, 17);
+    EXPECT_EQ(read("a room with 1000 chairs").not_understood, std::vector<std::string>{"1000"});
+    EXPECT_EQ(object_of(read("two doors"), "door")->count, 2);
+}
+
+TEST(Prompt, DarkAndBrightBelongToTheirNounOrToTheLight) {
+    const PromptSpec floor = read("a room with a dark wooden floor and light gray walls");
+    EXPECT_EQ(object_of(floor, "floor")->color, "dark brown");
+    EXPECT_EQ(object_of(floor, "floor")->material, "wood");
+    EXPECT_EQ(floor.mood, "");
+    EXPECT_EQ(object_of(read("a dark sofa"), "sofa")->color, "charcoal");
+    EXPECT_EQ(read("a dark bedroom with a sofa").mood, "dim");
+    EXPECT_EQ(object_of(read("a dark bedroom with a sofa"), "sofa")->color, "");
+}
+
+TEST(Prompt, AnUnknownWordBetweenAdjectivesLosesNoColor) {
+    for (const char* text : {"a black, soft leather sofa", "a black, flurbish leather sofa"}) {
+        EXPECT_EQ(object_of(read(text), "sofa")->color, "black") << text;
+        EXPECT_TRUE(read(text).colors.empty()) << text;
+    }
+}
+
 TEST(Prompt, NegationForbids) {
     const PromptSpec spec = read("a bedroom with a bed but no curtains, and a lamp");
     ASSERT_TRUE(object_of(spec, "curtain") && object_of(spec, "bed") && object_of(spec, "table_lamp"));

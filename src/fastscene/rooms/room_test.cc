@@ -175,6 +175,15 @@ TEST(Room, AReasonableWishIsNeverRefused) {
         }
 }
 
+TEST(Room, LampsAreLitWhereTheLightIsDim) {
+    for (const char* text : {"a dark moody bedroom", "a gloomy study", "a dimly lit living room", "a bedroom at night", "a living room at dusk"}) {
+        PromptSpec spec;
+        const Room room = room_of(text, 1, &spec);
+        EXPECT_TRUE(spec.time == "dusk" || spec.time == "night") << text;
+        EXPECT_TRUE(std::any_of(room.materials.begin(), room.materials.end(), [](const Material& m) { return m.pattern != Pattern::screen && luminance(m.emission) > 0.5f; })) << text;
+    }
+}
+
 TEST(Room, ForbiddenThingsAreAbsent) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const Room room = room_of("a living room with a sofa, no curtains, no tv, no rug, no plants, no windows", seed);

@@ -25,12 +25,16 @@ constexpr Daylight kDaylight[] = {
     {"night", Sky::Time::night, 30, {}, {0.0012f, 0.0018f, 0.0045f}, {0.004f, 0.005f, 0.008f}, {0.0012f, 0.0012f, 0.0016f}},
 };
 
+// The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
+void assume_time(PromptSpec& spec, std::uint64_t seed) {
+    if (!spec.time.empty()) return;
+    const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
+    spec.time = spec.mood == "lamps on" || spec.mood == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
+    spec.assumed.push_back("time: " + spec.time);
+}
+
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the floor.
-Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
-    if (spec.time.empty()) {
-        spec.time = spec.mood == "lamps on" || spec.mood == "dim" ? "dusk" : spec.mood == "cozy" ? (dice.chance(0.5f) ? "evening" : "morning") : "day";
-        spec.assumed.push_back("time: " + spec.time);
-    }
+Sky make_sky(const PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
     const Daylight* light = &kDaylight[1];
     for (const Daylight& d : kDaylight)
         if (spec.time == d.name) light = &d;
@@ -130,6 +134,7 @@ void turn_into_world(const Rigid& world_from_room, Room& room) {
 
 Room make_room(PromptSpec& spec, const Run& run) {
     Random dice(run.seed, "room:" + spec.text);
+    assume_time(spec, run.seed);
     const Plan plan = make_plan(spec, dice);
     Room room;
     room.seed = mix64(run.seed ^ hash_name(spec.text));

@@ -1,0 +1,43 @@
+// Ways: where one can walk between the furniture, on a grid over the floor. A room is good when one can go from its
+// door to a spot where the camera has air around it.
+#pragma once
+
+#include <vector>
+
+#include "fastscene/rooms/plan.h"
+
+namespace fastscene {
+
+struct Placed;
+
+class Ways {
+  public:
+    explicit Ways(const Plan& plan);
+
+    void add(const Placed& placed);
+    // Whether a way from the door (without a door: any way) leads to a spot for the camera.
+    bool open() const { return open_; }
+    // … and still would with this piece.
+    bool open_with(const Placed& extra) const;
+    // Whether one can walk from the door to within half a step of this point.
+    bool reaches(Vec2f point) const;
+
+  private:
+    // Distances of a cell's center to the nearest thing: at the feet, and around the eyes.
+    struct Clear {
+        float feet, eyes;
+    };
+    Vec2f center(int i, int j) const;
+    int cell_near(Vec2f point) const;
+    void narrow(std::vector<Clear>& cells, const Placed& placed) const;
+    std::vector<char> walked(const std::vector<Clear>& cells) const;
+    bool leads_to_a_view(const std::vector<Clear>& cells) const;
+
+    const Plan& plan_;
+    int columns_, rows_;
+    std::vector<Clear> cells_;
+    std::vector<int> starts_;   // cells before the door
+    bool open_ = false;
+};
+
+}  // namespace fastscene
