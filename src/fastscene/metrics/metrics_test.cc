@@ -5,35 +5,13 @@
 #include <cmath>
 
 #include "fastscene/metrics/metrics.h"
+#include "fastscene/scene/box.h"
 
 namespace fastscene {
 namespace {
 
-// A box of triangles; `inward` = a room, else a solid.
-Mesh box(Vec3f low, Vec3f high, bool inward, int material) {
-    Mesh mesh;
-    mesh.material = material;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int side = 0; side < 2; ++side) {
-            const std::size_t a = static_cast<std::size_t>(axis), u = (a + 1) % 3, v = (a + 2) % 3;
-            Vec3f normal{};
-            normal[a] = (side ? 1.f : -1.f) * (inward ? -1.f : 1.f);
-            const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-            for (int corner = 0; corner < 4; ++corner) {
-                Vec3f p{};
-                p[a] = side ? high[a] : low[a];
-                p[u] = corner == 1 || corner == 2 ? high[u] : low[u];
-                p[v] = corner >= 2 ? high[v] : low[v];
-                mesh.positions.push_back(p);
-                mesh.coords.push_back(p);
-                mesh.normals.push_back(normal);
-            }
-            const bool flip = (side == 1) == inward;
-            for (const std::uint32_t i : flip ? std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2} : std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3})
-                mesh.triangles.push_back(base + i);
-        }
-    return mesh;
-}
+// A box; `inward` = the inside of a room, else a solid.
+Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) { return box_mesh(low, high, material, object, inward); }
 
 // A 4 x 2.6 x 5 m room that glows a little, and a box half a metre wide, one metre ahead.
 Room box_room() {

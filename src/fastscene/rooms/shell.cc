@@ -3,35 +3,10 @@
 #include <cmath>
 
 #include "fastscene/rooms/plan.h"
+#include "fastscene/scene/box.h"
 
 namespace fastscene {
 namespace {
-
-// An axis-aligned closed box; the pattern is evaluated at its place in the room.
-Mesh box_between(Vec3f low, Vec3f high, int material, int object) {
-    Mesh mesh;
-    mesh.material = material;
-    mesh.object = object;
-    for (std::size_t a = 0; a < 3; ++a)
-        for (int side = 0; side < 2; ++side) {
-            const std::size_t u = (a + 1) % 3, v = (a + 2) % 3;
-            Vec3f normal{};
-            normal[a] = side ? 1.f : -1.f;
-            const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-            for (int corner = 0; corner < 4; ++corner) {
-                Vec3f p;
-                p[a] = side ? high[a] : low[a];
-                p[u] = corner == 1 || corner == 2 ? high[u] : low[u];
-                p[v] = corner >= 2 ? high[v] : low[v];
-                mesh.positions.push_back(p);
-                mesh.coords.push_back(p);
-                mesh.normals.push_back(normal);
-            }
-            for (const std::uint32_t i : side ? std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3} : std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2})
-                mesh.triangles.push_back(base + i);
-        }
-    return mesh;
-}
 
 // Builds boxes in wall coordinates: u along, y up, w into the room (negative: into the wall).
 class WallBuilder {
@@ -40,7 +15,7 @@ class WallBuilder {
     void box(float u0, float u1, float y0, float y1, float w0, float w1, int material, int object = -1) const {
         if (!(u1 > u0 && y1 > y0 && w1 > w0)) return;
         const Vec3f a = face_.point(u0, y0) + face_.inward * w0, b = face_.point(u1, y1) + face_.inward * w1;
-        room_.meshes.push_back(box_between({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}, {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)},
+        room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}, {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)},
                                            material, object));
     }
 
@@ -183,7 +158,7 @@ void build_beams(const Plan& plan, Room& room) {
     const int count = std::max(2, static_cast<int>(plan.depth / 1.1f));
     for (int i = 0; i < count; ++i) {
         const float z = -plan.depth / 2 + plan.depth * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
-        room.meshes.push_back(box_between({-plan.width / 2, plan.height - 0.18f, z - 0.08f}, {plan.width / 2, plan.height, z + 0.08f}, material, -1));
+        room.meshes.push_back(box_mesh({-plan.width / 2, plan.height - 0.18f, z - 0.08f}, {plan.width / 2, plan.height, z + 0.08f}, material, -1));
     }
 }
 
@@ -194,8 +169,8 @@ void build_shell(const Plan& plan, Room& room) {
     const int wall = add_material(room, style.wall), accent = add_material(room, style.accent_wall), trim = add_material(room, style.trim);
     const int floor = add_material(room, style.floor), ceiling = add_material(room, style.ceiling);
     const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness;
-    room.meshes.push_back(box_between({-w, -0.2f, -d}, {w, 0, d}, floor, -1));
-    room.meshes.push_back(box_between({-w, plan.height, -d}, {w, plan.height + 0.2f, d}, ceiling, -1));
+    room.meshes.push_back(box_mesh({-w, -0.2f, -d}, {w, 0, d}, floor, -1));
+    room.meshes.push_back(box_mesh({-w, plan.height, -d}, {w, plan.height + 0.2f, d}, ceiling, -1));
     const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern && style.accent_wall.color_a == style.wall.color_a;
     for (int i = 0; i < 4; ++i) {
         build_wall(plan, i, room, plan.accent && (i == 0 || all) ? accent : wall);
