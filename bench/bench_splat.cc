@@ -3,6 +3,9 @@
 #include <time.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <vector>
 
 #include "bench/textured_room.h"
 #include "fastscene/base/json.h"
@@ -15,6 +18,11 @@ double cpu_ms() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
+}
+double wall_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double median(std::vector<double> v) {
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
 }
 
 }  // namespace
@@ -39,21 +47,24 @@ int main(int argc, char** argv) try {
     splat::Cloud cloud(initial_splats(set.train.points, count, Run{}), true);
     splat::Engine engine(splat::choose_kernel(kernel.empty() ? nullptr : kernel.c_str()));
     const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f, 2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
-    double start = 0, loss = 0;
+    double loss = 0;
+    std::vector<double> cpu, wall;
     std::int64_t visible = 0, entries = 0;
     for (int step = 1; step <= warm + steps; ++step) {
-        if (step == warm + 1) start = cpu_ms(), engine.times = {}, loss = 0, visible = 0, entries = 0;
+        if (step == warm + 1) engine.times = {}, loss = 0, visible = 0, entries = 0;
+        const double cpu_before = cpu_ms(), wall_before = wall_ms();
         const View& view = set.train.views[static_cast<std::size_t>(step) % set.train.views.size()];
         engine.render(cloud, view.camera, view.world_from_camera, {}, false);
         loss += engine.differentiate(view, 0.2f).loss;
         engine.step(cloud, rates, step);
         visible += engine.visible(), entries += engine.entries();
+        if (step > warm) cpu.push_back(cpu_ms() - cpu_before), wall.push_back(wall_ms() - wall_before);
     }
-    const double n = steps, total = (cpu_ms() - start) / n;
+    const double n = steps;
     const splat::StepTimes& t = engine.times;
     Json out = {{"size", size}, {"count", count}, {"threads", threads}, {"steps", steps},
-                {"kernel", kernel.empty() ? splat::choose_kernel().name : kernel}, {"cpu_ms_per_step", total},
-                {"wall_ms", {{"project", t.project / n}, {"sort", t.sort / n}, {"bin", t.bin / n}, {"forward", t.forward / n},
+                {"kernel", kernel.empty() ? splat::choose_kernel().name : kernel}, {"cpu_ms_per_step", median(cpu)}, {"wall_ms_per_step", median(wall)},
+                {"cpu_ms", {{"project", t.project / n}, {"sort", t.sort / n}, {"bin", t.bin / n}, {"forward", t.forward / n},
                              {"loss", t.loss / n}, {"backward", t.backward / n}, {"update", t.update / n}}},
                 {"visible", visible / steps}, {"tile_entries", entries / steps}, {"loss", loss / n}};
     fmt::print("{}\n", json ? out.dump() : out.dump(2));

@@ -8,9 +8,12 @@ find_package(JPEG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(ICU REQUIRED COMPONENTS uc)
+find_package(Torch REQUIRED)
 find_package(PkgConfig REQUIRED)
 # Debian's httplib is a compiled library whose flags change its layout: take them from pkg-config.
 # Debian's OpenEXR CMake files want its Python bindings; pkg-config does not.
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 if(FASTSCENE_TESTS)

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/random.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
@@ -37,6 +38,23 @@ void add_wall(Splats& splats, std::vector<SurfacePoint>& points, Vec3f center, V
         }
 }
 
+// Splats that no mirror and no turn leaves as they are, with all bands.
+Splats odd_splats() {
+    Random random(7, "odd");
+    Splats s;
+    s.sh_degree = 3;
+    s.resize(300);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        s.mean_m[i] = {random.uniform(-1, 3), random.uniform(-2, 1), random.uniform(0, 5)};
+        s.log_scale[i] = {random.uniform(-5, -4), random.uniform(-4, -3), random.uniform(-3, -2)};
+        s.rotation[i] = {random.normal(), random.normal(), random.normal(), random.normal()};
+        s.opacity_logit[i] = random.uniform(-3, 3);
+        s.sh0[i] = {random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f)};
+    }
+    for (float& f : s.sh_rest) f = random.uniform(-0.5f, 0.5f);
+    return s;
+}
+
 void write_samples(const std::filesystem::path& dir, const std::filesystem::path& viewer_dir) {
     Splats splats;
     ViewSet set;
@@ -58,6 +76,11 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     save_splat_ply(dir / "room.ply", splats);
     save_compressed_ply(dir / "room.compressed.ply", splats);
     save_views(dir / "views", set);
+    const Splats odd = odd_splats();
+    save_splat_ply(dir / "odd.ply", odd);
+    save_compressed_ply(dir / "odd.compressed.ply", odd);
+    for (const int version : {2, 3, 4}) save_splats(dir / fmt::format("odd{}.spz", version), odd, SplatFormat::spz, {PlyBands::all, version});
+    save_splats(dir / "odd.glb", odd, SplatFormat::glb);
     if (!viewer_dir.empty()) save_viewer_html(dir / "viewer.html", splats, {"Colored room", {0, 0, -1}, {0, 0, 4}, 75}, viewer_dir);
 }
 

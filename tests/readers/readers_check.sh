@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Asks programs that are not ours to read what we write.
-#   readers_check.sh MAKE_READER_SAMPLES WEB_DIR OUT_DIR
+#   readers_check.sh MAKE_READER_SAMPLES WEB_DIR OUT_DIR FASTSCENE
 # A program that is not installed is said to be skipped; when none is there the whole check is skipped (77).
 set -euo pipefail
-make=$1 web=$2 out=$3
+make=$1 web=$2 out=$3 fastscene=$4
 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$out" && mkdir -p "$out"
 viewer=$web/node_modules/@playcanvas/supersplat-viewer/public
@@ -36,6 +36,26 @@ if command -v node >/dev/null && [ -f "$transform" ] && node "$transform" --vers
     head -c 400 "$out/again.ply" | grep -aq 'element vertex 18000' || { echo "splat-transform: expected 18000 splats of $name"; exit 1; }
     echo "splat-transform: reads $name"
   done
+  # What we wrote, read by it; what it wrote, read by us: the same splats as odd.ply, colors from every side too.
+  theirs() { node "$transform" -w -g cpu "$@" >"$out/transform.log" 2>&1 || { cat "$out/transform.log"; exit 1; }; }
+  ours() { "$fastscene" convert "$@" --progress none >"$out/convert.log" 2>&1 || { cat "$out/convert.log"; exit 1; }; }
+  same() { node "$here/same_splats.mjs" "$out/odd.ply" "$1" "$2" || exit 1; }
+  for name in odd.compressed.ply odd3.spz odd4.spz odd2.spz; do
+    theirs "$out/$name" "$out/theirs.ply"
+    same "$out/theirs.ply" "splat-transform reads our $name"
+    ours "$out/$name" "$out/ours.ply"
+    same "$out/ours.ply" "we read our $name"
+  done
+  for name in their.compressed.ply their3.spz their4.spz their.glb their.sog; do
+    if [ "$name" = their3.spz ]; then theirs --spz-version 3 "$out/odd.ply" "$out/$name"; else theirs "$out/odd.ply" "$out/$name"; fi
+    ours "$out/$name" "$out/ours.ply"
+    same "$out/ours.ply" "we read splat-transform's $name"
+  done
+  ours "$out/odd.ply" "$out/odd.sog"
+  theirs "$out/odd.sog" "$out/theirs.ply"
+  same "$out/theirs.ply" "splat-transform reads our odd.sog"
+  # It does not read glTF: ours must hold the numbers that its own file holds.
+  node "$here/same_glb.mjs" "$out/odd.glb" "$out/their.glb"
 else
   echo "splat-transform: skipped (not installed)"
 fi

@@ -40,9 +40,26 @@ struct ToJson {
     void operator()(std::string_view name, std::string& value, std::string_view) { out[std::string(name)] = value; }
 };
 
+struct FromJson {
+    const Json& section;
+    template <class T, class... Rest>
+    void operator()(std::string_view name, T& value, const Rest&...) {
+        const auto found = section.find(std::string(name));
+        if (found == section.end()) return;
+        try {
+            value = found->template get<T>();
+        } catch (const Json::exception&) {
+            throw Error("run.json: params: {}: expected another kind of value, found {}", name, found->dump());
+        }
+    }
+};
+
 struct Check {
     std::string_view section;  // empty: the flag is --<field>
-    std::string flag(std::string_view name) const { return section.empty() ? fmt::format("--{}", name) : fmt::format("--{}-{}", section, name); }
+    std::string flag(std::string_view name) const {
+        if (name == "kind" && !section.empty()) return fmt::format("--{}", section);   // the stage itself: --walk paper
+        return section.empty() ? fmt::format("--{}", name) : fmt::format("--{}-{}", section, name);
+    }
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds& bounds, std::string_view) {
         // Phrased so that NaN fails.
@@ -66,6 +83,12 @@ Json fields_json(Params params) {
     detail::ToJson visitor;
     visit_fields(params, visitor);
     return visitor.out;
+}
+
+// The fields that the JSON has; the others keep their values. Throws Error for a value of another kind.
+template <class Params>
+void fields_from_json(const Json& json, Params& params) {
+    visit_fields(params, detail::FromJson{json});
 }
 
 // Throws UsageError naming the flag --<section>-<field> when a value is out of bounds.

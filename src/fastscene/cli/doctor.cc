@@ -6,10 +6,11 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/parallel.h"
-#include "fastscene/cli/program.h"
+#include "fastscene/base/program.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/rooms/pack.h"
 
 namespace fastscene::cli {
 namespace {
@@ -96,6 +97,16 @@ Finding program(const std::string& name, const std::string& use, const std::stri
     return {name, found ? found->string() : "missing (" + use + ")", found ? "" : remedy};
 }
 
+// Optional: the built-in pieces furnish any room; the pack brings the unexpected ones.
+Finding furniture() {
+    std::vector<std::string> complaints;
+    const fs::path folder = FurniturePack::default_folder();
+    const auto pack = FurniturePack::open(folder, Assets::all, complaints);
+    if (!complaints.empty()) return {"furniture pack", pack ? "damaged: " + complaints.front() : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
+                                     "apt-get install --no-install-recommends sweethome3d-furniture"};
+    return {"furniture pack", fmt::format("{} models in {}", pack->size(), folder.string()), ""};
+}
+
 std::vector<Finding> examine() {
     const fs::path source(source_dir());
     std::vector<Finding> all;
@@ -108,6 +119,7 @@ std::vector<Finding> examine() {
     all.push_back(packages("packages to test", source / "packaging/apt-test.txt"));
     const auto viewer = find_viewer_dir();
     all.push_back({"viewer", viewer ? viewer->string() : "missing: scenes get no viewer.html", viewer ? "" : viewer_remedy()});
+    all.push_back(furniture());
     all.push_back(program("node", "to install the viewer", "apt-get install --no-install-recommends nodejs"));
     all.push_back(program("npm", "to install the viewer", "apt-get install --no-install-recommends npm"));
     all.push_back(program("ffmpeg", "optional: films", "apt-get install --no-install-recommends ffmpeg"));

@@ -19,7 +19,9 @@ namespace fastscene::cli {
 // What the user said: full flag name -> text.
 using Given = std::map<std::string, std::string>;
 
+// The field "kind" is the stage itself: --walk paper.
 inline std::string flag_name(std::string_view section, std::string_view field) {
+    if (field == "kind" && !section.empty()) return fmt::format("--{}", section);
     return section.empty() ? fmt::format("--{}", field) : fmt::format("--{}-{}", section, field);
 }
 

@@ -1,5 +1,6 @@
+#include "fastscene/cli/metrics.h"
+
 #include "fastscene/cli/flags.h"
-#include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/pipeline.h"
 #include "fastscene/pipeline/truth.h"
 
@@ -14,11 +15,16 @@ Verb add_metrics(CLI::App& app) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("metrics", "How good is a scene? Compares it with the real room at poses never trained on.");
-    verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR")->required();
+    verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR");
     verb->add_flag("--truth", flags->truth, "Trace the real room behind the prompt and compare.");
     verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
-    return {verb, [flags](const Session& session) {
+    const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
+    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `metrics`
+    return {verb, [flags, parts](const Session& session) {
+                for (const Verb& part : parts)
+                    if (part.app->parsed()) return part.act(session);
+                if (flags->folder.empty()) throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
                 if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
                 TruthParams params;
                 apply_fields("", params, *flags->given);

@@ -1,11 +1,13 @@
 #include "fastscene/base/file.h"
+#include "fastscene/base/program.h"
 #include "fastscene/cli/flags.h"
-#include "fastscene/cli/program.h"
 #include "fastscene/cli/verb.h"
+#include "fastscene/io/capture_io.h"
 #include "fastscene/io/image_io.h"
-#include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/camera_path.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/splat_files.h"
+#include "fastscene/pipeline/still.h"
 
 namespace fastscene::cli {
 namespace {
@@ -13,9 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Flags {
-    std::string scene, out, path, size = "1280x720";
-    std::vector<float> position{0, 0, 0};
+    std::string scene, out, path, size, depth, alpha;
+    std::vector<float> position{0, 0, 0}, background{0, 0, 0};
     float yaw_deg = 0, pitch_deg = 0, fov_deg = 75;
+    bool sphere = false;
 };
 
 void parse_size(const std::string& text, int& width, int& height) {
@@ -27,18 +30,36 @@ void parse_size(const std::string& text, int& width, int& height) {
         throw UsageError("--size: expected 1x1 to 16384x16384, found \"{}\"", text);
 }
 
+bool ends_in(const fs::path& path, std::initializer_list<const char*> endings) {
+    return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return path.extension() == e; });
+}
+
+void save_color(const fs::path& path, const ImageRgb8& picture) {
+    if (ends_in(path, {".jpg", ".jpeg"})) return save_jpeg(path, picture);
+    save_png(path, picture);
+}
+void save_distance(const fs::path& path, const ImageF& distance) {
+    if (ends_in(path, {".exr"})) return save_exr(path, distance);
+    if (ends_in(path, {".pfm"})) return save_pfm(path, distance);
+    Image<std::uint16_t> millimetres(distance.width, distance.height);
+    for (std::size_t i = 0; i < distance.size(); ++i) millimetres.pixels[i] = static_cast<std::uint16_t>(std::clamp(distance.pixels[i] * 1000.f + 0.5f, 0.f, 65535.f));
+    save_png16(path, millimetres);
+}
+
 // The film's frames as PNGs, and the film itself where ffmpeg is.
-void render_film(const Splats& splats, const CameraPath& camera, const fs::path& out, const Session& session) {
+void render_film(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
     const Run run = session.run(0);
     const fs::path frames = out.extension() == ".mp4" ? fs::path(out).replace_extension("") : out;
     make_directories(frames);
     const Pinhole pinhole = Pinhole::with_fov(camera.width, camera.height, camera.fov_deg);
+    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
     const int count = camera.frames();
     Progress progress(run, "render", count);
     for (int i = 0; i < count; ++i) {
         run.check_stop();
         const CameraKey key = camera.at(camera.keys.front().time_s + static_cast<float>(i) / camera.fps);
-        save_png(frames / fmt::format("{:05}.png", i), picture_of(splats, pinhole, world_from_camera_at(key.position_m, key.yaw_deg, key.pitch_deg)));
+        const Rigid pose = world_from_camera_at(key.position_m, key.yaw_deg, key.pitch_deg);
+        save_png(frames / fmt::format("{:05}.png", i), (flags.sphere ? sphere_of(splats, camera.width / 2 * 2, pose, background) : still_of(splats, pinhole, pose, background)).color);
         progress.advance();
     }
     Json json{{"frames", frames.string()}, {"count", count}};
@@ -47,7 +68,7 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
         const fs::path film = fs::path(frames.string() + ".mp4");
         const int code = run_program(*ffmpeg, {"-y", "-loglevel", "error", "-framerate", fmt::format("{}", camera.fps), "-i",
                                                (frames / "%05d.png").string(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
-                                               "yuv420p", "-crf", "18", film.string()});
+                                               "yuv420p", "-crf", "18", film.string()}, {{}, {}, session.stop});
         if (code != 0) throw Error("{}: ffmpeg failed with exit code {}; the frames are in {}", film.string(), code, frames.string());
         json["film"] = film.string();
         text = film.string();
@@ -57,44 +78,89 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
     session.print(text, json);
 }
 
+// A picture from each camera of a capture, under the names that they have there.
+void render_cameras(const Splats& splats, const Capture& capture, const fs::path& out, const Flags& flags, const Session& session) {
+    const Run run = session.run(0);
+    if (capture.photos.empty()) throw Error("{}: expected cameras, found none", capture.source);
+    Progress progress(run, "render", static_cast<std::int64_t>(capture.photos.size()));
+    const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
+    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
+    bool bent = false;
+    for (const Photo& photo : capture.photos) {
+        run.check_stop();
+        const Mat3d& r = photo.world_from_camera.rotation;
+        const Rigid pose{{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(photo.world_from_camera.translation)};
+        const bool sphere = photo.lens.kind == LensKind::equirectangular;
+        bent = bent || !(sphere || photo.lens.is_pinhole());
+        // Names may climb out of their folder; pictures do not.
+        std::string below;
+        for (const fs::path& part : fs::path(photo.name).relative_path())
+            if (part != ".." && part != ".") below += (below.empty() ? "" : "/") + part.string();
+        const fs::path file = (out / below).replace_extension(".png");
+        make_directories(file.parent_path());
+        save_png(file, (sphere ? sphere_of(splats, photo.lens.width / 2 * 2, pose, background) : still_of(splats, photo.lens.pinhole(), pose, background)).color);
+        progress.advance();
+    }
+    if (bent) run.note("lenses with distortion were rendered without it");
+    session.print(out.string(), {{"frames", out.string()}, {"count", capture.photos.size()}});
+}
+
+void render_one(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
+    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
+    const Rigid pose = world_from_camera_at({flags.position[0], flags.position[1], flags.position[2]}, flags.yaw_deg, flags.pitch_deg);
+    const Still still = flags.sphere ? sphere_of(splats, camera.width, pose, background)
+                                     : still_of(splats, Pinhole::with_fov(camera.width, camera.height, flags.fov_deg), pose, background);
+    save_color(out, still.color);
+    Json json{{"picture", out.string()}};
+    if (!flags.depth.empty()) save_distance(flags.depth, still.distance), json["depth"] = flags.depth;
+    if (!flags.alpha.empty()) save_png(flags.alpha, still.alpha), json["alpha"] = flags.alpha;
+    session.print(out.string(), json);
+}
+
 void render(const Flags& flags, const Session& session) {
-    const fs::path scene = fs::is_directory(flags.scene) ? RunFolder{flags.scene}.scene_ply() : fs::path(flags.scene);
-    if (fs::is_directory(flags.scene) && !fs::exists(scene))
-        throw UsageError("{}: expected a finished run or a .ply, found no splat/scene.ply", flags.scene);
+    const fs::path scene = scene_file(flags.scene);
     const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene) : scene.parent_path();
     CameraPath camera;
-    parse_size(flags.size, camera.width, camera.height);
+    parse_size(!flags.size.empty() ? flags.size : flags.sphere ? "2048x1024" : "1280x720", camera.width, camera.height);
+    if (flags.sphere && camera.width != 2 * camera.height) throw UsageError("--size: expected twice as wide as high with --sphere, found {}", flags.size);
     if (!(flags.fov_deg >= 1.f && flags.fov_deg <= 170.f)) throw UsageError("--fov: expected 1 to 170 degrees, found {}", flags.fov_deg);
-    if (!flags.path.empty()) camera = load_camera_path(flags.path);
-    const Splats splats = load_splat_ply(scene);
-    if (!flags.path.empty()) return render_film(splats, camera, flags.out.empty() ? folder / "film" : fs::path(flags.out), session);
+    for (const float v : flags.background)
+        if (!(v >= 0.f && v <= 1.f)) throw UsageError("--background: expected three numbers from 0 to 1, found {}", v);
+    const fs::path out = !flags.out.empty() ? fs::path(flags.out) : folder / (flags.path.empty() ? "render.png" : "film");
+    if (flags.path.empty() && !ends_in(out, {".png", ".jpg", ".jpeg"})) throw UsageError("--out: expected a name that ends in .png or .jpg, found {}", out.string());
+    if (!flags.depth.empty() && !ends_in(flags.depth, {".exr", ".pfm", ".png"})) throw UsageError("--depth: expected a name that ends in .exr, .pfm or .png, found {}", flags.depth);
+    if (!flags.alpha.empty() && !ends_in(flags.alpha, {".png"})) throw UsageError("--alpha: expected a name that ends in .png, found {}", flags.alpha);
+    if (!flags.path.empty() && !(flags.depth.empty() && flags.alpha.empty())) throw UsageError("--path: expected neither --depth nor --alpha beside it");
 
-    const fs::path out = flags.out.empty() ? folder / "render.png" : fs::path(flags.out);
-    const Vec3f position{flags.position[0], flags.position[1], flags.position[2]};
-    const ImageRgb8 picture = picture_of(splats, Pinhole::with_fov(camera.width, camera.height, flags.fov_deg),
-                                         world_from_camera_at(position, flags.yaw_deg, flags.pitch_deg));
-    if (out.extension() == ".jpg" || out.extension() == ".jpeg")
-        save_jpeg(out, picture);
-    else if (out.extension() == ".png")
-        save_png(out, picture);
-    else
-        throw UsageError("--out: expected a name that ends in .png or .jpg, found {}", out.string());
-    session.print(out.string(), {{"picture", out.string()}});
+    const bool of_colmap = fs::is_directory(flags.path) && is_colmap_model(flags.path);
+    const bool of_capture = !flags.path.empty() && (of_colmap || fs::is_directory(flags.path) || read_json(flags.path).contains("frames"));
+    const Capture capture = of_colmap ? load_colmap_model(flags.path) : of_capture ? load_nerfstudio_capture(flags.path, {}) : Capture{};
+    if (!flags.path.empty() && !of_capture) camera = load_camera_path(flags.path);
+    const Splats splats = load_scene(flags.scene, session.run(0)).splats;
+    if (of_capture) return render_cameras(splats, capture, out, flags, session);
+    if (!flags.path.empty()) return render_film(splats, camera, out, flags, session);
+    render_one(splats, camera, out, flags, session);
 }
 
 }  // namespace
 
 Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand("render", "A picture of a scene, or a film along a camera path.");
-    verb->add_option("scene", flags->scene, "Folder of a run, or a .ply of splats.")->type_name("DIR|PLY")->required();
+    CLI::App* verb = app.add_subcommand("render", "A picture of a scene, all around too, or a film along a camera path.");
+    verb->add_option("scene", flags->scene, "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")->type_name("DIR|FILE")->required();
     verb->add_option("-o,--out", flags->out, "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")->type_name("PATH");
     verb->add_option("--position", flags->position, "Where the camera is: metres right, down, forward of the first panorama.")->type_name("X Y Z")->expected(3)->default_str("0 0 0");
     verb->add_option("--yaw", flags->yaw_deg, "Degrees turned to the right.")->type_name("X")->capture_default_str();
     verb->add_option("--pitch", flags->pitch_deg, "Degrees looked up.")->type_name("X")->capture_default_str();
     verb->add_option("--fov", flags->fov_deg, "Horizontal field of view in degrees.")->type_name("X")->capture_default_str();
-    verb->add_option("--size", flags->size, "Size of the picture in pixels.")->type_name("WxH")->capture_default_str();
-    verb->add_option("--path", flags->path, "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg).")->type_name("FILE");
+    verb->add_option("--size", flags->size, "Size of the picture in pixels; default 1280x720, with --sphere 2048x1024.")->type_name("WxH");
+    verb->add_flag("--sphere", flags->sphere, "All around: an equirectangular picture.");
+    verb->add_option("--depth", flags->depth, "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere along the ray.")->type_name("FILE");
+    verb->add_option("--alpha", flags->alpha, "Also how opaque each pixel is (.png).")->type_name("FILE");
+    verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")->type_name("R G B")->expected(3)->default_str("0 0 0");
+    verb->add_option("--path", flags->path,
+                     "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to render from: a transforms.json or a COLMAP model's folder.")
+        ->type_name("FILE|DIR");
     return {verb, [flags](const Session& session) { render(*flags, session); }};
 }
 

@@ -15,6 +15,11 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
                        fmt::format("Settings of {} (defaults are those of --quality {})", section, flags->quality));
         if (section == last_stage) wanted = false;
     });
+    // As the paper's step is called.
+    if (const CLI::Option* sfm = app.get_option_no_throw("--views-sfm"))
+        app.add_option_function<std::string>("--sfm", [given = flags->given](const std::string& text) { (*given)["--views-sfm"] = text; }, "The same as --views-sfm.")
+            ->type_name(sfm->get_type_name())
+            ->group(sfm->get_group());
     app.add_option("--quality", flags->quality, "Preset that fills all settings below.")
         ->type_name("draft|standard|high")
         ->check(CLI::IsMember(qualities()).description(""))
@@ -45,36 +50,51 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("prompt", flags->prompt, "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".")->type_name("PROMPT");
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
-    verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png) instead of a prompt.")->type_name("FILE");
-    verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres).")->type_name("FILE");
+    verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png) instead of a prompt; or diffusion360: paint the prompt with --weights.")
+        ->type_name("FILE|diffusion360");
+    verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/.")->type_name("DIR");
+    verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
+    verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
+        ->type_name("none|cc0|all")
+        ->check(CLI::IsMember({"none", "cc0", "all"}).description(""));
     verb->add_flag("--force", flags->force, "Throw away what another prompt or seed has left in the folder.");
     add_param_flags(*verb, flags, last_stage);
 
     return {verb, [flags, last_stage, verb](const Session& session) {
                 if (flags->picture.empty() && verb->count("prompt") == 0)
-                    throw UsageError("{}: expected a prompt in quotes, or --panorama FILE --range FILE", verb->get_name());
+                    throw UsageError("{}: expected a prompt in quotes, or --panorama FILE", verb->get_name());
                 SceneRequest request;
-                request.source = {flags->prompt, flags->picture, flags->range_map};
+                const auto backend = flags->given->find("--panorama-backend");
+                const bool painted = flags->picture == "diffusion360" || (backend != flags->given->end() && backend->second == "diffusion360");
+                if (painted) flags->picture.clear();
+                if (painted && flags->weights.empty())
+                    throw UsageError("--panorama diffusion360: expected --weights DIR, a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/ "
+                                     "(github.com/ArcherFMY/SD-T2I-360PanoImage says where its sd-base is), found none");
+                if (!painted && !flags->weights.empty()) throw UsageError("--weights: expected together with --panorama diffusion360, found alone");
+                if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
+                request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights};
                 request.quality = flags->quality;
                 request.params = params_of_quality(flags->quality);
+                if (painted) request.params.panorama.width = 1024;  // what the model was trained for
                 apply_param_flags(request.params, *flags->given);
+                if (painted) request.params.panorama.backend = "diffusion360";
                 if (flags->strict) request.params.panorama.strict = true;
+                if (!flags->assets.empty()) request.params.panorama.assets = flags->assets;
                 if (!flags->picture.empty()) request.params.panorama.backend = "image";
                 if (flags->picture.empty() && request.params.panorama.backend == "image")
                     throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
                 request.last_stage = last_stage;
                 request.start_over = flags->force;
                 // The prompt is looked at before it becomes a folder's name.
-                if (flags->picture.empty()) understand_prompt(flags->prompt, request.params.panorama.strict);
+                if (flags->picture.empty() && !painted) read_prompt(flags->prompt, request.params.panorama);
                 const std::string title = flags->picture.empty() ? flags->prompt : std::filesystem::path(flags->picture).stem().string();
                 const RunFolder folder{flags->out.empty() ? std::filesystem::path("out") / slug_of(title) : std::filesystem::path(flags->out)};
                 make_and_print(request, folder, session.run(number_from<std::uint64_t>("--seed", flags->seed)), session);
             }};
 }
 
-Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence) {
-    auto flags = std::make_shared<RequestFlags>();
+Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence, std::shared_ptr<RequestFlags> flags) {
     CLI::App* verb = app.add_subcommand(name, sentence);
     verb->add_option("folder", flags->out, "Folder of a run.")->type_name("DIR")->required();
     add_param_flags(*verb, flags, name);

@@ -11,7 +11,7 @@
 namespace fastscene::cli {
 
 struct RequestFlags {
-    std::string prompt, picture, range_map, out;
+    std::string prompt, picture, range_map, weights, out, assets;
     std::string quality = "standard";
     std::string seed = "0";
     bool force = false, strict = false, has_quality = false;
@@ -21,6 +21,7 @@ struct RequestFlags {
 // For verbs that start a run from a prompt or a picture: make, panorama.
 Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence, const std::string& last_stage);
 // For verbs that go on with the run in a folder: depth, walk, views, splat. Settings that no flag changes are those of run.json.
-Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence);
+Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence,
+                    std::shared_ptr<RequestFlags> flags = std::make_shared<RequestFlags>());
 
 }  // namespace fastscene::cli

@@ -14,6 +14,8 @@ namespace fastscene::cli {
 namespace {
 
 std::string settings_of(const RunFolder& folder) {
+    if (const auto glance = first_glance_of_capture(folder))
+        return viewer_settings({folder.root.filename().string(), glance->position_m, glance->position_m + glance->forward, glance->fov_deg});
     const Vec3f target = world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), kPreviewPitchDeg) * Vec3f{0, 0, 1};
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
@@ -32,7 +34,9 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     });
     const std::string settings = viewer_dir ? settings_of(folder) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
-        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=/splat/scene.compressed.ply" : "/viewer.html");
+        // Splats of photographs are shown upright, whatever axes the photographs' model has.
+        const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply" : "/splat/scene.compressed.ply";
+        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats : "/viewer.html");
     });
     server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) { response.set_content(settings, "application/json"); });
     server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");

@@ -45,8 +45,10 @@ Verb add_views(CLI::App& app);
 Verb add_splat(CLI::App& app);
 Verb add_metrics(CLI::App& app);
 Verb add_render(CLI::App& app);
+Verb add_convert(CLI::App& app);
 Verb add_view(CLI::App& app);
 Verb add_doctor(CLI::App& app);
+Verb add_rooms(CLI::App& app);
 Verb add_version(CLI::App& app);
 
 }  // namespace fastscene::cli

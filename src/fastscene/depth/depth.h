@@ -1,10 +1,12 @@
 // Depth stage: equirectangular color -> range along each ray, in metres. Paper: panoramic depth.
-// Backends: "exact" (the room behind a panorama from a prompt is asked) and "image" (a range map of the
-// user's, panorama/panorama.h). A network that estimates it has its own issue.
+// Backends: "exact" (the room behind a panorama from a prompt is asked), "image" (a range map of the user's,
+// panorama/panorama.h), "egformer" (a network estimates it) and "layout" (a box room fitted to the picture's lines).
 #pragma once
 
+#include <string>
 #include <string_view>
 
+#include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/image.h"
@@ -12,6 +14,19 @@
 #include "fastscene/trace/trace.h"
 
 namespace fastscene {
+
+struct DepthParams {
+    std::string backend = "auto";
+    std::string weights;           // of egformer
+    float camera_height_m = 1.6f;  // over the floor: a tripod at eye height
+};
+template <class V>
+void visit_fields(DepthParams& p, V&& v) {
+    v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
+      "What tells the range: auto takes exact for a prompt, image with --range, egformer with --depth-weights, else layout.");
+    v("weights", p.weights, "EGformer's weights (the published .pkl, or .safetensors).");
+    v("camera-height", p.camera_height_m, Bounds{0.2, 20}, "Height of the camera over the floor in metres, where range is estimated.");
+}
 
 // Range as seen from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.
 ImageF exact_range(const TracedRoom& room, EquirectSize size, const Run& run);

@@ -1,14 +1,17 @@
 #include "fastscene/inpaint/inpaint.h"
 
+#include "fastscene/inpaint/aotgan.h"
 #include "fastscene/inpaint/harmonic.h"
 
 namespace fastscene {
 
-std::vector<std::string> inpainters() { return {"harmonic"}; }
+std::vector<std::string> inpainters() { return {"harmonic", "aotgan"}; }
 
-std::unique_ptr<Inpainter> make_inpainter(std::string_view name) {
+std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights) {
     if (name == "harmonic") return std::make_unique<HarmonicInpainter>();
-    throw UsageError("unknown inpainter '{}': expected harmonic", name);
+    if (name != "aotgan") throw UsageError("unknown inpainter '{}': expected harmonic or aotgan", name);
+    if (weights.empty()) throw UsageError("inpainter aotgan: expected a file of weights (--walk-inpaint-weights), found none");
+    return std::make_unique<AotganInpainter>(Aotgan::load(weights));
 }
 
 }  // namespace fastscene

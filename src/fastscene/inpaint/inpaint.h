@@ -1,7 +1,8 @@
-// Inpaint: fills the holes of a picture. Paper: AOT-GAN, retrained (its own issue); here "harmonic",
-// the reference: each hole pixel is the harmonic mean of its surroundings (Laplace's equation).
+// Inpaint: fills the holes of a picture. Paper: AOT-GAN, retrained ("aotgan", with the user's weights); "harmonic" is the
+// reference and needs none: each hole pixel is the harmonic mean of its surroundings (Laplace's equation).
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,8 +19,9 @@ struct Inpainter {
     // `hole`: nonzero = to be filled. Pixels that are no hole come back unchanged, bit for bit.
     virtual ImageColor fill(const ImageColor& color, const ImageMask& hole, const Run& run) const = 0;
 };
-// Throws UsageError for an unknown name.
-std::unique_ptr<Inpainter> make_inpainter(std::string_view name);
+// `weights`: the generator's checkpoint, for "aotgan" only. Throws UsageError for an unknown name, or when weights are needed and none are
+// named; Error naming the file when it is no such checkpoint.
+std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights = {});
 std::vector<std::string> inpainters();  // names, for --help and the contract test
 
 }  // namespace fastscene

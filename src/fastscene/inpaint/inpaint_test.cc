@@ -2,10 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "fastscene/base/error.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/inpaint/crops.h"
+#include "fastscene/nn/hashed_aotgan.h"
+#include "fastscene/nn/safetensors.h"
 
 namespace fastscene {
 namespace {
@@ -23,10 +30,24 @@ Picture noisy_picture(int w, int h) {
     return p;
 }
 
+// A small network with hashed weights, as a file.
+const std::filesystem::path& small_weights() {
+    static const std::filesystem::path path = [] {
+        const auto file = std::filesystem::temp_directory_path() / ("fastscene-inpaint-test-" + std::to_string(::getpid()) + ".safetensors");
+        save_safetensors(file, hashed_aotgan(4, 2));
+        return file;
+    }();
+    return path;
+}
+struct RemoveWeights : testing::Environment {
+    void TearDown() override { std::filesystem::remove(small_weights()); }
+};
+[[maybe_unused]] const auto* const remove_weights = testing::AddGlobalTestEnvironment(new RemoveWeights);
+
 TEST(Inpainters, AllKeepTheContract) {
     const Picture p = noisy_picture(97, 61);
     for (const std::string& name : inpainters()) {
-        const auto inpainter = make_inpainter(name);
+        const auto inpainter = make_inpainter(name, small_weights());
         const ImageColor out = inpainter->fill(p.color, p.hole, {});
         ASSERT_TRUE(out.same_size(p.color)) << name;
         for (std::size_t i = 0; i < out.size(); ++i) {
@@ -68,7 +89,74 @@ TEST(Harmonic, ContinuesARampExactly) {
     for (std::size_t i = 0; i < out.size(); ++i) EXPECT_LT(length(out.pixels[i] - color.pixels[i]), 0.02f);
 }
 
-TEST(Inpainters, AnUnknownNameIsRefused) { EXPECT_THROW(make_inpainter("crayon"), UsageError); }
+TEST(Inpainters, AnUnknownNameIsRefused) {
+    EXPECT_THROW(make_inpainter("crayon"), UsageError);
+    EXPECT_THROW(make_inpainter("aotgan"), UsageError);
+}
+
+std::string refusal(const Weights& weights) {
+    const auto file = std::filesystem::temp_directory_path() / ("fastscene-inpaint-refused-" + std::to_string(::getpid()) + ".safetensors");
+    save_safetensors(file, weights);
+    std::string text;
+    try {
+        (void)make_inpainter("aotgan", file);
+    } catch (const Error& e) {
+        text = e.what();
+    }
+    std::filesystem::remove(file);
+    return text;
+}
+
+TEST(Aotgan, WeightsThatDoNotFitAreNamed) {
+    Weights weights = hashed_aotgan(4, 1);
+    EXPECT_EQ(refusal(weights), "");
+    Weights lacking = weights;
+    lacking.tensors.erase("middle.0.gate.1.bias");
+    EXPECT_NE(refusal(lacking).find("middle.0.gate.1.bias"), std::string::npos);
+    Weights bent = weights;
+    bent.tensors["decoder.4.weight"] = weights.at("decoder.0.conv.weight");
+    EXPECT_NE(refusal(bent).find("decoder.4.weight: expected shape [3, 4, 3, 3]"), std::string::npos) << refusal(bent);
+    EXPECT_NE(refusal({{}, {{"x", weights.at("encoder.1.bias")}}, {}, {}}).find("encoder.1.weight"), std::string::npos);
+}
+
+// What the network paints meets what is known: in a flat picture no seam is higher than a part of the step between network and picture.
+TEST(Aotgan, SeamsAreFeathered) {
+    ImageColor color(192, 128, Vec3f{0.5f, 0.2f, 0.05f});
+    ImageMask hole(192, 128);
+    for (int y = 40; y < 90; ++y)
+        for (int x = 60; x < 130; ++x) hole.at(x, y) = 1;
+    const ImageColor out = make_inpainter("aotgan", small_weights())->fill(color, hole, {});
+    EXPECT_LT(length(out.at(60, 65) - color.at(60, 65)), 0.12f);
+    EXPECT_LT(length(out.at(95, 40) - color.at(95, 40)), 0.12f);
+    EXPECT_GT(length(out.at(95, 65) - color.at(95, 65)), 1e-4f);  // and inside it is the network's
+}
+
+// Every hole pixel lies in a crop; sizes keep their promises; small holes do not cost the whole picture.
+TEST(Crops, CoverEveryHole) {
+    Random r(5, "crops");
+    for (int round = 0; round < 60; ++round) {
+        ImageMask hole(40 + r.index(1200), 40 + r.index(700));
+        for (int k = r.index(6); k >= 0; --k) {
+            const int left = r.index(hole.width), top = r.index(hole.height), w = 1 + r.index(hole.width), h = 1 + r.index(hole.height);
+            for (int y = top; y < std::min(hole.height, top + h); ++y)
+                for (int x = left; x < std::min(hole.width, left + w); ++x) hole.at(x, y) = 1;
+        }
+        ImageMask covered(hole.width, hole.height);
+        for (const Crop& crop : crops_around(hole, 48, 8, 64, 512)) {
+            EXPECT_TRUE(crop.width % 8 == 0 && crop.height % 8 == 0 && crop.width >= 64 && crop.height >= 64 && crop.width <= 512 && crop.height <= 512);
+            EXPECT_TRUE(crop.x >= 0 && crop.y >= 0);
+            for (int y = crop.y; y < std::min(hole.height, crop.y + crop.height); ++y)
+                for (int x = crop.x; x < std::min(hole.width, crop.x + crop.width); ++x) covered.at(x, y) = 1;
+        }
+        for (std::size_t i = 0; i < hole.size(); ++i) ASSERT_TRUE(!hole.pixels[i] || covered.pixels[i]) << round;
+    }
+    ImageMask one(1024, 512);
+    one.at(500, 250) = 1;
+    const auto crops = crops_around(one, 48, 8, 64, 512);
+    ASSERT_EQ(crops.size(), 1u);
+    EXPECT_LE(crops[0].width, 104);
+    EXPECT_TRUE(crops_around(ImageMask(1024, 512), 48, 8, 64, 512).empty());
+}
 
 }  // namespace
 }  // namespace fastscene

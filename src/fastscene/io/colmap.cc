@@ -6,7 +6,8 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/io/ply.h"
+#include "fastscene/io/bytes.h"
+#include "fastscene/io/capture_io.h"
 
 namespace fastscene {
 namespace {
@@ -104,66 +105,6 @@ std::string points_binary(const std::vector<SurfacePoint>& points) {
     return out;
 }
 
-// Reads numbers from a buffer and knows where it is when the buffer ends too early.
-class Reader {
-  public:
-    explicit Reader(fs::path path) : path_(std::move(path)), bytes_(read_file(path_)) {}
-    template <class T>
-    T get() {
-        if (bytes_.size() - at_ < sizeof(T)) too_short(sizeof(T));
-        T value;
-        std::memcpy(&value, bytes_.data() + at_, sizeof value);
-        at_ += sizeof value;
-        return value;
-    }
-    std::string text() {
-        const std::size_t end = bytes_.find('\0', at_);
-        if (end == std::string::npos) too_short(1);
-        std::string out = bytes_.substr(at_, end - at_);
-        at_ = end + 1;
-        return out;
-    }
-    // A count of things that take at least `least` bytes each.
-    std::size_t count(std::size_t least) {
-        const auto n = get<std::uint64_t>();
-        if (n > (bytes_.size() - at_) / least) throw Error("{}: byte {}: expected fewer than {} entries in {} bytes", path_.string(), at_, n, bytes_.size());
-        return static_cast<std::size_t>(n);
-    }
-    void skip(std::size_t bytes) {
-        if (bytes_.size() - at_ < bytes) too_short(bytes);
-        at_ += bytes;
-    }
-    [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: byte {}: {}", path_.string(), at_, what); }
-
-  private:
-    [[noreturn]] void too_short(std::size_t wanted) const {
-        throw Error("{}: byte {}: expected {} more bytes, found {}", path_.string(), at_, wanted, bytes_.size() - at_);
-    }
-    fs::path path_;
-    std::string bytes_;
-    std::size_t at_ = 0;
-};
-
-std::vector<std::pair<std::int32_t, Pinhole>> load_cameras(const fs::path& path) {
-    Reader in(path);
-    std::vector<std::pair<std::int32_t, Pinhole>> cameras(in.count(24));
-    for (auto& [id, camera] : cameras) {
-        id = in.get<std::int32_t>();
-        const auto model = in.get<std::int32_t>();
-        const auto width = in.get<std::uint64_t>(), height = in.get<std::uint64_t>();
-        if (model != 0 && model != kPinholeModel) in.refuse(fmt::format("expected a SIMPLE_PINHOLE or PINHOLE camera, found model {}", model));
-        if (width < 1 || height < 1 || width > 65536 || height > 65536) in.refuse(fmt::format("expected a picture size, found {} x {}", width, height));
-        camera.width = static_cast<int>(width);
-        camera.height = static_cast<int>(height);
-        camera.fx = static_cast<float>(in.get<double>());
-        camera.fy = model == kPinholeModel ? static_cast<float>(in.get<double>()) : camera.fx;
-        camera.cx = static_cast<float>(in.get<double>());
-        camera.cy = static_cast<float>(in.get<double>());
-        if (!(camera.fx > 0 && camera.fy > 0)) in.refuse(fmt::format("expected a positive focal length, found {}", camera.fx));
-    }
-    return cameras;
-}
-
 }  // namespace
 
 void save_colmap(const fs::path& dir, const ViewSet& set) {
@@ -178,29 +119,16 @@ void save_colmap(const fs::path& dir, const ViewSet& set) {
 }
 
 std::vector<View> load_colmap_views(const fs::path& dir) {
-    const auto cameras = load_cameras(dir / "cameras.bin");
-    Reader in(dir / "images.bin");
-    std::vector<View> views(in.count(4 + 7 * 8 + 4 + 1 + 8));
-    for (View& view : views) {
-        in.get<std::int32_t>();
-        Quatd q;
-        q.w = in.get<double>(), q.x = in.get<double>(), q.y = in.get<double>(), q.z = in.get<double>();
-        Vec3d t;
-        t.x = in.get<double>(), t.y = in.get<double>(), t.z = in.get<double>();
-        if (!(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.1)) in.refuse("expected a unit quaternion, found zero");
-        if (!(std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z))) in.refuse("expected a finite translation, found another");
-        const Rigidd world_from_camera = inverse(Rigidd{matrix_of(q), t});
-        const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
-        const Mat3d& r = world_from_camera.rotation;
-        view.world_from_camera = {{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(world_from_camera.translation)};
-        const auto camera_id = in.get<std::int32_t>();
-        view.name = in.text();
-        in.skip(in.count(24) * 24);
-        bool found = false;
-        for (const auto& [id, camera] : cameras)
-            if (id == camera_id) view.camera = camera, found = true;
-        if (!found) in.refuse(fmt::format("expected a camera {} in cameras.bin, found none", camera_id));
-        if (view.name.find("..") != std::string::npos || view.name.empty() || view.name[0] == '/') in.refuse("expected a picture's name below images/, found \"" + view.name + "\"");
+    const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
+    std::vector<View> views;
+    for (const Photo& photo : load_colmap_model(dir).photos) {
+        if (!photo.lens.is_pinhole()) throw Error("{}: {}: expected a camera without distortion, found another", dir.string(), photo.name);
+        View view;
+        view.name = photo.name;
+        view.camera = photo.lens.pinhole();
+        const Mat3d& r = photo.world_from_camera.rotation;
+        view.world_from_camera = {{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(photo.world_from_camera.translation)};
+        views.push_back(std::move(view));
     }
     return views;
 }

@@ -6,6 +6,8 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/io/bytes.h"
+#include "fastscene/io/packed.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
 
@@ -15,12 +17,6 @@ namespace fastscene {
 namespace {
 
 constexpr std::size_t kChunk = 256;
-
-std::uint32_t unorm(float v, int bits) {
-    const float top = static_cast<float>((1u << bits) - 1u);
-    if (!(v > 0.f)) return 0;  // NaN too
-    return static_cast<std::uint32_t>(std::floor(std::clamp(v, 0.f, 1.f) * top + 0.5f));
-}
 
 struct Bounds3 {
     Vec3f low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
@@ -38,13 +34,8 @@ std::uint32_t pack_11_10_11(Vec3f v) { return unorm(v.x, 11) << 21 | unorm(v.y, 
 
 // The largest component is left out: 2 bits say which, 10 bits each the others.
 std::uint32_t pack_rotation(Quatf q) {
-    std::array<float, 4> c{q.w, q.x, q.y, q.z};
-    const float n = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + c[3] * c[3]);
-    if (!(n > 0.f)) c = {1, 0, 0, 0};
-    else for (float& v : c) v /= n;
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < 4; ++i)
-        if (std::abs(c[i]) > std::abs(c[largest])) largest = i;
+    const std::array<float, 4> c = unit_quaternion(q);
+    const std::size_t largest = largest_of(c);
     const float sign = c[largest] < 0 ? -1.f : 1.f;
     std::uint32_t out = static_cast<std::uint32_t>(largest);
     for (std::size_t i = 0; i < 4; ++i)
@@ -111,7 +102,7 @@ std::string compressed_ply_bytes(const Splats& splats) {
         for (std::size_t k = first; k < last; ++k) {
             const std::size_t i = order[k];
             const Vec3f c = color.share(color_of(i));
-            const float opacity = 1.f / (1.f + std::exp(-splats.opacity_logit[i]));
+            const float opacity = sigmoid(splats.opacity_logit[i]);
             append(vertex_bytes, pack_11_10_11(mean.share(splats.mean_m[i])));
             append(vertex_bytes, pack_rotation(splats.rotation[i]));
             append(vertex_bytes, pack_11_10_11(scale.share(clamped_scale(splats.log_scale[i]))));
@@ -129,5 +120,78 @@ std::string compressed_ply_bytes(const Splats& splats) {
 }
 
 void save_compressed_ply(const std::filesystem::path& path, const Splats& splats) { write_file(path, compressed_ply_bytes(splats)); }
+
+namespace {
+
+// The columns of the bounds that a chunk has for one kind of value.
+struct BoundColumns {
+    std::array<int, 3> low{-1, -1, -1}, high{-1, -1, -1};
+    BoundColumns(const Ply& ply, const PlyElement& chunk, const std::string& kind, const char* axes, bool required) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::string low_name = "min_" + kind + axes[a], high_name = "max_" + kind + axes[a];
+            low[a] = required ? ply.property(chunk, low_name) : Ply::find(chunk, low_name);
+            high[a] = required ? ply.property(chunk, high_name) : Ply::find(chunk, high_name);
+        }
+    }
+    // Between the bounds of row `row`; files without bounds of this kind mean 0..1.
+    Vec3f between(const Ply& ply, const PlyElement& chunk, std::size_t row, Vec3f share) const {
+        if (low[0] < 0) return share;
+        Vec3f v;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const float from = ply.number(chunk, row, low[a]), to = ply.number(chunk, row, high[a]);
+            v[a] = from + share[a] * (to - from);
+        }
+        return v;
+    }
+};
+
+Vec3f unpack_11_10_11(std::uint32_t v) { return {from_unorm(v, 21, 11), from_unorm(v, 11, 10), from_unorm(v, 0, 11)}; }
+
+Quatf unpack_rotation(std::uint32_t v) {
+    std::array<float, 4> c{};
+    const std::size_t largest = v >> 30;
+    float rest = 1;
+    int at = 20;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (i == largest) continue;
+        c[i] = (from_unorm(v, at, 10) - 0.5f) * std::sqrt(2.f);
+        rest -= c[i] * c[i];
+        at -= 10;
+    }
+    c[largest] = std::sqrt(std::max(0.f, rest));
+    return {c[0], c[1], c[2], c[3]};
+}
+
+// Bytes stand for the middles of 256 equal steps between -4 and 4, the first and the last for the ends.
+float sh_of_byte(double byte) { return static_cast<float>(((byte <= 0 ? 0 : byte >= 255 ? 1 : (byte + 0.5) / 256) - 0.5) * 8); }
+
+}  // namespace
+
+bool is_compressed_ply(const Ply& ply) { return ply.has("chunk") && ply.has("vertex") && Ply::find(ply.element("vertex"), "packed_position") >= 0; }
+
+Splats splats_of_compressed_ply(const Ply& ply) {
+    const PlyElement &chunk = ply.element("chunk"), &vertex = ply.element("vertex");
+    if (chunk.count != vertex.count / kChunk + (vertex.count % kChunk != 0))
+        throw Error("{}: expected {} chunks for {} splats, found {}", ply.path().string(), (vertex.count + kChunk - 1) / kChunk, vertex.count, chunk.count);
+    const BoundColumns mean(ply, chunk, "", "xyz", true), scale(ply, chunk, "scale_", "xyz", true), color(ply, chunk, "", "rgb", false);
+    const int position = ply.property(vertex, "packed_position"), rotation = ply.property(vertex, "packed_rotation");
+    const int packed_scale = ply.property(vertex, "packed_scale"), packed_color = ply.property(vertex, "packed_color");
+    Splats splats;
+    const PlyElement* sh = ply.has("sh") ? &ply.element("sh") : nullptr;
+    const std::vector<int> rest = sh ? sh_columns(ply, *sh, splats.sh_degree) : std::vector<int>{};
+    if (sh && sh->count != vertex.count) throw Error("{}: expected {} rows of \"sh\", found {}", ply.path().string(), vertex.count, sh->count);
+    splats.resize(vertex.count);
+    for (std::size_t i = 0; i < vertex.count; ++i) {
+        const auto packed = [&](int property) { return static_cast<std::uint32_t>(ply.value(vertex, i, property)); };
+        const std::uint32_t c = packed(packed_color);
+        splats.mean_m[i] = mean.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(position)));
+        splats.log_scale[i] = scale.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(packed_scale)));
+        splats.rotation[i] = unpack_rotation(packed(rotation));
+        splats.sh0[i] = (color.between(ply, chunk, i / kChunk, {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) - Vec3f{0.5f, 0.5f, 0.5f}) / kSh0;
+        splats.opacity_logit[i] = logit_of(from_unorm(c, 0, 8));
+        for (std::size_t k = 0; k < rest.size(); ++k) splats.sh_rest[i * rest.size() + k] = sh_of_byte(ply.value(*sh, i, rest[k]));
+    }
+    return splats;
+}
 
 }  // namespace fastscene

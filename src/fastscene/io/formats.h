@@ -18,11 +18,12 @@ inline bool plausible_size(std::int64_t width, std::int64_t height) {
 }
 
 PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);
-ImageRgb8 load_png_rgb8(const std::filesystem::path& path);
+ImageRgb8 decode_png_rgb8(std::string_view bytes, const std::string& where);
+ImageMask load_png_alpha(const std::filesystem::path& path);
 ImageF load_png_float(const std::filesystem::path& path, float unit);
 
 PictureInfo jpeg_info(const std::filesystem::path& path, std::string_view bytes);
-ImageRgb8 load_jpeg(const std::filesystem::path& path);
+ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where);
 
 PictureInfo exr_info(const std::filesystem::path& path);
 ImageF load_exr(const std::filesystem::path& path);

@@ -33,12 +33,18 @@ PictureInfo picture_info(const fs::path& path) {
     return {};
 }
 
-ImageRgb8 load_rgb8(const fs::path& path) {
-    switch (format_of(path, read_file(path))) {
-        case Format::png: return load_png_rgb8(path);
-        case Format::jpeg: return load_jpeg(path);
-        default: throw Error("{}: expected a color picture (PNG or JPEG), found a float map", path.string());
+ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where) {
+    switch (format_of(where, bytes)) {
+        case Format::png: return decode_png_rgb8(bytes, where);
+        case Format::jpeg: return decode_jpeg(bytes, where);
+        default: throw Error("{}: expected a color picture (PNG or JPEG), found a float map", where);
     }
+}
+
+ImageRgb8 load_rgb8(const fs::path& path) { return decode_rgb8(read_file(path), path.string()); }
+
+ImageMask load_alpha(const fs::path& path) {
+    return format_of(path, read_file(path)) == Format::png ? load_png_alpha(path) : ImageMask{};
 }
 
 ImageF load_float(const fs::path& path, float png_unit) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "fastscene/image/image.h"
 
@@ -18,6 +19,10 @@ PictureInfo picture_info(const std::filesystem::path& path);
 
 // 8-bit color from .png (any depth, gray and alpha too: alpha over black) or .jpg; truncated files throw Error.
 ImageRgb8 load_rgb8(const std::filesystem::path& path);
+// The same from memory; `where` names the picture in errors.
+ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
+// How opaque each pixel is, 255 = fully; empty where every pixel is, or the format knows no alpha.
+ImageMask load_alpha(const std::filesystem::path& path);
 void save_png(const std::filesystem::path& path, const ImageRgb8& image);
 void save_png(const std::filesystem::path& path, const ImageMask& image);                // 8-bit gray
 ImageMask load_mask_png(const std::filesystem::path& path);                              // 8-bit gray

@@ -127,12 +127,12 @@ PictureInfo jpeg_info(const fs::path& path, std::string_view bytes) {
     return info;
 }
 
-ImageRgb8 load_jpeg(const fs::path& path) {
+ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where) {
     int width = 0, height = 0;
     std::vector<JSAMPLE> pixels;
     std::string message;
-    if (!decode(read_file(path), false, width, height, pixels, message))
-        throw Error("{}: expected a whole JPEG picture, found: {}", path.string(), message);
+    if (!decode(bytes, false, width, height, pixels, message))
+        throw Error("{}: expected a whole JPEG picture, found: {}", where, message);
     ImageRgb8 image(width, height);
     std::memcpy(image.pixels.data(), pixels.data(), image.size() * 3);
     return image;

@@ -1,11 +1,14 @@
-// The PLY container: elements with named scalar properties, binary little endian. Private to io/.
+// The PLY container: elements with named scalar properties, as text or binary of either byte order. Private to io/.
 #pragma once
 
-#include <cstring>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "fastscene/io/bytes.h"
+#include "fastscene/scene/splats.h"
 
 namespace fastscene {
 
@@ -19,7 +22,8 @@ struct PlyElement {
     std::string name;
     std::size_t count = 0, stride = 0;
     std::vector<PlyProperty> properties;
-    std::size_t data = 0;  // where its rows begin in the file
+    std::size_t data = 0;   // where its rows begin in the bytes
+    bool has_list = false;  // such as the faces of a mesh: not read, nor what follows
 };
 
 // A parsed file. Sizes are checked against the file before anything is allocated.
@@ -28,7 +32,9 @@ class Ply {
     // Throws Error naming the file, the byte or the line, what was expected and found.
     explicit Ply(const std::filesystem::path& path);
 
-    const PlyElement& element(std::string_view name) const;  // throws Error when absent
+    const std::filesystem::path& path() const { return path_; }
+    bool has(std::string_view name) const;
+    const PlyElement& element(std::string_view name) const;  // throws Error when absent, or not readable behind a list
     // Index of a property, or -1.
     static int find(const PlyElement& element, std::string_view name);
     // Throws Error when absent.
@@ -37,17 +43,26 @@ class Ply {
     float number(const PlyElement& element, std::size_t row, int property) const { return static_cast<float>(value(element, row, property)); }
 
   private:
+    enum class Encoding { text, little, big };
+    Encoding parse_header();
+    void parse_header_line(const std::string& line);
+    std::string next_line();
+    void place_binary_rows();
+    void swap_bytes();
+    void read_text_rows();
+
     std::filesystem::path path_;
     std::string bytes_;
+    std::size_t at_ = 0;  // while parsing
     std::vector<PlyElement> elements_;
 };
 
-// Appends the bytes of a number, little endian (as all machines we run on are).
-template <class T>
-void append(std::string& out, T value) {
-    char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    out.append(bytes, sizeof value);
-}
+// The columns f_rest_* that we keep, channel-major, and the degree they make: files may have 0, 9, 24, 45 or 72 (degree 4, of which
+// the first three bands are kept). Throws Error for another number.
+std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree);
+
+bool is_compressed_ply(const Ply& ply);
+Splats splats_of_compressed_ply(const Ply& ply);
+Splats splats_of_ply(const Ply& ply);
 
 }  // namespace fastscene

@@ -34,12 +34,19 @@ void on_read(png_structp png, png_bytep out, png_size_t size) {
     source->at += size;
 }
 
-enum class Wanted { rgb8, gray8, gray16 };
+// Apart from the function that setjmp returns to, whose locals may not change.
+[[gnu::noinline]] void make_rows(Source& source, std::vector<png_byte>& pixels, std::size_t stride, std::size_t height) {
+    pixels.resize(stride * height);
+    source.rows.resize(height);
+    for (std::size_t y = 0; y < height; ++y) source.rows[y] = pixels.data() + y * stride;
+}
+
+enum class Wanted { rgb8, rgba8, gray8, gray16 };
 
 // Rows as asked for: 3 or 1 bytes, or 2 bytes big endian, a pixel.
-bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, std::vector<png_byte>& pixels, std::string& message) {
+// Never inlined: setjmp forgives no variable of a caller.
+[[gnu::noinline]] bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, std::vector<png_byte>& pixels, std::string& message) {
     Source source{&bytes, 0, {}, {}};
-    std::vector<png_bytep>& rows = source.rows;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     png_infop info = png_create_info_struct(png);
     if (setjmp(png_jmpbuf(png))) {
@@ -61,34 +68,37 @@ bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, st
         png_error(png, "a size that the file cannot hold");
     png_set_expand(png);
     if (wanted != Wanted::gray16) png_set_scale_16(png);
-    if (type & PNG_COLOR_MASK_ALPHA || png_get_valid(png, info, PNG_INFO_tRNS)) {
+    if (wanted == Wanted::rgba8) {
+        png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    } else if (type & PNG_COLOR_MASK_ALPHA || png_get_valid(png, info, PNG_INFO_tRNS)) {
         png_color_16 black{};
         png_set_background(png, &black, PNG_BACKGROUND_GAMMA_SCREEN, 0, 1.0);
     }
-    if (wanted == Wanted::rgb8 && !(type & PNG_COLOR_MASK_COLOR)) png_set_gray_to_rgb(png);
-    if (wanted != Wanted::rgb8 && (type & PNG_COLOR_MASK_COLOR)) png_set_rgb_to_gray_fixed(png, 1, -1, -1);
+    const bool colors = wanted == Wanted::rgb8 || wanted == Wanted::rgba8;
+    if (colors && !(type & PNG_COLOR_MASK_COLOR)) png_set_gray_to_rgb(png);
+    if (!colors && (type & PNG_COLOR_MASK_COLOR)) png_set_rgb_to_gray_fixed(png, 1, -1, -1);
     png_set_interlace_handling(png);
     png_read_update_info(png, info);
     width = static_cast<int>(png_get_image_width(png, info));
     height = static_cast<int>(png_get_image_height(png, info));
     const std::size_t stride = png_get_rowbytes(png, info);
-    const std::size_t expected = static_cast<std::size_t>(width) * (wanted == Wanted::rgb8 ? 3 : wanted == Wanted::gray8 ? 1 : 2);
+    const std::size_t expected = static_cast<std::size_t>(width) * (wanted == Wanted::rgb8 ? 3 : wanted == Wanted::rgba8 ? 4 : wanted == Wanted::gray8 ? 1 : 2);
     if (stride != expected) png_error(png, "an unusual pixel layout");
-    pixels.resize(stride * static_cast<std::size_t>(height));
-    rows.resize(static_cast<std::size_t>(height));
-    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.data() + y * stride;
-    png_read_image(png, rows.data());
+    make_rows(source, pixels, stride, static_cast<std::size_t>(height));
+    png_read_image(png, source.rows.data());
     png_read_end(png, nullptr);
     png_destroy_read_struct(&png, &info, nullptr);
     return true;
 }
 
-std::vector<png_byte> decoded(const fs::path& path, Wanted wanted, int& width, int& height) {
+std::vector<png_byte> decoded(const std::string& bytes, const std::string& where, Wanted wanted, int& width, int& height) {
     std::vector<png_byte> pixels;
     std::string message;
-    if (!decode(read_file(path), wanted, width, height, pixels, message))
-        throw Error("{}: expected a whole PNG picture, found: {}", path.string(), message);
+    if (!decode(bytes, wanted, width, height, pixels, message)) throw Error("{}: expected a whole PNG picture, found: {}", where, message);
     return pixels;
+}
+std::vector<png_byte> decoded(const fs::path& path, Wanted wanted, int& width, int& height) {
+    return decoded(read_file(path), path.string(), wanted, width, height);
 }
 
 bool encode(const png_byte* pixels, int width, int height, int type, int depth, std::string& out, std::string& message) {
@@ -137,9 +147,9 @@ PictureInfo png_info(const fs::path& path, std::string_view bytes) {
     return {number(16), number(20)};
 }
 
-ImageRgb8 load_png_rgb8(const fs::path& path) {
+ImageRgb8 decode_png_rgb8(std::string_view bytes, const std::string& where) {
     int width = 0, height = 0;
-    const std::vector<png_byte> pixels = decoded(path, Wanted::rgb8, width, height);
+    const std::vector<png_byte> pixels = decoded(std::string(bytes), where, Wanted::rgb8, width, height);
     ImageRgb8 image(width, height);
     std::memcpy(image.pixels.data(), pixels.data(), pixels.size());
     return image;
@@ -149,6 +159,18 @@ ImageMask load_mask_png(const fs::path& path) {
     ImageMask image;
     image.pixels = decoded(path, Wanted::gray8, image.width, image.height);
     return image;
+}
+
+ImageMask load_png_alpha(const fs::path& path) {
+    int width = 0, height = 0;
+    const std::vector<png_byte> pixels = decoded(path, Wanted::rgba8, width, height);
+    ImageMask image(width, height);
+    bool opaque = true;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        image.pixels[i] = pixels[4 * i + 3];
+        opaque = opaque && image.pixels[i] == 255;
+    }
+    return opaque ? ImageMask{} : image;
 }
 
 ImageF load_png_float(const fs::path& path, float unit) {

@@ -7,24 +7,19 @@
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
-namespace {
 
-// Degree 3: 15 coefficients a channel. Always written in full: several readers refuse anything else.
-constexpr int kRest = 15;
-
-}  // namespace
-
-void save_splat_ply(const std::filesystem::path& path, const Splats& splats) {
+void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
+    const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", splats.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) out += fmt::format("property float {}\n", name);
-    for (int i = 0; i < 3 * kRest; ++i) out += fmt::format("property float f_rest_{}\n", i);
+    for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) out += fmt::format("property float {}\n", name);
     out += "end_header\n";
-    out.reserve(out.size() + splats.size() * 62 * 4);
+    const std::size_t floats = 17 + 3 * static_cast<std::size_t>(written);
+    out.reserve(out.size() + splats.size() * floats * 4);
 
-    const int have = splats.rest_coefficients();
+    std::array<float, 62> row{};
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        std::array<float, 62> row{};
         std::size_t at = 0;
         const auto put = [&](float v) { row[at++] = v; };
         const auto put3 = [&](Vec3f v) { put(v.x), put(v.y), put(v.z); };
@@ -32,51 +27,41 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats) {
         put3({});
         put3(splats.sh0[i]);
         for (int c = 0; c < 3; ++c)
-            for (int k = 0; k < kRest; ++k) put(k < have ? splats.sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)] : 0.f);
+            for (int k = 0; k < written; ++k) put(k < have ? splats.sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)] : 0.f);
         put(splats.opacity_logit[i]);
         put3(splats.log_scale[i]);
         const Quatf q = splats.rotation[i];
         put(q.w), put(q.x), put(q.y), put(q.z);
-        out.append(reinterpret_cast<const char*>(row.data()), sizeof row);
+        out.append(reinterpret_cast<const char*>(row.data()), floats * 4);
     }
     write_file(path, out);
 }
 
-Splats load_splat_ply(const std::filesystem::path& path) {
-    const Ply ply(path);
+Splats splats_of_ply(const Ply& ply) {
     const PlyElement& v = ply.element("vertex");
-    int rest = 0;
-    while (Ply::find(v, fmt::format("f_rest_{}", rest)) >= 0) ++rest;
-    Splats splats;
-    while (3 * splats.rest_coefficients() < rest && splats.sh_degree < 3) ++splats.sh_degree;
-    if (3 * splats.rest_coefficients() != rest)
-        throw Error("{}: expected 0, 9, 24 or 45 properties f_rest_*, found {}", path.string(), rest);
-
+    if (Ply::find(v, "f_dc_0") < 0 && Ply::find(v, "red") >= 0)
+        throw Error("{}: expected Gaussians (f_dc_*, scale_*, rot_*, opacity), found a cloud of colored points", ply.path().string());
     const auto three = [&](std::array<const char*, 3> names) {
         return std::array<int, 3>{ply.property(v, names[0]), ply.property(v, names[1]), ply.property(v, names[2])};
     };
-    const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}), scale = three({"scale_0", "scale_1", "scale_2"});
-    const auto rot = three({"rot_1", "rot_2", "rot_3"});
+    const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}), rot = three({"rot_1", "rot_2", "rot_3"});
     const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity");
-    std::vector<int> rest_at;
-    for (int k = 0; k < rest; ++k) rest_at.push_back(ply.property(v, fmt::format("f_rest_{}", k)));
+    // Files of flat Gaussians (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
+    const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
+    Splats splats;
+    const std::vector<int> rest = sh_columns(ply, v, splats.sh_degree);
     splats.resize(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         const auto vec = [&](const std::array<int, 3>& p) { return Vec3f{ply.number(v, i, p[0]), ply.number(v, i, p[1]), ply.number(v, i, p[2])}; };
         splats.mean_m[i] = vec(mean);
         splats.sh0[i] = vec(dc);
-        splats.log_scale[i] = vec(scale);
+        Vec3f& s = splats.log_scale[i];
+        s = {ply.number(v, i, scale[0]), ply.number(v, i, scale[1]), 0};
+        s.z = scale[2] >= 0 ? ply.number(v, i, scale[2]) : std::min(s.x, s.y) - 4.6f;
         splats.opacity_logit[i] = ply.number(v, i, opacity);
         const Vec3f xyz = vec(rot);
         splats.rotation[i] = {ply.number(v, i, w), xyz.x, xyz.y, xyz.z};
-        for (int k = 0; k < rest; ++k)
-            splats.sh_rest[i * static_cast<std::size_t>(rest) + static_cast<std::size_t>(k)] = ply.number(v, i, rest_at[static_cast<std::size_t>(k)]);
-    }
-    // A file of degree 3 whose higher bands are all zero is degree 0: that is how we write generated rooms.
-    if (splats.sh_degree > 0) {
-        bool any = false;
-        for (const float f : splats.sh_rest) any = any || f != 0.f;
-        if (!any) splats.sh_degree = 0, splats.sh_rest.clear();
+        for (std::size_t k = 0; k < rest.size(); ++k) splats.sh_rest[i * rest.size() + k] = ply.number(v, i, rest[k]);
     }
     return splats;
 }

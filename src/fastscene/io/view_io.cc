@@ -83,6 +83,8 @@ void save_views(const fs::path& dir, const ViewSet& set) {
     write_json(dir / "transforms.json", transforms_json(set.views));
 }
 
+void save_views_model(const fs::path& dir, const ViewSet& set) { save_colmap(dir, set); }
+
 ViewSet load_views(const fs::path& dir) {
     ViewSet set{load_colmap_views(dir / "sparse" / "0"), load_points_ply(dir / "sparse" / "0" / "points3D.ply")};
     parallel_for(static_cast<std::int64_t>(set.views.size()), 1, [&](std::int64_t begin, std::int64_t) {

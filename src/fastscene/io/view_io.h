@@ -10,6 +10,8 @@ namespace fastscene {
 // Writes DIR/images/*.png, DIR/weights/*.png (only views that have weights), DIR/sparse/0/{cameras,images,points3D}.{txt,bin},
 // DIR/sparse/0/points3D.ply (with nx ny nz and radius) and DIR/transforms.json. Deterministic.
 void save_views(const std::filesystem::path& dir, const ViewSet& views);
+// The cameras and points alone, as DIR/{cameras,images,points3D}.{txt,bin}.
+void save_views_model(const std::filesystem::path& dir, const ViewSet& views);
 // Reads what save_views wrote (from the binary model and points3D.ply).
 ViewSet load_views(const std::filesystem::path& dir);
 

@@ -1,6 +1,17 @@
 #include "fastscene/panorama/panorama.h"
 
+#include "fastscene/rooms/pack.h"
+
 namespace fastscene {
+
+std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params, std::vector<std::string>* complaints) {
+    std::vector<std::string> unheard;
+    return FurniturePack::open(FurniturePack::default_folder(), assets_named(params.assets), complaints ? *complaints : unheard);
+}
+
+PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, std::vector<std::string>* complaints) {
+    return understand_prompt(prompt, params.strict, furniture_pack(params, complaints));
+}
 
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run) {
     auto room = std::make_shared<TracedRoom>(make_room(prompt, run));
@@ -17,7 +28,7 @@ RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParam
     if (params.width % 2 != 0)
         throw UsageError("--panorama-width: expected an even number of pixels, found {}", params.width);
     RoomPanorama made;
-    made.prompt = understand_prompt(prompt, params.strict);
+    made.prompt = read_prompt(prompt, params);
     made.room = make_traced_room(made.prompt, params, run);
     Shot shot = made.room->panorama({}, {params.width, params.width / 2}, panorama_parts(params.trace), run);
     made.panorama.color = std::move(shot.color);

@@ -1,5 +1,6 @@
 // Panorama stage: prompt -> equirectangular picture. Paper: text-to-panorama (Diffusion360).
-// Backends: "rooms" (furnished room, path traced; needs no download) and "image" (the user's own picture).
+// Backends: "rooms" (furnished room, path traced; needs no download), "image" (the user's own picture) and "diffusion360" (the
+// paper's own: Stable Diffusion fine-tuned on panoramas, with weights of the user's; diffusion360.h).
 #pragma once
 
 #include <filesystem>
@@ -9,25 +10,46 @@
 
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
+#include "fastscene/nn/diffusion360.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/scene/panorama.h"
 #include "fastscene/trace/trace.h"
 
 namespace fastscene {
 
+template <class V>
+void visit_fields(Diffusion360Settings& p, V&& v) {
+    v("steps", p.steps, Bounds{1, 1000}, "diffusion360: steps from noise to picture.");
+    v("guidance", p.guidance, Bounds{1, 50}, "diffusion360: how strictly the prompt is followed.");
+    v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: what makes a step.");
+    v("precision", p.precision, Choices{{"float", "bf16"}}, "diffusion360: numbers of the denoiser; bf16 needs half the memory.");
+    v("low-memory", p.low_memory, "diffusion360: a network leaves memory when its part is done.");
+    v("negative", p.negative, "diffusion360: what the picture must not be; empty: the published words.");
+    v("published-seam", p.published_seam, "diffusion360: the published text path, whose left 32 columns repeat the right ones.");
+}
+
 struct PanoramaParams {
     std::string backend = "rooms";
     int width = 2048;          // height is half of it
     bool strict = false;
+    std::string assets = "cc0";  // without obligations for who shows the scene; "all" asks to keep credits.txt beside it
     TraceParams trace;
+    Diffusion360Settings diffusion;  // its width is the one above
 };
 template <class V>
 void visit_fields(PanoramaParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"rooms", "image"}}, "What makes the panorama.");
+    v("backend", p.backend, Choices{{"rooms", "image", "diffusion360"}}, "What makes the panorama.");
     v("width", p.width, Bounds{64, 8192}, "Width of the panorama in pixels; its height is half of it.");
     v("strict", p.strict, "Refuse a prompt with words that are not understood.");
+    v("assets", p.assets, Choices{{"none", "cc0", "all"}}, "Models of the furniture pack to use: none, public domain, or also those whose authors are named in credits.txt.");
     visit_fields(p.trace, v);
+    visit_fields(p.diffusion, v);
 }
+
+// The furniture pack that the settings ask for; what is missing or damaged is told in `complaints`, when given.
+std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params, std::vector<std::string>* complaints = nullptr);
+// The prompt, read with that pack's names.
+PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, std::vector<std::string>* complaints = nullptr);
 
 // Backend "rooms". The traced room stays alive for the depth stage and for truth.
 struct RoomPanorama {
@@ -41,6 +63,10 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 // How its panoramas are shot; true panoramas for comparison are shot alike.
 ShotParts panorama_parts(const TraceParams& trace);
 RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run);
+
+// Backend "diffusion360": params.width x params.width / 2, sRGB. `weights`: a folder as diffusers saves it. Throws Error as
+// check_diffusion360 (diffusion360.h) does.
+ImageRgb8 panorama_by_diffusion360(const std::string& prompt, const std::filesystem::path& weights, const PanoramaParams& params, const Run& run);
 
 // Backend "image". Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.
 Panorama panorama_from_image(const std::filesystem::path& picture);

@@ -4,22 +4,28 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/depth/estimator.h"
+#include "fastscene/panorama/diffusion360.h"
+#include "fastscene/panorama/picture_check.h"
 #include "fastscene/pipeline/build_info.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kHowToGetARange =
-    "a panorama needs the range of each of its pixels: add --range FILE, an .exr, .pfm or 16-bit .png (millimetres) of the same size, "
-    "as 360-degree depth estimators, LiDAR scanners and renderers write it (distance along the ray, in metres)";
+std::vector<std::string> words_of(const PromptSpec& prompt, PromptWord::Fate fate) {
+    std::vector<std::string> out;
+    for (const PromptWord& word : prompt.words_with(fate)) out.push_back(word.words);
+    return out;
+}
 
 void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
-    if (prompt.understood.empty())
-        run.warn("no word of the prompt was understood: a plausible room is made instead (panorama/prompt.json says which)");
-    else if (!prompt.not_understood.empty())
-        run.warn(fmt::format("not understood in the prompt: {}", fmt::join(prompt.not_understood, ", ")));
-    for (const std::string& text : prompt.approximated) run.note("taken for something near: " + text);
+    const auto unknown = words_of(prompt, PromptWord::Fate::not_understood);
+    if (!prompt.names_a_room())
+        run.warn("the prompt names nothing that belongs to a room: a plausible room is made instead (panorama/prompt.json says which)");
+    if (!unknown.empty())
+        run.warn(fmt::format("not understood in the prompt: {}", fmt::join(unknown, ", ")));
+    for (const PromptWord& word : prompt.words_with(PromptWord::Fate::approximated)) run.note(word.words + ": " + word.meaning);
 }
 
 std::string describe(const Json& recorded) {
@@ -33,8 +39,9 @@ Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
     json["prompt"] = request.source.prompt;
     if (!request.source.picture.empty()) {
         json["picture"] = fs::absolute(request.source.picture).string();
-        json["range_map"] = fs::absolute(request.source.range_map).string();
+        if (!request.source.range_map.empty()) json["range_map"] = fs::absolute(request.source.range_map).string();
     }
+    if (!request.source.weights.empty()) json["weights"] = fs::absolute(request.source.weights).string();
     json["identity"] = identity_of(request.source);
     json["seed"] = seed;
     json["quality"] = request.quality;
@@ -53,23 +60,42 @@ void remove_owned(const RunFolder& folder) {
 
 }  // namespace
 
-void check_source(const SceneSource& source, const PanoramaParams& params, const Run& run) {
+void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run) {
+    depth_backend(source, params.depth);
+    if (!source.weights.empty()) {
+        if (!source.range_map.empty()) throw UsageError("--range: expected together with --panorama FILE, found with --panorama diffusion360");
+        check_diffusion360(source.weights, params.panorama, run);
+        if (last_stage != "panorama") make_depth_estimator(params.depth);
+        return;
+    }
     if (source.picture.empty()) {
         if (!source.range_map.empty()) throw UsageError("--range: expected together with --panorama FILE, found alone");
-        tell_what_was_understood(understand_prompt(source.prompt, params.strict), run);
+        std::vector<std::string> complaints;
+        tell_what_was_understood(read_prompt(source.prompt, params.panorama, &complaints), run);
+        // The pack is optional: that it is absent is news only to those who asked for it.
+        for (const std::string& complaint : complaints)
+            if (complaint.starts_with("no furniture pack") && params.panorama.assets != "all") run.note(complaint);
+            else run.warn(complaint);
         return;
     }
     const Panorama panorama = panorama_from_image(source.picture);
-    if (source.range_map.empty()) throw UsageError("{}: {}", source.picture.string(), kHowToGetARange);
-    range_from_file(source.range_map, panorama.size());
+    for (const std::string& doubt : doubts_about_panorama(panorama.color)) run.warn(fmt::format("{}: {}", source.picture.string(), doubt));
+    if (!source.range_map.empty()) {
+        range_from_file(source.range_map, panorama.size());
+        return;
+    }
+    make_depth_estimator(params.depth);  // its weights may be missing: better known now
+    run.note(fmt::format("depth: no --range: estimated from the picture, the camera {} m above the floor", params.depth.camera_height_m));
 }
 
 std::string identity_of(const SceneSource& source) {
     Hash hash;
-    if (source.picture.empty())
+    if (!source.weights.empty())
+        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights));
+    else if (source.picture.empty())
         hash.add("prompt").add(source.prompt);
     else
-        hash.add("picture").add(read_file(source.picture)).add(read_file(source.range_map));
+        hash.add("picture").add(read_file(source.picture)).add(source.range_map.empty() ? std::string() : read_file(source.range_map));
     return hash.hex();
 }
 
@@ -102,9 +128,11 @@ RecordedRun recorded_run(const RunFolder& folder) {
         throw UsageError("{}: expected the folder of a run, found no run.json; make one with `fastscene make \"…\" -o {}`",
                          folder.root.string(), folder.root.string());
     const Json json = read_json(folder.run_json());
+    if (json.contains("capture"))
+        throw UsageError("{}: expected a run from a prompt or a panorama, found splats of photographs: only splat, render and view go on with those", folder.root.string());
     try {
         RecordedRun recorded;
-        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", "")};
+        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", "")};
         recorded.request.quality = json.at("quality");
         recorded.request.params = params_from_json(json.at("params"), params_of_quality(recorded.request.quality));
         recorded.seed = json.at("seed");

@@ -9,9 +9,9 @@ namespace fastscene {
 
 // Reads the source as far as needed to be sure that it can be used, and warns about what was not understood; nothing is
 // written. Throws UsageError or Error as make_scene does.
-void check_source(const SceneSource& source, const PanoramaParams& params, const Run& run);
+void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run);
 
-// Hash of the prompt, or of the contents of the picture and its range map.
+// Hash of the prompt, or of the contents of the picture and of its range map if it has one.
 std::string identity_of(const SceneSource& source);
 // For people: the prompt, or the picture's name.
 std::string title_of(const SceneSource& source);

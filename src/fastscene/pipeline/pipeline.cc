@@ -8,6 +8,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/rooms/pack.h"
 #include "fastscene/pipeline/identity.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/stage_cache.h"
@@ -21,7 +22,11 @@ namespace {
 class Stream {
   public:
     Stream(const RunFolder& folder, const SceneRequest& request, const Run& run)
-        : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity_of(request.source)} {}
+        : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity_of(request.source)} {
+        // Another furniture pack furnishes another room.
+        if (request.source.picture.empty())
+            if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
+    }
 
     // `make` writes the stage's files into the directory it is given.
     void stage(std::string_view name, const Json& params, const std::function<void(const fs::path& out, const Run& run)>& make) {
@@ -88,7 +93,7 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
 
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
     check_params(request.params);
-    check_source(request.source, request.params.panorama, run);
+    check_source(request.source, request.params, request.last_stage, run);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
     claim_folder(folder, request, run.seed);
@@ -97,8 +102,8 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneParams& params = request.params;
     Stream stream(folder, request, run);
     stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
-    stream.stage("depth", Json::object(), [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, folder, out, r); });
-    stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) { make_walk(folder, params.walk, out, r); });
+    stream.stage("depth", fields_json(params.depth), [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });
+    stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) { make_walk(source, params.depth, folder, params.walk, out, r); });
     stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     stream.stage("splat", fields_json(params.splat), [&](const fs::path& out, const Run& r) { make_splat(folder, params.splat, out, r); });
 

@@ -5,20 +5,6 @@
 namespace fastscene {
 namespace {
 
-struct FromJson {
-    const Json& section;
-    template <class T, class... Rest>
-    void operator()(std::string_view name, T& value, const Rest&...) {
-        const auto found = section.find(std::string(name));
-        if (found == section.end()) return;
-        try {
-            value = found->template get<T>();
-        } catch (const Json::exception&) {
-            throw Error("run.json: params: {}: expected another kind of value, found {}", name, found->dump());
-        }
-    }
-};
-
 // Two minutes a core: to see whether the prompt was understood as meant.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
@@ -76,7 +62,7 @@ SceneParams params_from_json(const Json& json, const SceneParams& base) {
     SceneParams params = base;
     visit_sections(params, [&](std::string_view section, auto& fields) {
         const auto found = json.find(std::string(section));
-        if (found != json.end()) visit_fields(fields, FromJson{*found});
+        if (found != json.end()) fields_from_json(*found, fields);
     });
     return params;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fastscene/base/json.h"
+#include "fastscene/depth/depth.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/splat/splat.h"
 #include "fastscene/views/views.h"
@@ -15,6 +16,7 @@ namespace fastscene {
 
 struct SceneParams {
     PanoramaParams panorama;
+    DepthParams depth;
     WalkParams walk;
     ViewsParams views;
     SplatParams splat;
@@ -23,6 +25,7 @@ struct SceneParams {
 template <class V>
 void visit_sections(SceneParams& p, V&& v) {
     v("panorama", p.panorama);
+    v("depth", p.depth);
     v("walk", p.walk);
     v("views", p.views);
     v("splat", p.splat);

@@ -25,5 +25,14 @@ std::string viewer_remedy();
 
 // Writes viewer.html, preview.jpg and credits.txt. A missing viewer is a warning: the scene is not lost for it.
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run);
+// The same for splats of photographs, from splat/viewer.compressed.ply and viewer.json.
+void share_capture(const RunFolder& folder, const std::string& title, const Run& run);
+
+// Where a visitor of a capture stands first; absent in a folder that is none.
+struct FirstGlance {
+    Vec3f position_m, forward;
+    float fov_deg = 75;
+};
+std::optional<FirstGlance> first_glance_of_capture(const RunFolder& folder);
 
 }  // namespace fastscene

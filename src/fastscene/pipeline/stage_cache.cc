@@ -133,13 +133,16 @@ StageRecord run_stage(const fs::path& root, std::string_view name, const std::st
         record.cost = measure_cost([&] { make(unfinished); });
         const Json files = list_files(unfinished);
         record.result = Hash().add(files.dump()).hex();
-        write_json(unfinished / "stage.json", {{"stage", name},
-                                               {"key", key},
-                                               {"result", record.result},
-                                               {"seconds", record.cost.seconds},
-                                               {"cpu_seconds", record.cost.cpu_seconds},
-                                               {"peak_memory_bytes", record.cost.peak_memory_bytes},
-                                               {"files", files}});
+        Json json{{"stage", name},
+                  {"key", key},
+                  {"result", record.result},
+                  {"seconds", record.cost.seconds},
+                  {"cpu_seconds", record.cost.cpu_seconds},
+                  {"peak_memory_bytes", record.cost.peak_memory_bytes},
+                  {"files", files}};
+        // What a stage has to say about how it was made: what stood in for what, what was clipped.
+        if (fs::exists(unfinished / "about.json")) json["about"] = read_json(unfinished / "about.json");
+        write_json(unfinished / "stage.json", json);
         replace_directory(unfinished, directory);
         return record;
     } catch (const fs::filesystem_error& e) {

@@ -1,13 +1,18 @@
 #include "fastscene/pipeline/stages.h"
 
 #include <cmath>
+#include <memory>
 
 #include "fastscene/base/file.h"
 #include "fastscene/depth/depth.h"
+#include "fastscene/depth/estimator.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
+#include "fastscene/pipeline/fit_report.h"
+#include "fastscene/panorama/panorama.h"
+#include "fastscene/pipeline/sfm.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -48,7 +53,11 @@ std::string name_of_viewpoint(std::size_t i) { return fmt::format("{:03}", i); }
 void make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
     Json prompt, room;
     Panorama panorama;
-    if (source.picture.empty()) {
+    if (!source.weights.empty()) {
+        panorama.color = linear_from_srgb8(panorama_by_diffusion360(source.prompt, source.weights, params, run));
+        prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
+        room = {{"objects", Json::array()}};
+    } else if (source.picture.empty()) {
         RoomPanorama made = panorama_from_prompt(source.prompt, params, run);
         panorama = std::move(made.panorama);
         prompt = to_json(made.prompt);
@@ -63,19 +72,35 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
     write_json(out / "room.json", room);
 }
 
-void make_depth(const SceneSource& source, const PanoramaParams& params, const RunFolder& folder, const fs::path& out, const Run& run) {
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder, const fs::path& out,
+                const Run& run) {
     const PictureInfo info = picture_info(folder.panorama_color());
     const EquirectSize size{info.width, info.height};
-    ImageF range;
-    if (source.picture.empty()) {
+    const std::string backend = depth_backend(source, params);
+    EstimatedRange found{{}, {{"backend", backend}}};
+    if (backend == "exact") {
         // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
-        PromptSpec prompt = understand_prompt(source.prompt, params.strict);
-        range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
-    } else {
+        PromptSpec prompt = read_prompt(source.prompt, panorama);
+        found.range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
+    } else if (backend == "image") {
         const PictureInfo original = picture_info(source.picture);
-        range = reduced_range(range_from_file(source.range_map, {original.width, original.height}), size.width);
+        found.range = reduced_range(range_from_file(source.range_map, {original.width, original.height}), size.width);
+    } else {
+        found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
-    save_exr(out / "range.exr", range);
+    save_exr(out / "range.exr", found.range);
+    write_json(out / "about.json", found.assumptions);
+}
+
+std::string depth_backend(const SceneSource& source, const DepthParams& params) {
+    const bool has_room = source.has_room(), has_map = !source.range_map.empty();
+    if (params.backend == "auto" && has_room) return "exact";
+    if (params.backend == "auto" && has_map) return "image";
+    if (params.backend == "exact" && !has_room)
+        throw UsageError("--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
+                         source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
+    if (params.backend == "image" && !has_map) throw UsageError("--depth-backend image: expected --range FILE, found none");
+    return params.backend;
 }
 
 Panorama load_first_panorama(const RunFolder& folder) {
@@ -85,8 +110,13 @@ Panorama load_first_panorama(const RunFolder& folder) {
     return panorama;
 }
 
-void make_walk(const RunFolder& folder, const WalkParams& params, const fs::path& out, const Run& run) {
-    const std::vector<Panorama> walked = walk_through(load_first_panorama(folder), params, run);
+void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out, const Run& run) {
+    RangeEstimator estimate;
+    if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image")
+        estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(depth))](const ImageColor& color, const Run& r) {
+            return estimator->estimate(color, r).range;
+        };
+    const auto [walked, about] = walk_through(load_first_panorama(folder), params, run, estimate);
     Json poses = Json::array();
     for (std::size_t i = 0; i < walked.size(); ++i) {
         run.check_stop();
@@ -99,6 +129,7 @@ void make_walk(const RunFolder& folder, const WalkParams& params, const fs::path
         poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(panorama.world_from_pano)}});
     }
     write_json(out / "poses.json", {{"panoramas", poses}});
+    write_json(out / "about.json", about);
 }
 
 namespace {
@@ -140,17 +171,31 @@ std::vector<Panorama> load_walk(const RunFolder& folder) {
 }
 
 void make_views(const RunFolder& folder, const ViewsParams& params, const fs::path& out, const Run& run) {
-    save_views(out, project_views(load_walk(folder), params, run));
+    const ViewSet known = project_views(load_walk(folder), params, run);
+    save_views(out, known);
+    if (params.sfm == "known") return;
+    // The model that the splats are trained from is COLMAP's; the known one stays beside it.
+    const SfmResult found = structure_from_motion(out, known, params.sfm, run);
+    make_directories(out / "known");
+    fs::rename(out / "sparse", out / "known" / "sparse");
+    fs::rename(out / "transforms.json", out / "known" / "transforms.json");
+    save_views(out, found.set);
+    write_json(out / "sfm.json", to_json(found.report));
+    write_file(out / "sfm.txt", table_of(found.report));
+    const SfmReport& r = found.report;
+    run.note(fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; position off by {:.4f} m (median), rotation by {:.3f} degrees; views/sfm.txt has all",
+                         r.registered, r.views, r.points, r.seconds, r.position_median_m, r.rotation_median_deg));
+    if (r.registered < r.views) run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them", r.views - r.registered, r.views));
 }
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
-    const FittedSplats fitted = fit_splats(load_views(folder.views()), params, run);
+    save_fit(fit_splats(load_views(folder.views()), params, run), out);
+}
+
+void save_fit(const FittedSplats& fitted, const fs::path& out) {
     save_splat_ply(out / "scene.ply", fitted.splats);
     save_compressed_ply(out / "scene.compressed.ply", fitted.splats);
-    Json curve = Json::array();
-    for (const CurvePoint& point : fitted.curve)
-        curve.push_back({{"step", point.step}, {"loss", point.loss}, {"psnr", point.psnr}});
-    write_json(out / "curve.json", {{"curve", curve}});
+    save_curves(out, fitted);
 }
 
 }  // namespace fastscene

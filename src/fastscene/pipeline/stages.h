@@ -13,20 +13,29 @@
 
 namespace fastscene {
 
-// What a scene is made from: a sentence, or a panorama of the user's with its range map.
+// What a scene is made from: a sentence, or a panorama of the user's, with or without a range map.
 struct SceneSource {
     std::string prompt;
-    std::filesystem::path picture;  // empty: the prompt is furnished and traced
+    std::filesystem::path picture;  // empty: the prompt is furnished and traced, or painted
     std::filesystem::path range_map;
+    std::filesystem::path weights;  // of Diffusion360, which paints the prompt; empty: it is furnished and traced
+    bool has_room() const { return picture.empty() && weights.empty(); }  // a room of which all is known stands behind the panorama
 };
 
 // Each writes the files of its stage into `out` (run_folder.h has their names).
 void make_panorama(const SceneSource& source, const PanoramaParams& params, const std::filesystem::path& out, const Run& run);
-void make_depth(const SceneSource& source, const PanoramaParams& params, const RunFolder& folder, const std::filesystem::path& out,
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder, const std::filesystem::path& out,
                 const Run& run);
-void make_walk(const RunFolder& folder, const WalkParams& params, const std::filesystem::path& out, const Run& run);
+// What tells the range of such a source: "auto" resolved as far as the source says. Throws UsageError for a backend that the
+// source has nothing for.
+std::string depth_backend(const SceneSource& source, const DepthParams& params);
+// The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how.
+void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const std::filesystem::path& out, const Run& run);
 void make_views(const RunFolder& folder, const ViewsParams& params, const std::filesystem::path& out, const Run& run);
 void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
+
+// scene.ply, scene.compressed.ply and curve.json.
+void save_fit(const FittedSplats& fitted, const std::filesystem::path& out);
 
 // Panorama 0 with its range, and the whole walk, as the files have them.
 Panorama load_first_panorama(const RunFolder& folder);

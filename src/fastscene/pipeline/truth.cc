@@ -25,7 +25,7 @@ Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
     const SceneRequest& request = recorded.request;
-    if (!request.source.picture.empty())
+    if (!request.source.has_room())
         throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with", run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
     if (!walk || !splat) throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
@@ -34,7 +34,7 @@ Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params
     const Run room_run{recorded.seed, run.events, run.stop};
     PanoramaParams panorama = request.params.panorama;
     panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, params.samples);
-    PromptSpec prompt = understand_prompt(request.source.prompt, panorama.strict);
+    PromptSpec prompt = read_prompt(request.source.prompt, panorama);
     const auto room = make_traced_room(prompt, panorama, room_run);
 
     TruthInputs inputs;

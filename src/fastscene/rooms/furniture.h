@@ -7,6 +7,7 @@
 // Floor pieces span z in [-size z / 2, size z / 2]; those with against_wall have their back at -size z / 2.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "fastscene/scene/room.h"
 
 namespace fastscene {
+
+class FurniturePack;
+struct PackModel;
 
 enum class Mount : std::uint8_t { floor, wall, ceiling, surface };
 
@@ -36,6 +40,7 @@ struct Piece {
     bool against_wall = false;
     float hang_height_m = 0.f;              // Mount::wall: usual height of the lower edge above the floor
     int main_material = 0;                  // the one that color and material wishes change
+    std::string source = "built-in";        // or the model of the furniture pack, with author and license
 };
 
 struct PieceRequest {
@@ -47,6 +52,10 @@ struct PieceRequest {
     std::uint64_t seed = 0;
     Vec3f size_m{};                         // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
                                             // pictures, mirrors, shelves, tables (see furniture_*.cc), others scale to it
+
+// A model of the furniture pack to be used in place of our own builder (pack.h); both null: none.
+    std::shared_ptr<const FurniturePack> pack{};
+    const PackModel* model = nullptr;
 };
 
 // Throws Error for an unknown class. Deterministic in the request.

@@ -137,14 +137,16 @@ void rug(Kit& k) {
     static constexpr std::array<std::uint32_t, 12> kWoven{8, 9, 19, 20, 4, 6, 7, 11, 2, 3, 5, 10};
     const int first = k.style.mouldings == Mouldings::rich ? 4 : k.style.name == "scandinavian" ? 8 : 0, range = first == 0 ? 12 : 4;
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
-    m.scale_m = m.pattern == Pattern::rug ? 0.5f * std::max(s.x, s.z) : m.scale_m;
+    // Round where nothing else is asked for, in some rooms that like it.
+    const bool round = !k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f);
+    const float d = std::min(s.x, s.z) * 1.15f;
+    m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     const int pile = k.main(m);
-    Mesh r = shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
-    // coords span a square about the rug's middle, so that its border follows all four edges.
-    const float half = 0.5f * std::max(s.x, s.z);
-    for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x * half / (0.5f * s.x), r.positions[i].y, r.positions[i].z * half / (0.5f * s.z)};
+    Mesh r = round ? shapes::prism(shapes::circle(0.5f * d, 48), 0.f, 0.012f, 0.004f) : shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
+    // Metres from the rug's middle; y carries half its depth (negative: it is round), which the border follows.
+    for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x, round ? -0.5f * d : 0.5f * s.z, r.positions[i].z};
     k.add(std::move(r), pile);
-    if (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich) {
+    if (!round && (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich)) {
         Mesh fringe;
         const int count = static_cast<int>(s.z / 0.035f);
         for (int i = 0; i < count; ++i)

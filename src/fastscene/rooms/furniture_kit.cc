@@ -1,4 +1,5 @@
 #include "fastscene/rooms/furniture_kit.h"
+#include "fastscene/rooms/pack.h"
 
 #include <algorithm>
 #include <array>
@@ -220,7 +221,7 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), tables(), fixtures(), lamps(), decor()}) all.insert(all.end(), group.begin(), group.end());
+    for (const auto group : {seats(), tables(), fixtures(), lamps(), decor(), clutter()}) all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
 }
@@ -237,6 +238,7 @@ namespace fastscene {
 Piece make_piece(const PieceRequest& request) {
     if (request.style == nullptr) throw Error("piece '{}': expected a style, found none", request.klass);
     if (!(request.size_factor >= 0.25f && request.size_factor <= 4.f)) throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.klass, request.size_factor);
+    if (request.pack && request.model) return request.pack->piece(*request.model, request);
     for (const furniture::Entry& e : furniture::catalogue()) {
         if (e.klass != request.klass) continue;
         furniture::Kit kit{request, *request.style, Random(request.seed, "piece", hash_name(request.klass)), {}, false};

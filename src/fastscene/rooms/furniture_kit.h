@@ -87,5 +87,6 @@ std::span<const Entry> tables();    // tables, desks, shelves, cabinets
 std::span<const Entry> fixtures();  // kitchen, bathroom
 std::span<const Entry> lamps();
 std::span<const Entry> decor();     // plants, vases, pictures, textiles, the rest
+std::span<const Entry> clutter();   // cups, trays, frames, toys, kitchen things: what stands about
 
 }  // namespace fastscene::furniture

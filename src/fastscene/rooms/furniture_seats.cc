@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "fastscene/rooms/furniture_kit.h"
+#include "fastscene/rooms/furniture_forms.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -74,14 +74,40 @@ void couch(Kit& k, float width, int seats, int pillows) {
     k.piece.against_wall = true;
     k.top(seat_y + 0.02f, 0, 0.12f, 0.4f * inside, 0.2f);
 }
+enum SofaForm { padded, framed, buttoned, channelled };
+int sofa_form(Kit& k) {
+    return form_for(k, {{"modern", padded, channelled}, {"scandinavian", padded, framed}, {"japandi", framed, padded}, {"industrial", buttoned, padded}, {"classic", padded, buttoned},
+                        {"boho", framed, padded}, {"rustic", padded, framed}, {"mid-century", padded, framed}, {"mediterranean", padded, framed}, {"art deco", channelled, buttoned}}, padded);
+}
+void sofa_of(Kit& k, float width, int seats, int pillows) {
+    switch (sofa_form(k)) {
+        case framed: return frame_sofa(k, width, seats);
+        case buttoned: return chesterfield(k, width, seats);
+        case channelled: return channel_seat(k, width, seats * 5);
+        default: return couch(k, width, seats, pillows);
+    }
+}
 void sofa(Kit& k) {
     const float w = k.request.size_m.x > 0 ? k.request.size_m.x : 2.2f * k.request.size_factor;
     k.sized = true;
-    couch(k, std::max(w, 1.2f), w > 1.9f ? 3 : 2, 2 + k.dice.index(3));
+    sofa_of(k, std::max(w, 1.2f), w > 1.9f ? 3 : 2, 2 + k.dice.index(3));
 }
-void loveseat(Kit& k) { couch(k, 1.55f, 2, 2); }
+void loveseat(Kit& k) { sofa_of(k, 1.55f, 2, 2); }
+void shell_chair(Kit& k);
 void armchair(Kit& k) {
-    if (k.style.sofa != SofaType::slim) return couch(k, 0.92f, 1, k.dice.index(2));
+    enum { shell, padded_chair, wing, tub, sling, rattan };
+    const int form = form_for(k, {{"modern", tub, padded_chair}, {"scandinavian", shell, wing}, {"japandi", shell, tub}, {"industrial", sling, padded_chair}, {"classic", wing, padded_chair},
+                                  {"boho", rattan, shell}, {"rustic", wing, padded_chair}, {"mid-century", shell, tub}, {"mediterranean", rattan, padded_chair}, {"art deco", tub, wing}}, shell);
+    switch (form) {
+        case padded_chair: return couch(k, 0.92f, 1, k.dice.index(2));
+        case wing: return wing_chair(k);
+        case tub: return channel_seat(k, 0.8f, 9);
+        case sling: return sling_chair(k);
+        case rattan: return rattan_chair(k);
+        default: return shell_chair(k);
+    }
+}
+void shell_chair(Kit& k) {
     // A shell chair: wooden frame, seat and back pads.
     const int cloth = k.main(k.style.fabric), wood = k.material(k.style.wood);
     for (const float sx : {-1.f, 1.f}) {
@@ -229,7 +255,10 @@ Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, f
 }
 void bed_of(Kit& k, float width) {
     const float length = 2.0f, base_y = 0.3f;
-    const bool cloth_head = k.style.mouldings == Mouldings::rich || k.style.legs == LegType::metal_frame || k.style.sofa == SofaType::block;
+    enum { panels, tufted, slats, board, low, iron, posts };
+    const auto form = static_cast<BedForm>(form_for(k, {{"modern", panels, low}, {"scandinavian", board, slats}, {"japandi", low, board}, {"industrial", iron, panels}, {"classic", tufted, posts}, {"boho", posts, board},
+                                                        {"rustic", slats, iron}, {"mid-century", board, low}, {"mediterranean", iron, posts}, {"art deco", panels, tufted}}, board));
+    const bool cloth_head = form == BedForm::panels || form == BedForm::tufted;
     Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
     quilt.name = "duvet";
     quilt.pattern = Pattern::fabric;
@@ -243,21 +272,7 @@ void bed_of(Kit& k, float width) {
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
     k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f), throw_cloth);
-    // Headboard.
-    const float hz = -0.5f * length - 0.06f, hy = k.style.mouldings == Mouldings::rich ? 1.3f : 1.05f;
-    if (cloth_head) {
-        const int panels = width > 1.2f ? 4 : 2;
-        const float w = (width + 0.1f) / static_cast<float>(panels);
-        for (int i = 0; i < panels; ++i) k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz}, {w - 0.002f, hy - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 8});
-    } else if (k.style.legs == LegType::turned || k.style.legs == LegType::square) {
-        for (const float sx : {-1.f, 1.f}) {
-            k.board(wood, {sx * 0.5f * width, 0, hz}, {0.07f, hy + 0.05f, 0.07f}, 0.01f);
-            k.add(shapes::ball({sx * 0.5f * width, hy + 0.085f, hz}, {0.045f, 0.045f, 0.045f}), wood);
-        }
-        for (int i = 0; i < 3; ++i) k.board(wood, {0, 0.5f + 0.19f * static_cast<float>(i), hz}, {width, 0.15f, 0.03f}, 0.006f);
-    } else {
-        k.board(wood, {0, 0.15f, hz}, {width + 0.1f, hy - 0.17f, 0.04f}, 0.012f);
-    }
+    headboard(k, form, width, length, wood, head);
     // Pillows: a row that leans, a row before it, cushions.
     const int row = width > 1.2f ? 2 : 1;
     for (int j = 0; j < 2; ++j)

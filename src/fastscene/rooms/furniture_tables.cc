@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "fastscene/rooms/furniture_kit.h"
+#include "fastscene/rooms/furniture_forms.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -39,16 +39,83 @@ void round_table(Kit& k, float d, float y, float thick) {
 }
 void put_small(Kit& k, std::string klass, Vec3f at, float turn = 0.f) { k.merge(k.small(std::move(klass)), at, turn); }
 
-void coffee_table(Kit& k) {
-    const Vec3f s = k.wanted({1.1f, 0.4f, 0.6f});
-    if (k.style.lamp == LampFamily::paper || k.style.lamp == LampFamily::globe) round_table(k, 0.8f * s.x, s.y, 0.03f);
-    else {
-        plain_table(k, s, 0.035f);
-        if (k.style.legs == LegType::square) k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
+// A thick top on two crossed trestles and a stretcher.
+void trestle_table(Kit& k, Vec3f s) {
+    const int wood = k.main(k.style.wood), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    k.board(wood, {0, s.y - 0.05f, 0}, {s.x, 0.05f, s.z}, 0.008f);
+    const float x = 0.5f * s.x - 0.26f, z = 0.5f * s.z - 0.1f, y = s.y - 0.045f;
+    for (const float sx : {-1.f, 1.f}) {
+        for (const float sz : {-1.f, 1.f}) {
+            Mesh leg = shapes::box({0.06f, std::hypot(y, 2 * z), 0.05f}, 0.006f);
+            shapes::lay_grain(leg, {k.dice.uniform(0, 3), 0, 0});
+            shapes::turn(leg, {1, 0, 0}, sz * std::atan2(2 * z, y) * 57.29578f);
+            k.add(std::move(leg), frame, {sx * (x + 0.026f * sz), 0.5f * y, 0});
+        }
+        k.board(frame, {sx * x, s.y - 0.1f, 0}, {0.09f, 0.052f, 2 * z + 0.05f}, 0.006f);
     }
+    k.board(frame, {0, 0.5f * y - 0.03f, 0}, {2 * x, 0.06f, 0.04f}, 0.006f);
+    // Nothing reaches below the floor, however the legs lean.
+    for (Mesh& m : k.piece.meshes)
+        for (Vec3f& p : m.positions) p.y = std::max(p.y, 0.f);
+    k.top(s.y, 0, 0, 0.46f * s.x, 0.46f * s.z);
+}
+// A drum with flutes; a slab on two cheeks; two tops of different height.
+void drum_table(Kit& k, float d, float y) {
+    const int wood = k.main(k.style.wood), metal = k.material(k.style.metal);
+    k.add(shapes::prism(shapes::circle(0.42f * d, 40), 0.02f, y - 0.03f, 0.004f), wood);
+    for (int i = 0; i < 32; ++i) {
+        const float a = 0.19635f * static_cast<float>(i);
+        k.rod(wood, {0.42f * d * std::cos(a), 0.02f, 0.42f * d * std::sin(a)}, {0.42f * d * std::cos(a), y - 0.03f, 0.42f * d * std::sin(a)}, 0.022f, -1, 8);
+    }
+    k.add(shapes::prism(shapes::circle(0.5f * d, 48), y - 0.03f, y, 0.006f), wood);
+    k.add(shapes::prism(shapes::circle(0.46f * d, 40), 0.f, 0.022f, 0.004f), metal);
+    k.top(y, 0, 0, 0.33f * d, 0.33f * d);
+}
+void slab_table(Kit& k, Vec3f s) {
+    const int wood = k.main(k.style.wood);
+    k.board(wood, {0, s.y - 0.06f, 0}, {s.x, 0.06f, s.z}, 0.01f);
+    for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * s.x - 0.16f), 0, 0}, {0.06f, s.y - 0.06f, s.z - 0.08f}, 0.008f);
+    k.board(wood, {0, 0.1f, 0}, {s.x - 0.38f, 0.025f, s.z - 0.12f}, 0.004f);
+    k.top(s.y, 0, 0, 0.46f * s.x, 0.46f * s.z);
+}
+void twin_table(Kit& k, Vec3f s) {
+    const int wood = k.main(k.style.wood), second = k.material(k.style.wood2);
+    const auto low = [&](int mat, float x, float z, float d, float y) {
+        k.add(shapes::prism(shapes::circle(0.5f * d, 44), y - 0.025f, y, 0.006f), mat, {x, 0, z});
+        for (int i = 0; i < 3; ++i) {
+            const float a = 2.0944f * static_cast<float>(i) + x;
+            k.rod(mat, {x + 0.4f * d * std::cos(a), 0, z + 0.4f * d * std::sin(a)}, {x + 0.28f * d * std::cos(a), y - 0.02f, z + 0.28f * d * std::sin(a)}, 0.011f, 0.018f);
+        }
+    };
+    low(wood, -0.2f * s.x, 0.02f, 0.66f * s.z * 1.1f, s.y);
+    low(second, 0.26f * s.x, -0.02f, 0.5f * s.z * 1.1f, s.y + 0.08f);
+    k.top(s.y, -0.2f * s.x - 0.03f, 0.02f, 0.2f * s.z, 0.2f * s.z);
+}
+void coffee_table(Kit& k) {
+    enum { four_legs, round, drum, slab, twin };
+    const Vec3f s = k.wanted({1.1f, 0.4f, 0.6f});
+    switch (form_for(k, {{"modern", slab, twin}, {"scandinavian", twin, round}, {"japandi", slab, round}, {"industrial", four_legs, slab}, {"classic", four_legs, drum}, {"boho", drum, round},
+                         {"rustic", four_legs, slab}, {"mid-century", round, twin}, {"mediterranean", drum, four_legs}, {"art deco", drum, round}}, four_legs)) {
+        case round: return round_table(k, 0.8f * s.x, s.y, 0.03f);
+        case drum: return drum_table(k, 0.75f * s.x, s.y);
+        case slab: return slab_table(k, s);
+        case twin: return twin_table(k, s);
+        default: break;
+    }
+    plain_table(k, s, 0.035f);
+    if (k.style.legs == LegType::square || k.style.legs == LegType::metal_frame) k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
 }
 void side_table(Kit& k) { round_table(k, 0.45f, 0.53f, 0.022f); }
-void dining_table(Kit& k) { plain_table(k, k.wanted({1.7f, 0.75f, 0.9f}), 0.04f); }
+void dining_table(Kit& k) {
+    enum { four_legs, trestle, pedestal };
+    const int form = form_for(k, {{"modern", four_legs, pedestal}, {"scandinavian", four_legs, pedestal}, {"japandi", four_legs, trestle}, {"industrial", trestle, four_legs}, {"classic", four_legs, pedestal}, {"boho", trestle, pedestal},
+                                  {"rustic", trestle, four_legs}, {"mid-century", pedestal, four_legs}, {"mediterranean", trestle, four_legs}, {"art deco", pedestal, four_legs}}, four_legs);
+    const bool sized = k.request.size_m.x > 0.f || k.request.size_m.z > 0.f;
+    const Vec3f s = k.wanted({1.7f, 0.75f, 0.9f});
+    if (form == trestle) trestle_table(k, s);
+    else if (form == pedestal && !sized) round_table(k, 0.75f * s.x, s.y, 0.035f);
+    else plain_table(k, s, 0.04f);
+}
 void dining_table_round(Kit& k) { round_table(k, k.wanted({1.2f, 0.75f, 1.2f}).x, 0.75f, 0.035f); }
 void console_table(Kit& k) { plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f); k.piece.against_wall = true; }
 
@@ -105,7 +172,31 @@ void nightstand(Kit& k) { chest(k, k.wanted({0.45f, 0.52f, 0.4f}), 0.14f, 1, 2, 
 void dresser(Kit& k) { chest(k, k.wanted({1.2f, 0.82f, 0.48f}), 0.12f, 2, 3, 0.6f); }
 void wardrobe(Kit& k) { const Vec3f s = k.wanted({1.5f, 2.1f, 0.6f}); chest(k, s, 0.06f, std::max(2, static_cast<int>(s.x / 0.5f)), 1, 0.6f); }
 void cabinet(Kit& k) { chest(k, k.wanted({0.9f, 1.2f, 0.42f}), 0.12f, 2, 1, 0.5f); }
-void sideboard(Kit& k) { chest(k, k.wanted({1.7f, 0.75f, 0.45f}), 0.16f, 4, 1, 0.5f); }
+// Sliding doors of upright slats.
+void slatted_chest(Kit& k, Vec3f s, float leg, float clearance) {
+    const int wood = k.main(k.style.wood);
+    legs(k, wood, 0.5f * s.x - 0.09f, 0.5f * s.z - 0.07f, leg + 0.002f, 0.045f);
+    k.board(wood, {0, leg, -0.012f}, {s.x, s.y - leg, s.z - 0.03f}, 0.006f);
+    const int count = static_cast<int>((s.x - 0.06f) / 0.032f);
+    Mesh slats;
+    for (int i = 0; i < count; ++i) {
+        if (i == count / 2) continue;
+        Mesh m = shapes::box({0.02f, s.y - leg - 0.07f, 0.016f}, 0.003f);
+        shapes::lay_grain(m, {0.1f * static_cast<float>(i), 0, 0});
+        shapes::append(slats, shapes::move(m, {(static_cast<float>(i) + 0.5f) / static_cast<float>(count) * (s.x - 0.06f) - 0.5f * s.x + 0.03f, 0.5f * (s.y + leg), 0.5f * s.z - 0.02f}));
+    }
+    k.add(std::move(slats), wood);
+    k.top(s.y, 0, 0, 0.46f * s.x, 0.42f * s.z);
+    k.piece.clearance_front_m = clearance;
+    k.piece.against_wall = true;
+}
+bool slatted(Kit& k) { return form_for(k, {{"scandinavian", 0, 1}, {"japandi", 1, 0}, {"mid-century", 1, 0}, {"boho", 0, 1}, {"modern", 0, 1}}, 0) == 1; }
+void sideboard(Kit& k) {
+    const Vec3f s = k.wanted({1.7f, 0.75f, 0.45f});
+    if (slatted(k)) return slatted_chest(k, s, 0.18f, 0.5f);
+    if (k.style.name == "industrial" || k.style.name == "rustic") return chest(k, s, 0.16f, 3, k.dice.chance(0.5f) ? 1 : 2, 0.5f);
+    chest(k, s, 0.16f, 4, 1, 0.5f);
+}
 void shoe_rack(Kit& k) {
     const Vec3f s = k.wanted({0.8f, 0.5f, 0.32f});
     const int wood = k.main(k.style.wood);
@@ -137,7 +228,11 @@ void tv(Kit& k) {
     }
     k.piece.mount = Mount::surface;
 }
-void tv_stand(Kit& k) { chest(k, k.wanted({1.6f, 0.48f, 0.42f}), 0.12f, 3, 1, 0.6f); }
+void tv_stand(Kit& k) {
+    const Vec3f s = k.wanted({1.6f, 0.48f, 0.42f});
+    if (slatted(k)) return slatted_chest(k, s, 0.12f, 0.6f);
+    chest(k, s, 0.12f, 3, 1, 0.6f);
+}
 
 // What stands on one shelf: books, a vase, a basket, a bowl; `room_y` = free height.
 void fill_shelf(Kit& k, float x0, float x1, float y, float room_y, float z_back, float depth) {

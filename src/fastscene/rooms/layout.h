@@ -2,6 +2,7 @@
 // important ones first, each into the best free slot; nothing is moved afterwards, so a layout costs milliseconds.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,21 +24,12 @@ struct Placed {
     bool overhead = false;     // lamps that hang: one may stand below them
 };
 
-// An upright box turned about the vertical axis.
-struct Footprint {
-    Vec2f center, half;        // x, z
-    float yaw = 0, y0 = 0, y1 = 0;
-};
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
-// Whether the boxes share a volume (separating axes).
-bool overlap(const Footprint& a, const Footprint& b);
-// Distance on the floor from a point to the box; 0 inside.
-float distance_to(const Footprint& box, Vec2f point);
 
 // The room being furnished.
 class Layout {
   public:
-    Layout(const Plan& plan, PromptSpec& spec, Random& dice) : plan_(plan), spec_(spec), dice_(dice), ways_(plan) {}
+    Layout(const Plan& plan, PromptSpec& spec, Random& dice) : plan_(plan), spec_(spec), dice_(dice), faces_(plan.faces()), ways_(plan) {}
 
     // Each returns the index of the new piece, or nothing when there is no room for it.
     struct WallWish {
@@ -47,6 +39,8 @@ class Layout {
         float window_pull = 0.f;       // > 0: under a window; < 0: away from it
         bool corner = false;
         bool clear_of_windows = false;  // not below one either
+        float at_most_from_near = 1e9f; // metres
+        float apart_pull = 0.f;         // how much it seeks distance from all that stands
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
     std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {});
@@ -56,13 +50,26 @@ class Layout {
     int around(int table, const PieceRequest& request, int count, const PromptObject& from = {});
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m, const PromptObject& from = {});
     std::optional<int> on_top(int anchor, const PieceRequest& request, const PromptObject& from = {});
+    // … with its middle at this point of the floor plan, turned as asked.
+    std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw);
+    // Small things that lie about on the floor near a point.
+    std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request);
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // A pair at every window where they find room; returns how many. They end above what stands below a window.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
 
+    // Takes away a piece nobody asked for, and another, the last ones first, until `place` succeeds; if it never does, all stay.
+    // True when `place` did.
+    bool give_way(const std::function<bool()>& place);
+
+    // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand in.
     PieceRequest request(std::string klass, const PromptObject* wish = nullptr);
+    // While insisting, a piece stands where its wish says ("opposite the bed") or not at all; else only rather there.
+    void insist(bool on) { insist_ = on; }
+    // Why nothing of this class can be made; empty: it can.
+    std::string why_not(const std::string& klass) const;
     std::optional<int> find(std::string_view klass) const;
     int count(std::string_view klass) const;
     const std::vector<Placed>& placed() const { return placed_; }
@@ -76,24 +83,40 @@ class Layout {
   private:
     bool fits(const Placed& placed, bool with_clearance) const;
     // Whether the way from the door to a spot for the camera stays open with this piece.
+    // What a place is worth for being where the wish says.
+    float as_asked(const Placed& placed, const PromptObject& wish) const;
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
-    bool inside_room(const Footprint& box) const;
     bool blocks_opening(const Footprint& box, float height) const;
+    bool may_leave(std::size_t index) const;
+    void remove(std::size_t index);
     std::optional<int> keep(Placed placed, const PromptObject& from);
     int hidden_wishes(Vec3f eye) const;
-    bool wall_is_free(int wall, float u0, float u1, float y0, float y1) const;
+    bool wall_is_free(const WallFace& face, float u0, float u1, float y0, float y1) const;
 
     const Plan& plan_;
     PromptSpec& spec_;
     Random& dice_;
+    std::vector<WallFace> faces_;
     std::vector<Placed> placed_;
+    bool insist_ = false;
     Ways ways_;
 };
+
+// What makes a room lived in: small things on tops, radiators, more on bare walls and floors. `clutter` in [0, 1]. Part of furnish().
+void add_touches(Layout& layout, float clutter);
 
 // Furnishes by the room's type, what the prompt asks for first; what does not fit goes to spec.not_placed.
 void furnish(Layout& layout);
 
-// What is wrong with a layout, in words; empty = nothing. For tests and for make_room's own conscience.
-std::vector<std::string> layout_faults(const Plan& plan, const std::vector<Placed>& placed);
+// A plan, what stands in it, and where panorama 0 stands.
+struct FurnishedRoom {
+    Plan plan;
+    std::vector<Placed> placed;
+    Vec3f camera;
+    // The room behind the doorway, if there is one.
+    std::vector<Placed> placed_next;
+};
+// The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).
+FurnishedRoom furnish_room(PromptSpec& spec, const Run& run);
 
 }  // namespace fastscene

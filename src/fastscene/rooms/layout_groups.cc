@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/pack.h"
 
 // What belongs into which room, and how the pieces stand to each other.
 namespace fastscene {
@@ -10,11 +11,9 @@ namespace {
 
 using WallWish = Layout::WallWish;
 
-Vec2f flat(Vec3f v) { return {v.x, v.z}; }
-
 bool is_piece(std::string_view klass) { return std::binary_search(piece_classes().begin(), piece_classes().end(), klass); }
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 15> kSmall{"table_lamp", "vase", "vase_small", "book_stack", "bowl", "candle", "plant_small", "picture", "mirror", "tv", "clock", "rug", "cushion", "guitar", "cat"};
+    static constexpr std::array<std::string_view, 36> kSmall{"table_lamp", "vase", "vase_small", "book_stack", "bowl", "candle", "plant_small", "picture", "mirror", "tv", "clock", "rug", "cushion", "guitar", "cat", "alarm_clock", "bottles", "cup", "cutting_board", "globe", "kettle", "laptop", "magazines", "photo_frame", "picture_ledge", "place_setting", "pot", "sculpture", "storage_box", "teddy_bear", "toaster", "toiletries", "towel_stack", "toy_blocks", "tray", "utensils"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 
@@ -74,9 +73,9 @@ class Wishes {
 class Furnisher {
   public:
     explicit Furnisher(Layout& layout) : l_(layout), wishes_(layout.spec()), clutter_(layout.plan().style.clutter) {
-        const std::string& mood = l_.spec().mood;
-        if (mood == "cluttered" || mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
-        if (mood == "bare") clutter_ = 0.1f;
+        const PromptSpec& spec = l_.spec();
+        if (spec.clutter == "cluttered" || spec.mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
+        if (spec.clutter == "bare") clutter_ = 0.1f;
     }
 
     void run() {
@@ -139,7 +138,12 @@ class Furnisher {
     }
     std::string klass_of(int i) const { return l_.placed()[static_cast<std::size_t>(i)].piece.klass; }
     std::optional<int> picture(float probability) {
-        return put("picture", probability, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        return put("picture", probability, [&](PieceRequest r, const PromptObject& o) {
+            // Of many sizes; over a bare wall a large one first.
+            const float w = l_.dice().uniform(0.4f, 1.25f);
+            if (o.size.empty()) r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
+            return l_.on_wall(r, {}, o);
+        });
     }
     void rug(int anchor, float probability, float width, float depth, float shift) {
         put("rug", probability, [&](PieceRequest r, const PromptObject& o) {
@@ -404,6 +408,16 @@ class Furnisher {
         return l_.on_wall(r, {}, wish);
     }
 
+    // Along a wall or free, but only where the wish says.
+    std::optional<int> where_asked(const PromptObject& wish, const PieceRequest& r, const Piece& piece) {
+        if (wish.relation.empty() || piece.mount != Mount::floor || wish.klass == "rug") return {};
+        l_.insist(true);
+        auto i = wish.relation == "in the middle" ? std::optional<int>{} : l_.against_wall(r, {}, wish);
+        if (!i) i = l_.free_standing(r, wish);
+        l_.insist(false);
+        return i;
+    }
+
     // A wish that no group has used: placed by what kind of piece it is.
     std::optional<int> anywhere(const PromptObject& wish) {
         const PieceRequest r = l_.request(wish.klass, &wish);
@@ -421,6 +435,7 @@ class Furnisher {
                         if (const auto i = l_.beside(*anchor, r, side, 0.08f, wish)) return i;
             }
         if (wish.klass == "tv") return television(r, wish);
+        if (const auto i = where_asked(wish, r, piece)) return i;
         switch (piece.mount) {
             case Mount::surface: return l_.on_any_top(r, wish);
             case Mount::wall: return l_.on_wall(r, {}, wish);
@@ -447,16 +462,28 @@ class Furnisher {
         if (const auto i = l_.against_wall(r, w, wish)) return i;
         return l_.free_standing(r, wish);
     }
+    // Our own small pieces by their class, those of the pack by how they are mounted.
+    bool stands_on_others(const PromptObject& wish) {
+        if (is_small(wish.klass)) return true;
+        const PackModel* model = l_.spec().pack ? l_.spec().pack->choose(wish.klass, 0) : nullptr;
+        return (model && model->elevation_m + model->size_m.y < 0.8f && model->size_m.x < 0.55f) || is_small(stand_in(wish.klass).value_or(""));
+    }
+    bool on_a_seat(const PromptObject& wish) {
+        const PieceRequest r = l_.request(wish.klass, &wish);
+        for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench"})
+            for (std::size_t i = 0; i < l_.placed().size(); ++i)
+                if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), r, wish)) return true;
+        return false;
+    }
     // The large pieces first: the small ones stand on them.
     void remaining_wishes() {
         for (const bool small : {false, true}) {
             wishes_.each_left([&](const PromptObject& wish) {
-                static constexpr std::array<const char*, 7> kShell{"window", "door", "wall", "floor", "ceiling", "beams", "curtain"};
-                if (std::find(kShell.begin(), kShell.end(), wish.klass) != kShell.end()) return true;
-                if (is_small(wish.klass) != small) return false;
-                if (wish.klass == "cushion" && (l_.find("sofa") || l_.find("bed"))) return true;  // they come with cushions
-                if (!is_piece(wish.klass)) l_.spec().not_placed.push_back(wish.words + ": there is no such piece yet");
-                else if (!anywhere(wish)) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
+                if (is_shell(wish.klass) || wish.klass == "curtain") return true;
+                if (stands_on_others(wish) != small) return false;
+                if (wish.klass == "cushion" && on_a_seat(wish)) return true;
+                if (const std::string why = l_.why_not(wish.klass); !why.empty()) l_.spec().not_placed.push_back(wish.words + ": " + why);
+                else if (!anywhere(wish) && !l_.give_way([&] { return anywhere(wish).has_value(); })) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
                 return true;
             });
         }
@@ -475,7 +502,7 @@ class Furnisher {
         }
 
         if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !wishes_.forbids("ceiling_lamp")) {
-            const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f;
+            const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
             const auto lamp = put(grand ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, {0, 0.2f}, o); });
             (void)lamp;
         }
@@ -483,11 +510,11 @@ class Furnisher {
         for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
         const int pictures = 1 + static_cast<int>(std::lround(clutter_ * 3.f));
         for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
-        put("shelf", 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        put("shelf", room == "bathroom" ? 0.f : 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
         wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
         // After sunset a room wants light from more than its ceiling.
         const PromptSpec& spec = l_.spec();
-        const bool dark = spec.time == "night" || spec.time == "dusk" || spec.mood == "lamps on";
+        const bool dark = spec.time == "night" || spec.time == "dusk" || spec.light == "lamps on";
         const bool damp = room == "bathroom" || room == "kitchen" || room == "laundry";
         wall("floor_lamp", l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f : dark ? 1.f : wet ? 0.f : 0.5f, {.center_pull = 0, .corner = true});
         static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
@@ -496,6 +523,7 @@ class Furnisher {
             const char* klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
             put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
         }
+        add_touches(l_, clutter_);
     }
 
     Layout& l_;

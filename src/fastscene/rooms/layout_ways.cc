@@ -13,16 +13,18 @@ constexpr float kCell = 0.1f;
 constexpr float kBodyRadius = 0.27f;      // a walkway of about 0.55 m
 constexpr float kEyeHeight = 1.5f, kEyeRadius = 0.65f;  // air that the camera wants around it
 constexpr float kEyeBand = 0.7f;          // heights that count for that: as Layout::camera_position has it
+constexpr float kHead = 1.75f;            // of who walks
 constexpr float kStepOver = 1.2f;         // what hangs higher is walked under (or beside: wall lamps, pictures)
 
 }  // namespace
 
-Ways::Ways(const Plan& plan) : plan_(plan), columns_(std::max(1, static_cast<int>(plan.width / kCell))), rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
+Ways::Ways(const Plan& plan) : plan_(&plan), columns_(std::max(1, static_cast<int>(plan.width / kCell))), rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i) {
             const Vec2f p = center(i, j);
-            const float wall = std::min(plan.width / 2 - std::abs(p.x), plan.depth / 2 - std::abs(p.y));
-            cells_.push_back({wall, wall});
+            // Below a slope one walks where one can stand.
+            const float wall = plan.wall_distance(p), head = plan.ceiling_at(p) < kHead ? 0.f : wall;
+            cells_.push_back({head, std::min(wall, plan.air_around({p.x, kEyeHeight, p.y}))});
         }
     for (const Opening& o : plan.openings) {
         if (o.kind != Opening::Kind::door) continue;
@@ -32,15 +34,21 @@ Ways::Ways(const Plan& plan) : plan_(plan), columns_(std::max(1, static_cast<int
             starts_.push_back(cell_near({p.x, p.z}));
         }
     }
+    for (const Opening& o : plan.openings) {
+        if (o.kind != Opening::Kind::doorway) continue;
+        const WallFace face = plan.wall(o.wall);
+        const Vec3f p = face.point((o.u0 + o.u1) / 2, 0) + face.inward * 0.45f;
+        (starts_.empty() ? starts_ : goals_).push_back(cell_near({p.x, p.z}));
+    }
     open_ = leads_to_a_view(cells_);
 }
 
 Vec2f Ways::center(int i, int j) const {
-    return {(static_cast<float>(i) + 0.5f) * kCell - plan_.width / 2, (static_cast<float>(j) + 0.5f) * kCell - plan_.depth / 2};
+    return {(static_cast<float>(i) + 0.5f) * kCell - plan_->width / 2, (static_cast<float>(j) + 0.5f) * kCell - plan_->depth / 2};
 }
 
 int Ways::cell_near(Vec2f p) const {
-    const int i = std::clamp(static_cast<int>((p.x + plan_.width / 2) / kCell), 0, columns_ - 1), j = std::clamp(static_cast<int>((p.y + plan_.depth / 2) / kCell), 0, rows_ - 1);
+    const int i = std::clamp(static_cast<int>((p.x + plan_->width / 2) / kCell), 0, columns_ - 1), j = std::clamp(static_cast<int>((p.y + plan_->depth / 2) / kCell), 0, rows_ - 1);
     return j * columns_ + i;
 }
 
@@ -83,6 +91,8 @@ std::vector<char> Ways::walked(const std::vector<Clear>& cells) const {
 
 bool Ways::leads_to_a_view(const std::vector<Clear>& cells) const {
     const std::vector<char> seen = walked(cells);
+    for (const int goal : goals_)
+        if (!seen[static_cast<std::size_t>(goal)]) return false;
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (seen[k] && cells[k].eyes >= kEyeRadius) return true;
     return false;

@@ -33,10 +33,11 @@ class Ways {
     std::vector<char> walked(const std::vector<Clear>& cells) const;
     bool leads_to_a_view(const std::vector<Clear>& cells) const;
 
-    const Plan& plan_;
+    const Plan* plan_;
     int columns_, rows_;
     std::vector<Clear> cells_;
     std::vector<int> starts_;   // cells before the door
+    std::vector<int> goals_;    // … and before a doorway, which must be reached too
     bool open_ = false;
 };
 

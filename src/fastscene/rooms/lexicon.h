@@ -1,6 +1,7 @@
-// Lexicon: the words a prompt may use, and what they mean to the room maker.
+// Lexicon: the words a prompt may use, and what they mean to the room maker. The words are in lexicon.tsv.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,27 +10,46 @@
 namespace fastscene {
 
 enum class WordKind : unsigned char {
-    room, style, object, structure, color, material, pattern, time, weather, light, size, mood, count, negation, relation, stop,
+    room, style, object, structure, color, material, pattern, time, weather, light, size, mood, count, negation, relation,
+    detail,    // a part of a piece ("legs", "bedding"): takes adjectives, is no piece of its own
+    nuance,    // understood, but nothing in the room shows it ("dusty", "ocean view")
+    filler,    // speaks of the picture or the room as such ("photo", "interior")
+    function,  // articles, prepositions, forms of "to be"
 };
 
 struct Word {
     WordKind kind;
     std::string meaning;   // canonical: "armchair", "living", "evening", "3" …
     bool exact = true;     // false: the nearest thing we have ("chesterfield" is a sofa)
+    std::string adds{};    // what else it says: "material=leather"
+    bool also_color = false;  // "fern", "midnight": a color when it stands before another word's noun
 };
 
-// Looks up a term of one to four lower-case words ("coffee table"); singular and plural. Colors include all that
-// style.h's color_named knows.
-std::optional<Word> look_up(const std::string& term);
+// "" = English; de fr es it.
+using Language = std::string_view;
 
-// A known single word of at least five letters at Damerau-Levenshtein distance 1, if there is exactly one meaning.
-std::optional<std::string> nearest_term(const std::string& word);
+// Looks up a term of lower-case words without accents ("coffee table"); singular and plural, inflected in `language`.
+// Words of that language come before English ones. Colors include all that style.h's color_named knows.
+std::optional<Word> look_up(const std::string& term, Language language = {});
+// Whether the language has this very word as one of its function words.
+bool is_function_word(const std::string& term, Language language);
+inline constexpr std::size_t kLongestTerm = 6;  // words
+
+// A known single word of at least five letters at Damerau-Levenshtein distance 1, if there is exactly one meaning. A word
+// with the same first letter comes before others, what can be shown before what cannot.
+std::optional<std::string> nearest_term(const std::string& word, Language language = {});
+
+// sRGB 0xrrggbb of a color by its plain name, without composition ("dark …" is style.h's).
+std::optional<std::uint32_t> lexicon_color(std::string_view name);
+
+// Forms under which a term may stand in the lexicon: English plurals, German endings, Romance plurals.
+std::vector<std::string> base_forms(const std::string& term, Language language = {});
 
 // "living" -> "living room": what people call a canonical room.
 std::string room_title(std::string_view room);
 std::vector<std::string> room_types();
 std::size_t lexicon_size();
-// Every term, sorted; without the color names.
+// Every English term, sorted.
 std::vector<std::string> lexicon_terms();
 
 }  // namespace fastscene

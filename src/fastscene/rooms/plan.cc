@@ -1,6 +1,7 @@
 #include "fastscene/rooms/plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fastscene/rooms/lexicon.h"
@@ -63,28 +64,37 @@ constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kBesideDoor = kDoorMarg
 void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
-    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.mood == "bright";
+    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
     int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || spec.room == "loft" ? 3 : dice.chance(0.45f) ? 2 : 1;
     if (spec.room == "hallway" && !wish) count = 1;
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
-    const int first = spec.room == "hallway" ? 0 : dice.chance(0.5f) ? 1 : 3;
-    const int order[4] = {first, 0, first == 1 ? 3 : 1, 2};
+    const bool right = dice.chance(0.5f);
+    const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;
+    const int order[4] = {first, first == 0 ? second : 0, first == 0 ? 4 - second : 4 - first, 2};
+    if (plan.knee > 0 && !wish) count = 1;
     for (int i = 4; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has at most four");
     for (int i = 0; i < count; ++i) {
         Opening window;
         window.wall = order[i];
-        const float length = plan.wall(window.wall).length;
-        const float width = std::min(length - 0.6f, large ? dice.uniform(2.2f, 3.0f) : small ? dice.uniform(0.7f, 0.9f) : dice.uniform(1.3f, 1.8f));
-        window.y0 = large ? 0.4f : small ? 1.25f : 0.85f;
+        // On the free part of the wall; below a slope there is none.
+        const auto [low, high] = plan.free_span(window.wall, 2.1f);
+        const float length = high - low;
+        if (length < 1.1f) {
+            if (wish) spec.not_placed.push_back(wish->words + ": no free wall for it");
+            continue;
+        }
+        const bool bay = plan.bay && window.wall == 0;
+        const float width = bay ? length - 0.3f : std::min(length - 0.6f, large ? dice.uniform(2.2f, 3.0f) : small ? dice.uniform(0.7f, 0.9f) : dice.uniform(1.3f, 1.8f));
+        window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         window.y1 = std::min(plan.height - 0.25f, large ? 2.45f : 2.2f);
         const float slack = free_margin(length, width) - 0.25f;
-        window.u0 = free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f);
+        window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
-            window.u1 = length - 0.3f;
-            window.u0 = std::max(kBesideDoor, window.u1 - width);
+            window.u1 = high - 0.3f;
+            window.u0 = std::max(std::max(low, 0.f) + kBesideDoor, window.u1 - width);
             if (!(window.u1 - window.u0 >= 0.5f)) {
                 if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
                 continue;
@@ -104,10 +114,10 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "door");
     door.requested = wish != nullptr;
     if (wish) door.color = wish->color;
-    const float length = plan.wall(2).length;
+    const auto [low, high] = plan.free_span(2, 2.1f);
     for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
     const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.wall == 2; });
-    door.u0 = dice.chance(0.5f) || shared ? kDoorMargin : length - kDoorMargin - kDoorWidth;
+    door.u0 = dice.chance(0.5f) || shared ? low + kDoorMargin : high - kDoorMargin - kDoorWidth;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
     plan.openings.push_back(door);
@@ -115,15 +125,22 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
 
 }  // namespace
 
-WallFace Plan::wall(int i) const {
-    const float w = width / 2, d = depth / 2;
-    switch (i) {
-        case 0: return {{-w, 0, d}, {1, 0, 0}, {0, 0, -1}, width};
-        case 1: return {{w, 0, d}, {0, 0, -1}, {-1, 0, 0}, depth};
-        case 2: return {{w, 0, -d}, {-1, 0, 0}, {0, 0, 1}, width};
-        default: return {{-w, 0, -d}, {0, 0, 1}, {1, 0, 0}, depth};
-    }
+bool is_shell(std::string_view klass) {
+    static constexpr std::array<std::string_view, 15> kShell{"window", "bay_window", "skylight", "door", "doorway", "wall", "floor", "ceiling", "beams", "sloped_ceiling", "alcove", "wainscoting", "moulding", "column", "mezzanine"};
+    return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
 }
+
+namespace {
+
+// What no room of ours has yet is said so.
+void report_unbuilt(PromptSpec& spec) {
+    static constexpr std::array<std::string_view, 1> kUnbuilt{"mezzanine"};
+    for (const PromptObject& wish : spec.objects)
+        if (!wish.forbidden && std::find(kUnbuilt.begin(), kUnbuilt.end(), wish.klass) != kUnbuilt.end())
+            for (int i = 0; i < wish.count; ++i) spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
+}
+
+}  // namespace
 
 Plan make_plan(PromptSpec& spec, Random& dice) {
     if (spec.room.empty()) {
@@ -166,7 +183,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
     if (wet) {
         if (const auto tile = material_named("tile")) plan.style.accent_wall = *tile, plan.accent = true;
-        if (plan.style.floor.pattern == Pattern::carpet || plan.style.floor.pattern == Pattern::planks || plan.style.floor.pattern == Pattern::wood)
+        if (plan.style.floor.pattern == Pattern::herringbone || plan.style.floor.pattern == Pattern::parquet || plan.style.floor.pattern == Pattern::carpet || plan.style.floor.pattern == Pattern::planks || plan.style.floor.pattern == Pattern::wood)
             if (const auto stone = material_named("tile")) {
                 plan.style.floor = *stone;
                 plan.style.floor.scale_m = 0.45f;
@@ -191,8 +208,11 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     if (!spec.colors.empty() && plan.accent && !wet)
         if (const auto color = color_named(spec.colors.front())) plan.style.accent_wall.color_a = *color;
+    report_unbuilt(spec);
+    shape_plan(spec, plan, dice);
     add_windows(spec, plan, dice);
     add_door(spec, plan, dice);
+    open_plan(spec, plan, dice);
     return plan;
 }
 

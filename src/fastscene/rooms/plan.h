@@ -2,10 +2,14 @@
 // center is the origin. Walls are numbered 0 far (+z), 1 right (+x), 2 near (-z), 3 left (-x).
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fastscene/base/random.h"
+#include "fastscene/rooms/footprint.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
 
@@ -13,9 +17,9 @@ namespace fastscene {
 
 inline constexpr float kWallThickness = 0.22f;
 
-// A hole in a wall (window), or a door leaf set before it. `u` runs along the wall from its left end as seen from inside.
+// A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its left end as seen from inside.
 struct Opening {
-    enum class Kind : unsigned char { window, door } kind = Kind::window;
+    enum class Kind : unsigned char { window, door, doorway } kind = Kind::window;
     int wall = 0;
     float u0 = 0, u1 = 0, y0 = 0, y1 = 0;
     bool requested = false;
@@ -28,8 +32,27 @@ struct WallFace {
     Vec3f along;    // unit, to the right as seen from inside
     Vec3f inward;   // unit, into the room
     float length;
+    int wall = -1;      // the wall it is a part of; -1: the side of a block
+    float from = 0;     // where on that wall its u begins
     Vec3f point(float u, float y) const { return origin + along * u + Vec3f{0, y, 0}; }
 };
+
+// Whether wishes of this class are for the shell: make_plan heeds them, or says in spec.not_placed why it cannot.
+bool is_shell(std::string_view klass);
+
+// A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast, a column.
+struct Block {
+    enum class Kind : unsigned char { corner, breast, column } kind = Kind::corner;
+    Vec2f low, high;   // x, z
+};
+
+// A window in a sloped ceiling above wall 1 or 3: from z0 to z1, and from s0 to s1 metres up the slope.
+struct Skylight {
+    int wall = 1;
+    float z0 = 0, z1 = 0, s0 = 0, s1 = 0;
+};
+
+struct NextRoom;
 
 struct Plan {
     float width = 4, depth = 5, height = 2.7f;   // inside
@@ -37,9 +60,41 @@ struct Plan {
     Style style;                                 // with the prompt's wishes for walls, floor and so on worked in
     bool accent = false;                         // wall 0 has the accent material
     bool beams = false;
+    bool coffers = false;      // a grid of beams in the color of the trim
+    bool bay = false;          // the recess of the far wall is all window
+    bool panelling = false;    // walls are panelled to the height of a chair's back
+    std::vector<Block> blocks;
+    std::vector<std::string> asked_parts;   // classes of is_shell that the prompt asks for
+    // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0 = flat.
+    float knee = 0, slope_run = 0;
+    std::vector<Skylight> skylights;
+    std::shared_ptr<const NextRoom> next;  // behind the doorway
+    bool joined = false;                   // this is such a next room: its near wall (2) is built by the other
 
     WallFace wall(int i) const;
+    // All pieces of wall where things may stand or hang, sides of blocks too.
+    std::vector<WallFace> faces() const;
+    float ceiling_at(Vec2f point) const;
+    // Whether the box lies in the room: within the walls, out of blocks, below the ceiling.
+    bool holds(const Footprint& box) const;
+    // Distance to the nearest wall or block on the floor, and to any of them or a sloped ceiling in space.
+    float wall_distance(Vec2f point) const;
+    float air_around(Vec3f point) const;
+    // The longest part of a wall (u0, u1) before which nothing stands and above which the ceiling is at least this high.
+    std::pair<float, float> free_span(int wall, float height) const;
 };
+
+// The room one sees through the doorway. Its own near wall (2) is the back of ours.
+struct NextRoom {
+    Plan plan;
+    std::string type;          // "dining" …
+    Rigid room_from_next;      // from its room frame into ours
+};
+
+// The shape of the room beyond a box, by room type, style and wishes: blocks, slopes, coffers, panelling. Before the openings.
+void shape_plan(PromptSpec& spec, Plan& plan, Random& dice);
+// Skylights, and a doorway to a next room where a wall is left for it. After windows and door.
+void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
 
 // Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
 // Adds to spec.assumed what it chose.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_relations.h"
 
 namespace fastscene {
 namespace {
@@ -29,7 +30,7 @@ constexpr Daylight kDaylight[] = {
 void assume_time(PromptSpec& spec, std::uint64_t seed) {
     if (!spec.time.empty()) return;
     const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
-    spec.time = spec.mood == "lamps on" || spec.mood == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
+    spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
     spec.assumed.push_back("time: " + spec.time);
 }
 
@@ -67,7 +68,7 @@ Sky make_sky(const PromptSpec& spec, const Plan& plan, const Mat3f& world_from_r
 
 // How much of their light the lamps give, by the hour.
 float lamp_level(const PromptSpec& spec) {
-    if (spec.mood == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
+    if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
     if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
     return 0.f;
 }
@@ -90,12 +91,13 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     }
     const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
     RoomObject entry;
-    entry.klass = placed.piece.klass;
+    // Another builder may stand in for what was asked for; the name says which.
+    entry.klass = placed.wish.klass.empty() ? placed.piece.klass : placed.wish.klass;
     entry.name = name_of(placed);
     entry.color = placed.wish.color;
     entry.world_from_object = room_from_object;
     entry.size_m = placed.piece.size_m;
-    entry.source = "built-in";
+    entry.source = placed.piece.source;
     entry.requested = !placed.wish.klass.empty();
     room.objects.push_back(entry);
     for (Mesh mesh : placed.piece.meshes) {
@@ -108,13 +110,14 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 }
 
 // Looks at the piece that names the room, else along the room's longer side.
-Vec3f view_direction(const Layout& layout, Vec3f camera) {
+Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
     for (const char* klass : {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
-        if (const auto i = layout.find(klass)) {
-            const Vec3f to = layout.placed()[static_cast<std::size_t>(*i)].position - camera;
+        for (const Placed& p : room.placed) {
+            if (p.piece.klass != klass) continue;
+            const Vec3f to = p.position - camera;
             if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
         }
-    return layout.plan().depth >= layout.plan().width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
+    return room.plan.depth >= room.plan.width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
 }
 
 void turn_into_world(const Rigid& world_from_room, Room& room) {
@@ -130,23 +133,75 @@ void turn_into_world(const Rigid& world_from_room, Room& room) {
     }
 }
 
+// How many of each wish stand. Parts of the shell are there unless make_plan said why not.
+void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
+    for (PromptObject& object : spec.objects) object.placed = 0;
+    for (const Placed& placed : room.placed) {
+        if (placed.wish.id < 0) continue;
+        ++spec.objects[static_cast<std::size_t>(placed.wish.id)].placed;
+        if (const auto there = stands_as_asked(room.plan, room.placed, placed, placed.wish); there && !*there)
+            for (PromptWord& word : spec.words)
+                if (word.object == placed.wish.id && word.relation) word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
+        if (placed.piece.klass == placed.wish.klass) continue;
+        for (PromptWord& word : spec.words)
+            if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
+                word.fate = PromptWord::Fate::approximated;
+                word.meaning += "; shown as " + placed.piece.klass;
+            }
+    }
+    for (PromptObject& object : spec.objects)
+        if (is_shell(object.klass) && !object.forbidden)
+            object.placed = object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
+}
+
 }  // namespace
 
-Room make_room(PromptSpec& spec, const Run& run) {
+FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
     Random dice(run.seed, "room:" + spec.text);
     assume_time(spec, run.seed);
-    const Plan plan = make_plan(spec, dice);
+    FurnishedRoom out{make_plan(spec, dice), {}, {}, {}};
+    Layout layout(out.plan, spec, dice);
+    furnish(layout);
+    out.placed = layout.placed();
+    out.camera = layout.camera_position();
+    if (out.plan.next) {
+        // A room of the same house: its own type, the same style and hour, nothing asked for.
+        PromptSpec next;
+        next.room = out.plan.next->type;
+        next.style = spec.style;
+        next.time = spec.time;
+        next.mood = spec.mood;
+        for (const PromptObject& o : spec.objects)
+            if (o.forbidden) next.objects.push_back(o);
+        Random next_dice(run.seed, "next room:" + spec.text);
+        Layout beyond(out.plan.next->plan, next, next_dice);
+        furnish(beyond);
+        out.placed_next = beyond.placed();
+        for (Placed& p : out.placed_next) {
+            const Rigid& move = out.plan.next->room_from_next;
+            p.position = move * p.position;
+            p.yaw = yaw_of(move.rotation * front_of(p.yaw));
+        }
+    }
+    return out;
+}
+
+Room make_room(PromptSpec& spec, const Run& run) {
+    const FurnishedRoom furnished = furnish_room(spec, run);
+    const Plan& plan = furnished.plan;
+    Random dice(run.seed, "light:" + spec.text);
     Room room;
+    room.type = spec.room;
+    room.style = plan.style.name;
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
-
-    Layout layout(plan, spec, dice);
-    furnish(layout);
     const float lamps = lamp_level(spec);
-    for (const Placed& placed : layout.placed()) add_piece(placed, lamps, room);
+    for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
+    for (const Placed& placed : furnished.placed_next) add_piece(placed, lamps, room);
+    count_placed(furnished, spec);
 
     // World: x right, y down, z where the camera looks; a proper rotation of the room frame, nothing is mirrored.
-    const Vec3f camera = layout.camera_position(), forward = view_direction(layout, camera), down{0, -1, 0};
+    const Vec3f camera = furnished.camera, forward = view_direction(furnished, camera), down{0, -1, 0};
     const Mat3f rotation{cross(down, forward), down, forward};
     const Rigid world_from_room{rotation, -(rotation * camera)};
     turn_into_world(world_from_room, room);
@@ -182,7 +237,7 @@ Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
                                                               Json{r.row2.x, r.row2.y, r.row2.z, t.z}, Json{0, 0, 0, 1}})},
                            {"size_m", vec(o.size_m)}, {"source", o.source}, {"requested", o.requested}});
     }
-    return {{"objects", objects}, {"bounds_m", {{"min", vec(room.min_corner)}, {"max", vec(room.max_corner)}}}, {"sun_direction", vec(room.sky.sun_dir)},
+    return {{"room", room.type}, {"style", room.style}, {"objects", objects}, {"bounds_m", {{"min", vec(room.min_corner)}, {"max", vec(room.max_corner)}}}, {"sun_direction", vec(room.sky.sun_dir)},
             {"windows", room.portals.size()}};
 }
 

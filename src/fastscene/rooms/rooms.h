@@ -1,6 +1,7 @@
 // Rooms: a sentence becomes a furnished room. Prompt -> PromptReport -> Room.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,36 +11,60 @@
 
 namespace fastscene {
 
-// One piece of the prompt that was understood, and as what.
-struct Understood {
-    std::string words;    // as written
-    std::string meaning;  // "object: armchair (color red)"
+class FurniturePack;  // pack.h
+
+// What became of a word of the prompt. Articles and prepositions that carried nothing are not listed.
+struct PromptWord {
+    enum class Fate : unsigned char { understood, approximated, not_understood };
+    std::string words;     // as read: lower case, without accents; several when they are one term ("coffee table")
+    Fate fate = Fate::understood;
+    std::string meaning;   // "object: armchair, color red"; "" when not understood
+    int object = -1;       // index into PromptSpec::objects of the piece it speaks of
+    bool relation = false; // says where that piece stands
 };
 
-// What the prompt asks for. Empty text = not said (the room's maker chooses and reports it as assumed).
+// A piece of the prompt's, or a part of the room's shell (window, wall, floor …).
+// Empty text = not said (the room's maker chooses).
 struct PromptObject {
     std::string klass;      // canonical class: "armchair"
     std::string words;      // as written
     int count = 1;
     std::string color, material, pattern, size;
-    std::string relation, relation_to;  // "under" "window"; optional
+    std::string color2;     // "a black and white floor"
+    std::string style;      // "an art deco lamp": its own, else the room's
+    std::string relation, relation_to;  // "under" "window", a class; optional
+    std::string relation_and;           // "between" has two
     bool forbidden = false;             // "no/without X"
+    bool counted = false;               // the count was said, not guessed from a plural
+    int id = -1;                        // its index in PromptSpec::objects
+    int placed = 0;                     // how many of them stand in the room; filled by make_room
 };
+
+// What the prompt asks for, and what became of it.
 struct PromptSpec {
     std::string text;
-    std::string room, style, time, weather, mood, size;
+    std::string language;               // "" English, de fr es it
+    std::string room, style, time, weather, size;
+    std::string mood;                   // cozy airy colorful
+    std::string light;                  // bright dim "lamps on"
+    std::string clutter;                // cluttered bare
     std::vector<PromptObject> objects;
     std::vector<std::string> colors;    // global accents, bound to no object
     // The report: written to panorama/prompt.json.
-    std::vector<Understood> understood;
+    std::vector<PromptWord> words;           // in the order of the prompt
     std::vector<std::string> assumed;        // "room: living room"
-    std::vector<std::string> approximated;   // "chesterfield -> sofa"
-    std::vector<std::string> not_placed;     // filled by make_room: "piano: no free wall"
-    std::vector<std::string> not_understood; // words as written
+    std::vector<std::string> not_placed;     // filled by make_room: "piano: no free wall"; the object's words stand before the colon
+    std::shared_ptr<const FurniturePack> pack;  // pieces beyond our own; null: none
+
+    // Whether anything in the prompt shapes the room; "a volcano" does not.
+    bool names_a_room() const;
+    std::vector<PromptWord> words_with(PromptWord::Fate fate) const;
 };
 
 // Throws UsageError for an empty, overlong (> 2000 bytes) or non-UTF-8 prompt; with `strict` also for unknown words.
-PromptSpec understand_prompt(const std::string& text, bool strict);
+// With a furniture pack, the names of its catalogue are words too.
+PromptSpec understand_prompt(const std::string& text, bool strict, std::shared_ptr<const FurniturePack> pack = nullptr);
+// panorama/prompt.json: every word stands in one of understood, approximated, not_placed, not_understood.
 Json to_json(const PromptSpec& spec);
 
 // Lays out and furnishes the room; the camera of panorama 0 is the world's origin, at eye height, clear of furniture.

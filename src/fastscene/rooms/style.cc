@@ -5,35 +5,10 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/image/color.h"
+#include "fastscene/rooms/lexicon.h"
 
 namespace fastscene {
 namespace {
-
-struct NamedColor {
-    std::string_view name;
-    std::uint32_t rgb;
-};
-// sRGB, as paint and cloth of that name look in daylight.
-constexpr NamedColor kColors[] = {
-    {"white", 0xece9e2}, {"off white", 0xe6e0d2}, {"cream", 0xe8dcc0}, {"ivory", 0xe9e2cd}, {"beige", 0xd2c3a5}, {"sand", 0xcdb890}, {"tan", 0xc09a6b},
-    {"taupe", 0x8f7f70}, {"greige", 0xb5aa9a}, {"khaki", 0xa89a6a}, {"camel", 0xb4864f}, {"caramel", 0xa8682f}, {"cognac", 0x93512a}, {"chocolate", 0x4f3021},
-    {"brown", 0x6b4429}, {"coffee", 0x55392a}, {"mocha", 0x7a5a45}, {"chestnut", 0x74402c}, {"umber", 0x5c4632}, {"sienna", 0x97502d}, {"walnut", 0x5d3f2b},
-    {"oak", 0xb58b5c}, {"teak", 0x8f5f36}, {"mahogany", 0x5b271c}, {"cherry", 0x8a3b28}, {"maple", 0xd0a572}, {"pine", 0xcfa468}, {"birch", 0xdcc59c}, {"ebony", 0x2e2723},
-    {"black", 0x2a2a2b}, {"charcoal", 0x3b3f43}, {"anthracite", 0x34383b}, {"graphite", 0x45484b}, {"slate", 0x5f6b75}, {"slate gray", 0x708090}, {"gray", 0x868686}, {"grey", 0x868686},
-    {"silver", 0xb9bbbd}, {"ash", 0xaba79f}, {"stone", 0xa59d90}, {"concrete", 0x98958f}, {"smoke", 0x9aa0a3},
-    {"red", 0xb52a25}, {"crimson", 0xa51c35}, {"scarlet", 0xc1301f}, {"ruby", 0x98193a}, {"burgundy", 0x641a28}, {"wine", 0x6a2131}, {"maroon", 0x6c1f1f}, {"oxblood", 0x571c1b},
-    {"brick", 0x9c4a35}, {"brick red", 0x9c4a35}, {"terracotta", 0xbd6a46}, {"rust", 0xa34a20}, {"copper", 0xb06a3f}, {"bronze", 0x8a6a3b}, {"coral", 0xe07b62}, {"salmon", 0xe29078},
-    {"tomato", 0xd25339}, {"peach", 0xeab893}, {"apricot", 0xe7a86e}, {"orange", 0xd97722}, {"burnt orange", 0xb9561f}, {"tangerine", 0xdd7a2b}, {"amber", 0xcf8d25}, {"ochre", 0xbf8530},
-    {"mustard", 0xc79a2e}, {"yellow", 0xe2bf35}, {"gold", 0xc49b3d}, {"lemon", 0xe8d860}, {"honey", 0xcb9340}, {"saffron", 0xdfa32d}, {"butter", 0xecdc9a},
-    {"olive", 0x74733b}, {"moss", 0x6a7442}, {"sage", 0x9aa88a}, {"mint", 0xaad6bb}, {"lime", 0xa3c23c}, {"green", 0x3f7d45}, {"emerald", 0x1f7a52}, {"forest", 0x2c4f35}, {"forest green", 0x2c4f35},
-    {"hunter green", 0x2f5339}, {"bottle green", 0x1f4a39}, {"jade", 0x3f9273}, {"pistachio", 0xb0c58d}, {"eucalyptus", 0x7f9c8a}, {"seafoam", 0x99cdb8}, {"sea green", 0x3a8660},
-    {"teal", 0x1f7276}, {"turquoise", 0x3cb0a8}, {"aqua", 0x62c0c0}, {"cyan", 0x3fb3c4}, {"petrol", 0x1f4f5c}, {"blue", 0x2f5ca8}, {"navy", 0x212f52}, {"navy blue", 0x212f52}, {"royal blue", 0x2f50a5},
-    {"cobalt", 0x22479a}, {"sapphire", 0x20438f}, {"indigo", 0x35346f}, {"denim", 0x4a6285}, {"sky", 0x8fbddb}, {"sky blue", 0x8fbddb}, {"baby blue", 0xa9cbe0}, {"powder blue", 0xb3cfdb}, {"azure", 0x5f9dd0},
-    {"steel blue", 0x4f7ea6}, {"midnight", 0x1e2540}, {"midnight blue", 0x1e2540}, {"duck egg", 0xb8d2cc}, {"ice", 0xcfdfe4}, {"periwinkle", 0x8f9ad0},
-    {"purple", 0x6a3c88}, {"violet", 0x7d4fa6}, {"lavender", 0xb5a4d2}, {"lilac", 0xbfa3c9}, {"plum", 0x67304f}, {"aubergine", 0x432337}, {"mauve", 0xa8869c}, {"magenta", 0xb2307a}, {"fuchsia", 0xbe3585},
-    {"pink", 0xdc96a5}, {"blush", 0xe2bcb0}, {"rose", 0xc9788a}, {"dusty pink", 0xcfa09b}, {"dusty rose", 0xbf8c8a}, {"hot pink", 0xd95391}, {"raspberry", 0xa52f55}, {"linen", 0xdfd3bd}, {"natural", 0xc8ac82},
-    {"oatmeal", 0xd6c9ae}, {"wheat", 0xd9c191}, {"champagne", 0xdfcaa3}, {"pearl", 0xe4ded3}, {"alabaster", 0xe8e3da}, {"snow", 0xeeeeee}, {"mushroom", 0xb5a596}, {"clay", 0xa9775a}, {"brass", 0xb5923f}, {"chrome", 0xc3c5c7},
-};
 
 Vec3f srgb(std::uint32_t rgb) {
     const Vec3f c = linear_from_srgb8({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)});
@@ -104,7 +79,7 @@ std::vector<Style> make_styles() {
     all.push_back({"japandi", boards(Pattern::planks, "natural", 0.15f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
                    cloth("oatmeal"), cloth("stone"), hide("taupe"), veil("linen", 0.5f), carpet_of(Pattern::carpet, "oatmeal", "sand", "taupe"),
                    palette_of({"clay", "sage", "charcoal", "oatmeal", "taupe", "olive"}), LampFamily::paper, LegType::tapered, SofaType::slim, Mouldings::none, 1, 3, 0.5f, 0.25f, 2.5f, false, {9.f, 7.f, 4.8f}});
-    all.push_back({"industrial", make("concrete floor", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.5f, 0.0006f), paint("ash"),
+    all.push_back({"industrial", make("concrete floor", Pattern::concrete, {0.3f, 0.28f, 0.255f}, {0.21f, 0.195f, 0.18f}, 0.6f, 0.55f, 0.0006f), paint("ash"),
                    make("red brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, named("ash"), named("gray"), 0.6f, 0.8f, 0.0006f), black_metal(),
                    timber("teak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
                    palette_of({"rust", "charcoal", "mustard", "denim", "umber", "stone"}), LampFamily::cage, LegType::metal_frame, SofaType::block, Mouldings::none, 3, 4, 0.4f, 0.6f, 3.2f, true, {11.f, 7.2f, 3.8f}});
@@ -140,6 +115,7 @@ const std::vector<Style>& all_styles() {
 std::string plain_name(std::string_view name) {
     std::string out(name);
     for (char& c : out) c = c == '-' || c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (auto at = out.find("grey"); at != std::string::npos; at = out.find("grey")) out[at + 2] = 'a';
     return out;
 }
 
@@ -160,19 +136,20 @@ std::vector<std::string> styles() {
 
 std::optional<Vec3f> color_named(std::string_view name) {
     const std::string n = plain_name(name);
-    for (const NamedColor& c : kColors)
-        if (c.name == n) return srgb(c.rgb);
+    if (const auto rgb = lexicon_color(n)) return srgb(*rgb);
     const auto space = n.find(' ');
     if (space == std::string::npos) return std::nullopt;
     const std::string first = n.substr(0, space), rest = n.substr(space + 1);
     const auto base = color_named(rest);
-    if (!base) {  // "oak wood", "olive green": the first word is the finer one
-        return rest == "green" || rest == "blue" || rest == "red" || rest == "brown" || rest == "wood" || rest == "yellow" || rest == "pink" || rest == "white" || rest == "gray" ? color_named(first) : std::nullopt;
-    }
+    if (!base) return std::nullopt;
     const auto keep = [](Vec3f c) { return Vec3f{std::clamp(c.x, 0.03f, 0.85f), std::clamp(c.y, 0.03f, 0.85f), std::clamp(c.z, 0.03f, 0.85f)}; };
-    if (first == "light" || first == "pale" || first == "pastel" || first == "soft") return keep(lerp(*base, {0.8f, 0.8f, 0.78f}, 0.5f));
+    if (first == "light" || first == "pale" || first == "pastel" || first == "soft" || first == "faded" || first == "powdery") return keep(lerp(*base, {0.8f, 0.8f, 0.78f}, 0.5f));
+    if (first == "dusty" || first == "muted" || first == "smoky" || first == "washed" || first == "dull") return keep(lerp(*base, {0.45f, 0.43f, 0.42f}, 0.35f));
     if (first == "dark" || first == "deep") return keep(*base * 0.4f);
-    if (first == "bright" || first == "vivid") return keep(*base * 1.2f);
+    if (first == "bright" || first == "vivid" || first == "neon" || first == "electric") return keep(*base * 1.2f);
+    if (first == "warm") return keep(*base * Vec3f{1.06f, 1.f, 0.9f});
+    if (first == "cool" || first == "cold" || first == "icy") return keep(*base * Vec3f{0.92f, 1.f, 1.08f});
+    if (first == "rich" || first == "medium" || first == "classic" || first == "pure" || first == "natural" || first == "matte") return base;
     if (const auto fine = color_named(first)) return fine;  // "olive green", "mustard yellow"
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ namespace fastscene {
 enum class Pattern : std::uint8_t {
     plain, plaster, wood, planks, herringbone, parquet, tile, checker, subway, brick, concrete, marble, terrazzo,
     fabric, knit, carpet, leather, rug, stripes, damask, floral, wicker, metal, art, book, leaf, grass, bark, screen,
+    image,  // Material::image by coords.x, coords.y in [0, 1), repeated; tinted by color_a
+};
+
+// A picture on a surface, with its halvings down to one pixel.
+struct TextureImage {
+    std::vector<ImageRgb8> levels;  // levels[0] is the picture; row 0 is its upper edge (v = 1)
 };
 
 struct Material {
@@ -33,6 +40,7 @@ struct Material {
     float mirror = 0.f;                                      // 1: perfect mirror (glass of mirrors)
     Vec3f emission{};                                        // radiance of lamps and screens
     std::uint32_t seed = 0;                                  // variation of the pattern
+    std::shared_ptr<const TextureImage> image{};             // Pattern::image: never null there; scale_m = metres that u = 1 spans
 };
 
 // A piece of surface with one material. Closed or open; both sides are seen; normals point outward.
@@ -79,6 +87,7 @@ struct Look {
 };
 
 struct Room {
+    std::string type, style;        // "bedroom", "japandi"; for room.json
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<RoomObject> objects;

@@ -21,7 +21,7 @@ F raw_alpha(const Footprint<F>& s, F dx, F dy) {
 }
 template <class F>
 F shown_alpha(F raw) {
-    return select(raw >= F(kMinAlpha), select(raw < F(kMaxAlpha), raw, F(kMaxAlpha)), F(0));
+    return cut(raw, F(kMinAlpha), F(kMaxAlpha));
 }
 
 // Returns the weight with which the splat's color entered.

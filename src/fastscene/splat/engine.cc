@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
+#include <ctime>
+#include <numbers>
 #include <utility>
 
 #include "fastscene/base/check.h"
@@ -14,15 +15,15 @@ namespace {
 
 constexpr std::int64_t kPiece = 2048;  // splats a projection or update piece: enough to pay for a task
 
-// Adds the time until its end to `sum`.
+// Adds the CPU time of all threads until its end to `sum`.
 class Stopwatch {
   public:
-    explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms), start_(std::chrono::steady_clock::now()) {}
-    ~Stopwatch() { sum_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+    explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms), start_(std::clock()) {}
+    ~Stopwatch() { sum_ms_ += static_cast<double>(std::clock() - start_) * (1e3 / CLOCKS_PER_SEC); }
 
   private:
     double& sum_ms_;
-    std::chrono::steady_clock::time_point start_;
+    std::clock_t start_;
 };
 
 // Each thread keeps one scratch area; its content never outlives a piece.
@@ -42,24 +43,35 @@ void grow(T& v, std::size_t size) {
 
 }  // namespace
 
-Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera) {
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model, bool antialias) {
     const Rigid c = inverse(world_from_camera);
     const auto w = static_cast<float>(camera.width), h = static_cast<float>(camera.height);
+    constexpr float kPi = std::numbers::pi_v<float>;
+    if (model == CameraModel::equirectangular)
+        return {c.rotation, c.translation, w / (2 * kPi), h / kPi, w / 2, h / 2, 0, 0, 0, 0, model, antialias};
     // 15 % of the picture beyond its border, as in Kerbl et al.'s implementation.
     return {c.rotation, c.translation, camera.fx, camera.fy, camera.cx, camera.cy,
             (-0.15f * w - camera.cx) / camera.fx, (1.15f * w - camera.cx) / camera.fx,
-            (-0.15f * h - camera.cy) / camera.fy, (1.15f * h - camera.cy) / camera.fy};
+            (-0.15f * h - camera.cy) / camera.fy, (1.15f * h - camera.cy) / camera.fy, model, antialias};
 }
 
-Cloud::Cloud(const Splats& s, bool train) : count(static_cast<std::int64_t>(s.size())) {
-    const auto blocks = static_cast<std::size_t>(padded());
+Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
+    : count(static_cast<std::int64_t>(s.size())), degree(s.sh_degree), capacity(std::max(count, room_for)) {
+    const auto blocks = static_cast<std::size_t>((capacity + kBlock - 1) / kBlock * kBlock);
+    const auto rest_floats = blocks * 3 * static_cast<std::size_t>(rest_functions(degree));
     parameters.resize(blocks * kParameters, 0.f);
+    rest.resize(rest_floats, 0.f);
     if (train) {
         first_moment.resize(blocks * kParameters, 0.f);
         second_moment.resize(blocks * kParameters, 0.f);
         seen_weight.resize(blocks, 0.f);
         seen_error.resize(blocks, 0.f);
+        rest_first_moment.resize(rest_floats, 0.f);
+        rest_second_moment.resize(rest_floats, 0.f);
     }
+    const int n = 3 * rest_functions(degree);
+    for (std::int64_t i = 0; i < count; ++i)
+        for (int k = 0; k < n; ++k) rest[rest_at(i, k)] = s.sh_rest[static_cast<std::size_t>(i * n + k)];
     for (std::int64_t i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const float all[kParameters] = {s.mean_m[k].x,     s.mean_m[k].y,   s.mean_m[k].z,   s.log_scale[k].x, s.log_scale[k].y,
@@ -71,7 +83,11 @@ Cloud::Cloud(const Splats& s, bool train) : count(static_cast<std::int64_t>(s.si
 
 Splats Cloud::splats() const {
     Splats s;
+    s.sh_degree = degree;
     s.resize(static_cast<std::size_t>(count));
+    const int n = 3 * rest_functions(degree);
+    for (std::int64_t i = 0; i < count; ++i)
+        for (int k = 0; k < n; ++k) s.sh_rest[static_cast<std::size_t>(i * n + k)] = rest[rest_at(i, k)];
     for (std::int64_t i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const auto get = [&](int p) { return parameters[at(i, p)]; };
@@ -94,15 +110,16 @@ void Engine::set_size(int width, int height) {
     const std::size_t size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(tiles_y_ * kTile);
     transmittance_.assign(size, 0.f);
     depth_.clear();
-    for (auto* planes : {color_, v_, error_, p_, q_, r_})
+    for (auto* planes : {color_, v_, error_})
         for (int c = 0; c < 3; ++c) planes[c].clear();
     for (int c = 0; c < 3; ++c) color_[c].assign(size, 0.f);
     tile_begin_.assign(static_cast<std::size_t>(tiles_x_ * tiles_y_) + 1, 0);
 }
 
-void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth) {
+void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
+                    CameraModel model, bool antialias) {
     set_size(camera.width, camera.height);
-    lens_ = lens_of(camera, world_from_camera);
+    lens_ = lens_of(camera, world_from_camera, model, antialias);
     background_ = background;
     if (depth) depth_.resize(transmittance_.size());
     project(cloud);
@@ -117,8 +134,8 @@ void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& worl
 
 void Engine::project(const Cloud& cloud) {
     const Stopwatch watch(times.project);
-    grow(records_, static_cast<std::size_t>(cloud.padded()));
-    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data()};
+    grow(records_, static_cast<std::size_t>(cloud.padded() * records_a_splat(lens_.model)));
+    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
     piece_visible_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), 0);
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
         piece_visible_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
@@ -131,7 +148,7 @@ void Engine::sort() {
     keys_.clear();
     std::uint32_t slot = 0;
     for (std::size_t piece = 0; piece < piece_visible_.size(); ++piece) {
-        const std::int64_t begin = static_cast<std::int64_t>(piece) * kPiece;
+        const std::int64_t begin = static_cast<std::int64_t>(piece) * kPiece * records_a_splat(lens_.model);
         for (std::int64_t i = begin; i < begin + piece_visible_[piece]; ++i) {
             Record& r = records_[static_cast<std::size_t>(i)];
             r.first_slot = slot;
@@ -205,29 +222,27 @@ Frame Engine::frame(bool depth) {
 LossSums Engine::differentiate(const View& view, float lambda) {
     const Stopwatch watch(times.loss);
     FASTSCENE_CHECK(view.color.width == width_ && view.color.height == height_);
-    for (auto* planes : {v_, error_, p_, q_, r_})
+    for (auto* planes : {v_, error_})
         for (int c = 0; c < 3; ++c)
             if (planes[c].size() != transmittance_.size()) planes[c].assign(transmittance_.size(), 0.f);
     LossJob job{};
     job.width = width_, job.height = height_, job.stride = stride_, job.lambda = lambda;
     job.target = &view.color.pixels[0].r;
     job.weight = view.weight.empty() ? nullptr : view.weight.pixels.data();
-    for (int c = 0; c < 3; ++c) {
-        job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = error_[c].data();
-        job.p[c] = p_[c].data(), job.q[c] = q_[c].data(), job.r[c] = r_[c].data();
+    std::vector<float> row_weight;
+    if (view.model == CameraModel::equirectangular) {
+        for (int y = 0; y < height_; ++y) row_weight.push_back(latitude_weight(y, height_));
+        job.row_weight = row_weight.data();
     }
+    for (int c = 0; c < 3; ++c) job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = error_[c].data();
     const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
     const int bands = (height_ + kLossRows - 1) / kLossRows;
     std::vector<LossSums> sums(static_cast<std::size_t>(3 * bands));
-    const auto each = [&](auto&& work) {
-        parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
-            const int band = static_cast<int>(piece) % bands;
-            work(static_cast<std::size_t>(piece), static_cast<int>(piece) / bands, band * kLossRows,
-                 std::min(height_, (band + 1) * kLossRows), scratch(floats));
-        });
-    };
-    each([&](std::size_t piece, int c, int begin, int end, float* s) { sums[piece] = kernel_.loss_statistics(job, c, begin, end, s); });
-    each([&](std::size_t, int c, int begin, int end, float* s) { kernel_.loss_gradient(job, c, begin, end, s); });
+    parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
+        const int begin = static_cast<int>(piece) % bands * kLossRows;
+        sums[static_cast<std::size_t>(piece)] =
+            kernel_.loss(job, static_cast<int>(piece) / bands, begin, std::min(height_, begin + kLossRows), scratch(floats));
+    });
     LossSums total;
     for (const LossSums& s : sums) total.loss += s.loss, total.squared_error += s.squared_error;
     return total;
@@ -263,26 +278,39 @@ void Engine::update(Cloud& cloud, UpdateJob& job) {
     job.records = records_.data();
     job.slots = slots_.data();
     job.lens = lens_;
+    if (cloud.degree) {
+        job.degree = cloud.degree, job.rest = cloud.rest.data();
+        job.rest_first_moment = cloud.rest_first_moment.data(), job.rest_second_moment = cloud.rest_second_moment.data();
+    }
+    if (!cloud.seen_move.empty()) {
+        job.seen_move = cloud.seen_move.data(), job.seen_steps = cloud.seen_steps.data();
+        job.half_picture = 0.5f * static_cast<float>(std::max(width_, height_));
+    }
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
-        kernel_.update(job, begin, end, begin, begin + piece_visible_[static_cast<std::size_t>(begin / kPiece)]);
+        const std::int64_t record = begin * records_a_splat(lens_.model);
+        kernel_.update(job, begin, end, record, record + piece_visible_[static_cast<std::size_t>(begin / kPiece)]);
     });
 }
 
-void Engine::step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step) {
-    FASTSCENE_CHECK(adam_step >= 1 && !cloud.first_moment.empty());
+void Engine::step(Cloud& cloud, const StepRates& r) {
+    FASTSCENE_CHECK(r.adam_step >= 1 && !cloud.first_moment.empty());
     backward();
     UpdateJob job{};
-    const double bias1 = 1 - std::pow(0.9, adam_step), bias2 = 1 - std::pow(0.999, adam_step);
-    for (int p = 0; p < kParameters; ++p) job.rate[p] = static_cast<float>(rates[static_cast<std::size_t>(p)] / bias1);
-    job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias2));
+    const auto bias = [](double beta, int step) { return 1 - std::pow(beta, step); };
+    for (int p = 0; p < kParameters; ++p) job.rate[p] = static_cast<float>(r.rates[static_cast<std::size_t>(p)] / bias(0.9, r.adam_step));
+    job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.adam_step)));
+    job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
+    job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));
+    job.opacity_pull = r.opacity_pull, job.scale_pull = r.scale_pull;
     update(cloud, job);
 }
 
-AlignedFloats Engine::gradients(Cloud& cloud) {
+AlignedFloats Engine::gradients(Cloud& cloud, AlignedFloats* rest) {
     backward();
     AlignedFloats out(cloud.parameters.size(), 0.f);
     UpdateJob job{};
     job.gradients = out.data();
+    if (rest) rest->assign(cloud.rest.size(), 0.f), job.rest_gradients = rest->data();
     update(cloud, job);
     return out;
 }

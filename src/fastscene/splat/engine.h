@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "fastscene/geometry/pinhole.h"
@@ -11,28 +13,48 @@
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/aligned.h"
 #include "fastscene/splat/kernel.h"
+#include "fastscene/splat/sh_color.h"
 
 namespace fastscene::splat {
 
-Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera);
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model = CameraModel::pinhole, bool antialias = false);
+
+// Rows of an equirectangular picture count as much as the part of the sphere they show: the cosine of the latitude.
+inline float latitude_weight(int y, int height) { return std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>); }
 
 // Parameters in the kernel's layout, with Adam's two moments.
 struct Cloud {
     std::int64_t count = 0;
     AlignedFloats parameters, first_moment, second_moment;
     AlignedFloats seen_weight, seen_error;  // per splat, since they were last cleared
+    AlignedFloats seen_move, seen_steps;    // the same, only where density control needs them
+    int degree = 0;                         // of the spherical harmonics
+    AlignedFloats rest, rest_first_moment, rest_second_moment;  // blocks of 3 * rest_functions(degree) numbers, like the parameters
+    std::int64_t capacity = 0;              // splats there is memory for
 
-    explicit Cloud(const Splats& splats, bool train);
+    Cloud(const Splats& splats, bool train, std::int64_t room_for = 0);
     Splats splats() const;
+    std::size_t rest_at(std::int64_t splat, int i) const {
+        return static_cast<std::size_t>(splat / kBlock * kBlock * 3 * rest_functions(degree) + i * kBlock + splat % kBlock);
+    }
     std::int64_t padded() const { return (count + kBlock - 1) / kBlock * kBlock; }
     std::size_t at(std::int64_t splat, int parameter) const {
         return static_cast<std::size_t>(splat / kBlock * kBlock * kParameters + parameter * kBlock + splat % kBlock);
     }
 };
 
-// Wall milliseconds per part of a step, summed since the last clear.
+// CPU milliseconds, of all threads, per part of a step, summed since the last clear.
 struct StepTimes {
     double project = 0, sort = 0, bin = 0, forward = 0, loss = 0, backward = 0, update = 0;
+};
+
+// What a step needs besides gradients.
+struct StepRates {
+    std::array<float, kParameters> rates{};
+    int adam_step = 1;             // counts from 1
+    float rest_rate = 0;           // of the higher bands; 0: not in this step
+    int rest_adam_step = 1;
+    float opacity_pull = 0, scale_pull = 0;  // UpdateJob
 };
 
 class Engine {
@@ -40,15 +62,17 @@ class Engine {
     explicit Engine(const Kernel& kernel) : kernel_(kernel) {}
 
     // Forward pass into the planes; `depth` also fills the depth plane.
-    void render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth);
+    void render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
+                CameraModel model = CameraModel::pinhole, bool antialias = false);
     // After render(): loss against the view and dL/d color.
     LossSums differentiate(const View& view, float lambda_dssim);
     // After render(): take dL/d color from the caller instead (tests). Three planes of width * height.
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After either: gradients per splat; Adam with these step sizes moves the cloud.
-    void step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step);
-    // … or only hands out the gradients, in the kernel's layout.
-    AlignedFloats gradients(Cloud& cloud);
+    void step(Cloud& cloud, const StepRates& rates);
+    void step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step) { step(cloud, StepRates{rates, adam_step}); }
+    // … or only hands out the gradients, in the kernel's layout; those of the higher bands into `rest`.
+    AlignedFloats gradients(Cloud& cloud, AlignedFloats* rest = nullptr);
 
     Vec3f color(int x, int y) const;
     Vec3f color_gradient(int x, int y) const;
@@ -75,7 +99,7 @@ class Engine {
     std::ptrdiff_t stride_ = 0;
     Lens<float> lens_{};
     Vec3f background_;
-    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], p_[3], q_[3], r_[3];
+    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3];
     AlignedVector<Record> records_;
     std::vector<std::int64_t> piece_visible_;   // records in each piece of splats
     std::int64_t visible_ = 0, slots_used_ = 0;

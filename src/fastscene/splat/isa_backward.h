@@ -9,7 +9,7 @@ namespace fastscene::splat::FASTSCENE_ISA {
 
 // Up to 16 splats' gradients at the 16 pixels of one block.
 struct Batch {
-    Lanes g[16], weight[16];
+    alignas(64) float g[16][16], weight[16][16];
     alignas(64) float center_dx[16], center_dy[16];  // block center - splat center
     int index[16];                                   // place in the chunk
     int count = 0;
@@ -39,12 +39,15 @@ inline Moments moments_of(const Lanes* g) {
 
 // Kept out of line: inside the blending loop it would take that loop's registers.
 [[gnu::noinline]] inline void flush_batch(Batch& batch, const BlockTargets& target, float (*sums)[16]) {
-    for (int i = batch.count; i < 16; ++i) batch.g[i] = batch.weight[i] = Lanes(0.f);
-    for (int i = batch.count; i < 16; ++i) batch.center_dx[i] = batch.center_dy[i] = 0;
-    transpose16(batch.g);
-    transpose16(batch.weight);
-    const Moments m = moments_of(batch.g);
+    for (int i = batch.count; i < 16; ++i) {
+        Lanes(0.f).store(batch.g[i]), Lanes(0.f).store(batch.weight[i]);
+        batch.center_dx[i] = batch.center_dy[i] = 0;
+    }
+    Lanes pixels[16];
+    load_transposed16(batch.g, pixels);
+    const Moments m = moments_of(pixels);
     const Lanes dx = Lanes::load(batch.center_dx), dy = Lanes::load(batch.center_dy);
+    load_transposed16(batch.weight, pixels);
     Lanes out[16];
     out[0] = m.one;
     out[1] = m.x + dx * m.one;
@@ -53,12 +56,14 @@ inline Moments moments_of(const Lanes* g) {
     out[4] = m.xy + dx * m.y + dy * out[1];
     out[5] = m.yy + dy * (m.y + out[2]);
     for (int pixel = 0; pixel < 16; ++pixel) {
-        const Lanes w = batch.weight[pixel];
+        const Lanes w = pixels[pixel];
         for (int c = 0; c < 3; ++c) out[6 + c] += w * Lanes(target.v[c][pixel]);
         out[9] += w;
         out[10] += w * Lanes(target.error[pixel]);
     }
-    transpose16(out);
+    alignas(64) float rows[16][16];
+    for (int i = 0; i < 16; ++i) out[i].store(rows[i]);
+    load_transposed16(rows, out);
     for (int i = 0; i < batch.count; ++i) {
         float* sum = sums[batch.index[i]];
         (Lanes::load(sum) + out[i]).store(sum);
@@ -76,8 +81,8 @@ inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x
         const Record& s = chunk.records[index];
         const BlendGrad<Lanes> grad = blend_grad(pixel, spread(s), px - Lanes(s.x), py - Lanes(s.y));
         const int i = batch.count++;
-        batch.g[i] = grad.g;
-        batch.weight[i] = grad.weight;
+        grad.g.store(batch.g[i]);
+        grad.weight.store(batch.weight[i]);
         batch.center_dx[i] = corner_x + 2.f - s.x;
         batch.center_dy[i] = corner_y + 2.f - s.y;
         batch.index[i] = index;

@@ -12,7 +12,7 @@ namespace fastscene::splat::FASTSCENE_ISA {
 
 const Kernel& kernel() {
     static constexpr Kernel it{FASTSCENE_STRING(FASTSCENE_ISA), project_piece,  forward_any, backward_tile, loss_scratch,
-                               loss_statistics, loss_gradient, update_piece};
+                               loss_band, update_piece};
     return it;
 }
 

@@ -22,7 +22,7 @@ inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std
         Lanes sum;
         // The four floats read past a slot belong to the next one (or to the padding at the end) and end in unused columns.
         for (int i = 0; i < slots; ++i) sum += Lanes::load(in + i * kSlotFloats);
-        sums[lane] = sum;
+        sums[lane] = seen >> lane & 1 ? sums[lane] + sum : sum;  // two records of one splat: both halves
         seen |= 1u << lane;
     }
     return seen;
@@ -38,6 +38,34 @@ inline void adam(const UpdateJob& job, std::int64_t at, int parameter, Lanes gra
     (Lanes::load(x) - Lanes(job.rate[parameter]) * m1 * reciprocal(root)).store(x);
 }
 
+// The higher bands, of splats seen in this step only: their moments would cost more memory traffic than all the rest.
+inline void update_rest(const UpdateJob& job, std::int64_t first, const Lanes* gradient, Mask seen) {
+    const int n = 3 * rest_functions(job.degree);
+    const std::int64_t base = first * n;
+    for (int i = 0; i < n; ++i) {
+        const std::int64_t at = base + i * kBlock;
+        const Lanes g = select(seen & (abs(gradient[i]) < Lanes(1e15f)), gradient[i], Lanes(0.f));
+        if (job.rest_gradients) {
+            g.store(job.rest_gradients + at);
+            continue;
+        }
+        const Lanes m0 = Lanes::load(job.rest_first_moment + at), v0 = Lanes::load(job.rest_second_moment + at), x0 = Lanes::load(job.rest + at);
+        const Lanes m1 = m0 * Lanes(kBeta1) + g * Lanes(1.f - kBeta1), v1 = v0 * Lanes(kBeta2) + g * g * Lanes(1.f - kBeta2);
+        const Lanes root = sqrt(v1) * Lanes(job.rest_inv_sqrt_bias2) + Lanes(kEpsilon);
+        select(seen, m1, m0).store(job.rest_first_moment + at);
+        select(seen, v1, v0).store(job.rest_second_moment + at);
+        select(seen, x0 - Lanes(job.rest_rate) * m1 * reciprocal(root), x0).store(job.rest + at);
+    }
+}
+
+// What the regularizers add: opacities and sizes are drawn towards nothing, of all splats alike.
+inline void pull(const UpdateJob& job, const Gaussian<Lanes>& g, Lanes* gradient) {
+    const Lanes one(1.f), opacity = one / (one + exp(-g.logit)), slope = opacity * (one - opacity) * Lanes(job.opacity_pull);
+    const auto add = [&](int i, Lanes x) { gradient[i] += select(abs(x) < Lanes(1e15f), x, Lanes(0.f)); };
+    add(10, slope);
+    for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_pull));
+}
+
 inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t end, std::int64_t record, std::int64_t record_end) {
     const FlushDenormals flush;
     const Lens<Lanes> lens = spread(job.lens);
@@ -48,20 +76,35 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
         if (const std::uint32_t seen = sum_slots(job, first + kBlock, record, record_end, sums)) {
             transpose16(sums);
             const Gaussian<Lanes> g = load_gaussians(job.parameters + base);
-            const Projection<Lanes> p = project(g, lens);
+            const Projection<Lanes> p = project(g, lens, more_color_of(job.rest, job.degree, first, g.mean, lens));
             const PixelSums<Lanes> s{sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], {sums[6], sums[7], sums[8]}};
-            const Gaussian<Lanes> d = project_grad(g, lens, p, s);
+            Gaussian<Lanes> d = project_grad(g, lens, p, s);
+            Lanes rest_gradient[kMostRest];
+            if (job.rest) {
+                const float* block = job.rest + first * 3 * rest_functions(job.degree);
+                d.mean += more_color_grad(job.degree, sight_of(g.mean, lens.camera_center()), d.sh0 * Lanes(1.f / kSh0),
+                                          [&](int i) { return Lanes::load(block + i * kBlock); }, rest_gradient);
+            }
             const Lanes all[kParameters] = {d.mean.x,     d.mean.y,     d.mean.z,     d.log_scale.x, d.log_scale.y, d.log_scale.z, d.rotation.w,
                                             d.rotation.x, d.rotation.y, d.rotation.z, d.logit,       d.sh0.x,       d.sh0.y,       d.sh0.z};
             alignas(64) float lane_seen[kBlock];
             for (int i = 0; i < kBlock; ++i) lane_seen[i] = seen >> i & 1 ? 1.f : 0.f;
             const Lanes was_seen = Lanes::load(lane_seen);
+            if (job.rest && (job.rest_rate > 0 || job.rest_gradients)) update_rest(job, first, rest_gradient, was_seen > Lanes(0.f));
+            if (job.seen_move) {
+                const Vec2<Lanes> move = screen_grad(p, s);
+                const Lanes size = select(was_seen > Lanes(0.f), sqrt(dot(move, move)) * Lanes(job.half_picture), Lanes(0.f));
+                (Lanes::load(job.seen_move + first) + select(size < Lanes(1e15f), size, Lanes(0.f))).store(job.seen_move + first);
+                (Lanes::load(job.seen_steps + first) + was_seen).store(job.seen_steps + first);
+            }
             // Unseen lanes may hold anything, also NaN; so may splats at the edge of what floats can do.
             for (int i = 0; i < kParameters; ++i)
                 gradient[i] = select((was_seen > Lanes(0.f)) & (abs(all[i]) < Lanes(1e15f)), all[i], Lanes(0.f));
-            if (job.seen_weight) (Lanes::load(job.seen_weight + first) + sums[9]).store(job.seen_weight + first);
-            if (job.seen_error) (Lanes::load(job.seen_error + first) + sums[10]).store(job.seen_error + first);
+            const auto note = [&](float* at, Lanes x) { (Lanes::load(at) + select((was_seen > Lanes(0.f)) & (abs(x) < Lanes(1e15f)), x, Lanes(0.f))).store(at); };
+            if (job.seen_weight) note(job.seen_weight + first, sums[9]);
+            if (job.seen_error) note(job.seen_error + first, sums[10]);
         }
+        if (job.opacity_pull > 0 || job.scale_pull > 0) pull(job, load_gaussians(job.parameters + base), gradient);
         for (int i = 0; i < kParameters; ++i) {
             if (job.gradients)
                 gradient[i].store(job.gradients + base + i * kBlock);

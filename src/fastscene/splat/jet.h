@@ -29,6 +29,9 @@ inline Jet sqrt(Jet a) {
     const double r = std::sqrt(a.value);
     return {r, a.slope / (2 * r)};
 }
+inline Jet atan2(Jet y, Jet x) {
+    return {std::atan2(y.value, x.value), (y.slope * x.value - x.slope * y.value) / (x.value * x.value + y.value * y.value)};
+}
 inline Jet exp(Jet a) {
     const double e = std::exp(a.value);
     return {e, e * a.slope};
@@ -40,6 +43,7 @@ inline Jet exp2(Jet a) {
 inline Jet exp2_fast(Jet a) { return exp2(a); }
 inline Jet log2(Jet a) { return {std::log2(a.value), a.slope / (a.value * 0.6931471805599453)}; }
 inline Jet reciprocal(Jet a) { return Jet(1) / a; }
+inline Jet cut(Jet x, Jet low, Jet high) { return x >= low ? x < high ? x : high : Jet(0); }
 inline Jet select(bool condition, Jet yes, Jet no) { return condition ? yes : no; }
 
 }  // namespace fastscene::splat

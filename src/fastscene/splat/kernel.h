@@ -31,8 +31,12 @@ struct ProjectJob {
     std::int64_t count;
     Lens<float> lens;
     int width, height;
-    Record* records;  // records of splats [begin, end) are written from records[begin] on, in order
+    Record* records;  // records of splats [begin, end) are written from records[records_a_splat * begin] on, in order
+    const float* rest = nullptr;  // coefficients of the higher bands, in blocks like the parameters
+    int degree = 0;
 };
+// A splat across the seam of an equirectangular picture shows on both sides: two records, one a picture's width aside.
+inline constexpr int records_a_splat(CameraModel model) { return model == CameraModel::equirectangular ? 2 : 1; }
 
 // Picture planes are row-major with `stride` floats a row and whole tiles: no bounds checks inside.
 struct Frame {
@@ -57,10 +61,8 @@ struct LossJob {
     const float* color[3];
     const std::uint8_t* target;  // interleaved sRGB
     const std::uint8_t* weight;  // or null
+    const float* row_weight;     // or null: one per row
     float lambda;
-    float* p[3];                 // partial derivatives of the SSIM terms by its blurred inputs
-    float* q[3];
-    float* r[3];
     float* v[3];
     float* error[3];
 };
@@ -79,6 +81,17 @@ struct UpdateJob {
     float inv_sqrt_bias2;       // 1 / sqrt(1 - beta2^t)
     float* seen_weight;         // += blending weight of each splat
     float* seen_error;          // += blending weight * error
+    float* rest = nullptr;      // coefficients of the higher bands and their moments; null: degree 0
+    float* rest_first_moment = nullptr;
+    float* rest_second_moment = nullptr;
+    int degree = 0;
+    float rest_rate = 0;        // 0: the higher bands stay as they are in this step
+    float rest_inv_sqrt_bias2 = 1;
+    float* rest_gradients = nullptr;
+    float opacity_pull = 0, scale_pull = 0;  // dL/d(opacity), dL/d(scale in metres) of the regularizers, per splat
+    float* seen_move = nullptr;  // += length of dL/d(position on screen), half pictures; null: not wanted
+    float* seen_steps = nullptr;  // += 1 where visible
+    float half_picture = 0;      // pixels
     float* gradients;           // null, or where dL/dparameter goes instead of moving the parameters
 };
 
@@ -88,14 +101,14 @@ struct Kernel {
     std::int64_t (*project)(const ProjectJob&, std::int64_t begin, std::int64_t end);
     void (*forward)(const Frame&, int tile);
     void (*backward)(const Frame&, int tile);
-    // Floats of scratch memory the loss passes need for a picture of this stride.
+    // Floats of scratch memory the loss needs for a picture of this stride.
     std::ptrdiff_t (*loss_scratch)(std::ptrdiff_t stride);
-    LossSums (*loss_statistics)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
-    void (*loss_gradient)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
+    // Loss of the rows [row_begin, row_end), their v and their error.
+    LossSums (*loss)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
     // Records [record_begin, record_end) belong to splats [begin, end).
     void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end);
 };
-inline constexpr int kLossRows = 32;  // rows a loss piece handles at most
+inline constexpr int kLossRows = 128;  // rows a loss piece handles at most; its neighbours' 10 nearest are done twice
 
 namespace baseline {
 const Kernel& kernel();

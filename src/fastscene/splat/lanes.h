@@ -57,6 +57,9 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     exponent.r = _mm512_getexp_ps(a.r / mantissa.r);
 }
 inline Lanes reciprocal_estimate(Lanes a) { return Lanes(_mm512_rcp14_ps(a.r)); }
+inline Lanes cut(Lanes x, Lanes low, Lanes high) {
+    return Lanes(_mm512_maskz_min_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r, high.r));
+}
 
 #else
 
@@ -140,7 +143,20 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     split2(a.lo, mantissa.lo, exponent.lo);
     split2(a.hi, mantissa.hi, exponent.hi);
 }
+#if defined(__AVX2__)
+// Twelve bits; reciprocal()'s one Newton step would not do.
+inline Lanes reciprocal_estimate(Lanes a) {
+    const Lanes r(_mm256_rcp_ps(a.lo), _mm256_rcp_ps(a.hi));
+    return r * (Lanes(2.f) - a * r);
+}
+inline Lanes cut(Lanes x, Lanes low, Lanes high) {
+    const Lanes held = min(x, high);
+    return {_mm256_and_ps(_mm256_cmp_ps(x.lo, low.lo, _CMP_GE_OQ), held.lo), _mm256_and_ps(_mm256_cmp_ps(x.hi, low.hi, _CMP_GE_OQ), held.hi)};
+}
+#else
 inline Lanes reciprocal_estimate(Lanes a) { return Lanes(1.f) / a; }
+inline Lanes cut(Lanes x, Lanes low, Lanes high) { return select(x >= low, min(x, high), Lanes(0.f)); }
+#endif
 
 #endif
 
@@ -185,6 +201,26 @@ inline Lanes log2(Lanes a) {
     p = p * z + Lanes(1.f / 3);
     p = p * z + Lanes(1.f);
     return e + Lanes(2.88539008f) * s * p;
+}
+
+// Angle of (x, y), radians, to 3e-7: the series of atan on [0, tan(pi / 8)], octants by symmetry.
+inline Lanes atan2(Lanes y, Lanes x) {
+    const Lanes ax = abs(x), ay = abs(y), one(1.f), zero(0.f);
+    const Lanes ratio = min(ax, ay) / max(max(ax, ay), Lanes(1e-30f));
+    const Mask wide = ratio > Lanes(0.41421356f);
+    const Lanes t = select(wide, (ratio - one) / (ratio + one), ratio), z = t * t;
+    Lanes p(-1.f / 15);
+    p = p * z + Lanes(1.f / 13);
+    p = p * z + Lanes(-1.f / 11);
+    p = p * z + Lanes(1.f / 9);
+    p = p * z + Lanes(-1.f / 7);
+    p = p * z + Lanes(1.f / 5);
+    p = p * z + Lanes(-1.f / 3);
+    p = p * z + one;
+    Lanes angle = p * t + select(wide, Lanes(0.785398163f), zero);
+    angle = select(ay > ax, Lanes(1.57079633f) - angle, angle);
+    angle = select(x < zero, Lanes(3.14159265f) - angle, angle);
+    return select(y < zero, -angle, angle);
 }
 
 // Rows become columns, in place: after it, r[i] lane j is what r[j] lane i was.
@@ -233,6 +269,32 @@ inline void transpose16(Lanes* r) {
     transpose8(q10);
     transpose8(q11);
     for (int i = 0; i < 8; ++i) r[i] = Lanes(q00[i], q10[i]), r[i + 8] = Lanes(q01[i], q11[i]);
+#endif
+}
+
+// The same from 16 rows in memory. Quarters of rows are put together while loading, which costs no
+// shuffle: there is one port for shuffles and it is what the other way waits for.
+inline void load_transposed16(const float (*rows)[16], Lanes* out) {
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+    for (int q = 0; q < 4; ++q) {
+        __m512 a[4];
+        for (int i = 0; i < 4; ++i) {
+            const auto quarter = [&](int row) { return _mm_load_ps(rows[row] + 4 * q); };
+            a[i] = _mm512_castps128_ps512(quarter(i));
+            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0x00f0, quarter(i + 4));
+            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0x0f00, quarter(i + 8));
+            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0xf000, quarter(i + 12));
+        }
+        const __m512d p = _mm512_castps_pd(_mm512_unpacklo_ps(a[0], a[1])), r = _mm512_castps_pd(_mm512_unpackhi_ps(a[0], a[1]));
+        const __m512d s = _mm512_castps_pd(_mm512_unpacklo_ps(a[2], a[3])), t = _mm512_castps_pd(_mm512_unpackhi_ps(a[2], a[3]));
+        out[4 * q].r = _mm512_castpd_ps(_mm512_unpacklo_pd(p, s));
+        out[4 * q + 1].r = _mm512_castpd_ps(_mm512_unpackhi_pd(p, s));
+        out[4 * q + 2].r = _mm512_castpd_ps(_mm512_unpacklo_pd(r, t));
+        out[4 * q + 3].r = _mm512_castpd_ps(_mm512_unpackhi_pd(r, t));
+    }
+#else
+    for (int i = 0; i < 16; ++i) out[i] = Lanes::load(rows[i]);
+    transpose16(out);
 #endif
 }
 

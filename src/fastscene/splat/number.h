@@ -16,6 +16,11 @@ F exp2_fast(F x) {
     return std::exp2(x);
 }
 
+// 0 below `low`, `high` above it, x between; NaN becomes 0.
+template <std::floating_point F>
+F cut(F x, F low, F high) {
+    return x >= low ? x < high ? x : high : F(0);
+}
 template <std::floating_point F>
 F reciprocal(F x) {
     return F(1) / x;

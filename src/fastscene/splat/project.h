@@ -2,14 +2,18 @@
 // once over the number type F: double and Jet for tests, Lanes (16 Gaussians at a time) for work.
 #pragma once
 
+#include "fastscene/geometry/pinhole.h"
 #include "fastscene/math/rigid.h"
 #include "fastscene/scene/splats.h"
+#include "fastscene/scene/view.h"
+#include "fastscene/splat/camera_slopes.h"
 #include "fastscene/splat/number.h"
 
 namespace fastscene::splat {
 
 inline constexpr float kNearM = 0.1f;          // nearer splats are dropped: the linearization breaks down there
 inline constexpr double kDilationPx2 = 0.3;     // low-pass added to the variance on screen, as every 3DGS viewer does
+inline constexpr double kLeastArea2 = 1e-12;    // px^4: keeps the logarithm of a vanishing splat finite
 inline constexpr float kMinAlpha = 1.f / 255;  // weaker contributions are invisible in 8 bit
 inline constexpr float kMaxAlpha = 0.99f;      // keeps 1 / (1 - alpha) in the backward pass tame
 inline constexpr double kLog2E = 1.4426950408889634;
@@ -24,14 +28,22 @@ struct Gaussian {
 };
 inline constexpr int kParameters = 14;
 
-// camera_from_world and the lens. The slope x/z used in the linearization is held within [min_u, max_u]:
-// far outside the picture the tangent plane is no likeness of the perspective.
+// camera_from_world and the lens. Pinhole: the slope x/z used in the linearization is held within [min_u, max_u]:
+// far outside the picture the tangent plane is no likeness of the perspective. Equirectangular: fx and fy are
+// pixels per radian of longitude and latitude, (cx, cy) the picture's middle.
 template <class F>
 struct Lens {
     Mat3<F> rotation;
     Vec3<F> translation;
     F fx, fy, cx, cy;
     F min_u, max_u, min_v, max_v;
+    CameraModel model = CameraModel::pinhole;
+    // Opacity falls as the low-pass on screen widens a splat (Mip-Splatting's 2D filter, Yu et al. 2024): what is
+    // smaller than a pixel does not grow brighter when seen from afar.
+    bool antialias = false;
+
+    bool equirect() const { return model == CameraModel::equirectangular; }
+    Vec3<F> camera_center() const { return -(transpose(rotation) * translation); }
 };
 
 // What blending needs: alpha(px, py) = exp2(log2_opacity + a dx^2 + b dx dy + c dy^2).
@@ -41,21 +53,25 @@ struct Footprint {
     F a, b, c;
     F log2_opacity;
     Vec3<F> color;
-    F depth_z;
+    F depth_z;  // for equirectangular pictures the range
 };
 
 // The projection with the intermediates that its gradient uses again.
 template <class F>
 struct Projection {
     Vec3<F> p_camera;
-    F inv_z, u, v, u_held, v_held;
+    F inv_z, u, v, u_held, v_held;   // pinhole
+    CameraSlopes<F> slopes;          // rows of J: d(px, py) / d(p_camera)
+    F depth;                         // what splats are sorted by: depth_z, or range for equirectangular pictures
+    F x, y;                          // pixels
     Mat3<F> camera_from_local;
     Vec3<F> scale;
     Vec3<F> n0, n1;                  // rows of J * camera_from_local
     Vec3<F> m0, m1;                  // the same times scale: covariance = m m^T + dilation
     F cov_xx, cov_xy, cov_yy;        // pixels^2
     F conic_a, conic_b, conic_c;     // its inverse
-    F opacity, log2_opacity;
+    Vec3<F> area;                    // m0 x m1
+    F opacity, log2_opacity;         // the latter with what antialiasing takes
     Vec3<F> color_raw, color;        // before and after the clamp at 0
 };
 
@@ -64,23 +80,49 @@ F held(F x, F low, F high) {
     return select(x < low, low, select(x > high, high, x));
 }
 
+namespace detail {
+
 template <class F>
-Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens) {
-    using std::exp;
-    using std::log2;
-    Projection<F> o;
-    o.p_camera = lens.rotation * g.mean + lens.translation;
+void project_pinhole(Projection<F>& o, const Lens<F>& lens) {
     o.inv_z = F(1) / o.p_camera.z;
     o.u = o.p_camera.x * o.inv_z;
     o.v = o.p_camera.y * o.inv_z;
     o.u_held = held(o.u, lens.min_u, lens.max_u);
     o.v_held = held(o.v, lens.min_v, lens.max_v);
-
-    o.camera_from_local = lens.rotation * matrix_of(g.rotation);
-    o.scale = {exp(g.log_scale.x), exp(g.log_scale.y), exp(g.log_scale.z)};
+    o.x = lens.fx * o.u + lens.cx;
+    o.y = lens.fy * o.v + lens.cy;
+    o.depth = o.p_camera.z;
     const Mat3<F>& w = o.camera_from_local;
     o.n0 = (w.row0 - w.row2 * o.u_held) * (lens.fx * o.inv_z);
     o.n1 = (w.row1 - w.row2 * o.v_held) * (lens.fy * o.inv_z);
+}
+
+template <class F>
+void project_equirect(Projection<F>& o, const Lens<F>& lens) {
+    o.slopes = equirect_slopes(o.p_camera, lens.fx, lens.fy);
+    const Vec2<F> at = equirect_angles(o.p_camera, o.slopes);
+    o.x = lens.cx + lens.fx * at.x;
+    o.y = lens.cy - lens.fy * at.y;
+    o.depth = o.slopes.range;
+    o.n0 = o.slopes.row_x.x * o.camera_from_local.row0 + o.slopes.row_x.z * o.camera_from_local.row2;
+    o.n1 = o.slopes.row_y.x * o.camera_from_local.row0 + o.slopes.row_y.y * o.camera_from_local.row1 + o.slopes.row_y.z * o.camera_from_local.row2;
+}
+
+}  // namespace detail
+
+// `more_color` is what the higher bands of the spherical harmonics add (sh_color.h).
+template <class F>
+Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_color = {}) {
+    using std::exp;
+    using std::log2;
+    Projection<F> o;
+    o.p_camera = lens.rotation * g.mean + lens.translation;
+    o.camera_from_local = lens.rotation * matrix_of(g.rotation);
+    o.scale = {exp(g.log_scale.x), exp(g.log_scale.y), exp(g.log_scale.z)};
+    if (lens.equirect())
+        detail::project_equirect(o, lens);
+    else
+        detail::project_pinhole(o, lens);
     o.m0 = o.n0 * o.scale;
     o.m1 = o.n1 * o.scale;
     o.cov_xx = dot(o.m0, o.m0) + F(kDilationPx2);
@@ -88,9 +130,10 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens) {
     o.cov_yy = dot(o.m1, o.m1) + F(kDilationPx2);
 
     // det(m m^T) as a squared cross product stays exact for needles, where xx yy - xy^2 cancels.
-    const Vec3<F> area = cross(o.m0, o.m1);
+    o.area = cross(o.m0, o.m1);
     const F trace = o.cov_xx + o.cov_yy - F(2 * kDilationPx2);
-    const F det = dot(area, area) + F(kDilationPx2) * trace + F(kDilationPx2 * kDilationPx2);
+    const F area2 = dot(o.area, o.area);
+    const F det = area2 + F(kDilationPx2) * trace + F(kDilationPx2 * kDilationPx2);
     const F inv_det = F(1) / det;
     o.conic_a = o.cov_yy * inv_det;
     o.conic_b = -(o.cov_xy * inv_det);
@@ -99,7 +142,8 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens) {
     const F odds_against = exp(-g.logit);
     o.opacity = F(1) / (F(1) + odds_against);
     o.log2_opacity = -log2(F(1) + odds_against);
-    o.color_raw = g.sh0 * F(kSh0) + Vec3<F>{F(0.5), F(0.5), F(0.5)};
+    if (lens.antialias) o.log2_opacity = o.log2_opacity + F(0.5) * log2((area2 + F(kLeastArea2)) * inv_det);
+    o.color_raw = g.sh0 * F(kSh0) + Vec3<F>{F(0.5), F(0.5), F(0.5)} + more_color;
     o.color = {select(o.color_raw.x > F(0), o.color_raw.x, F(0)), select(o.color_raw.y > F(0), o.color_raw.y, F(0)),
                select(o.color_raw.z > F(0), o.color_raw.z, F(0))};
     return o;
@@ -107,8 +151,8 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens) {
 
 template <class F>
 Footprint<F> footprint_of(const Projection<F>& p, const Lens<F>& lens) {
-    return {lens.fx * p.u + lens.cx, lens.fy * p.v + lens.cy,   F(-0.5 * kLog2E) * p.conic_a, F(-kLog2E) * p.conic_b,
-            F(-0.5 * kLog2E) * p.conic_c, p.log2_opacity, p.color, p.p_camera.z};
+    (void)lens;
+    return {p.x, p.y, F(-0.5 * kLog2E) * p.conic_a, F(-kLog2E) * p.conic_b, F(-0.5 * kLog2E) * p.conic_c, p.log2_opacity, p.color, p.depth};
 }
 
 // Squared Mahalanobis radius at which alpha falls to kMinAlpha; not positive for splats too faint to show.
@@ -123,7 +167,7 @@ auto is_drawable(const Gaussian<F>& g, const Projection<F>& p) {
     const Quat<F>& q = g.rotation;
     const F q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     const F color = p.color_raw.x * p.color_raw.x + p.color_raw.y * p.color_raw.y + p.color_raw.z * p.color_raw.z;
-    return (p.p_camera.z > F(kNearM)) & (p.p_camera.z < F(1e6f)) & (q2 > F(1e-20f)) & (q2 < F(1e20f)) &
+    return (p.depth > F(kNearM)) & (p.depth < F(1e6f)) & (q2 > F(1e-20f)) & (q2 < F(1e20f)) &
            (p.cov_xx < F(1e10f)) & (p.cov_yy < F(1e10f)) & (p.conic_a > F(0)) & (p.conic_c > F(0)) &
            (reach2_of(p) > F(0)) & (color < F(1e8f));
 }

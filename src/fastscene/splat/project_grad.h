@@ -32,6 +32,29 @@ Quat<F> quaternion_grad(const Quat<F>& q, const Mat3<F>& g) {
     return {(gw - along * w) * inv, (gx - along * x) * inv, (gy - along * y) * inv, (gz - along * z) * inv};
 }
 
+// n to the rotation (by way of g_camera_from_local) and to the point.
+template <class F>
+Vec3<F> pinhole_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1, Mat3<F>& g_camera_from_local) {
+    const F sx = lens.fx * p.inv_z, sy = lens.fy * p.inv_z;
+    const Vec3<F>& w2 = p.camera_from_local.row2;
+    const Vec3<F> gw0 = gn0 * sx, gw1 = gn1 * sy;
+    const Vec3<F> gw2 = -(gw0 * p.u_held + gw1 * p.v_held);
+    g_camera_from_local = {gw0, gw1, gw2};
+    const auto u_free = (p.u >= lens.min_u) & (p.u <= lens.max_u);
+    const auto v_free = (p.v >= lens.min_v) & (p.v <= lens.max_v);
+    const F gu = lens.fx * screen.x - select(u_free, dot(gw0, w2), F(0));
+    const F gv = lens.fy * screen.y - select(v_free, dot(gw1, w2), F(0));
+    // u = x / z, v = y / z, n ~ 1 / z.
+    return {gu * p.inv_z, gv * p.inv_z, -(p.inv_z * (gu * p.u + gv * p.v + dot(gn0, p.n0) + dot(gn1, p.n1)))};
+}
+template <class F>
+Vec3<F> equirect_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1, Mat3<F>& g_camera_from_local) {
+    const Vec3<F>&jx = p.slopes.row_x, &jy = p.slopes.row_y;
+    g_camera_from_local = {gn0 * jx.x + gn1 * jy.x, gn1 * jy.y, gn0 * jx.z + gn1 * jy.z};
+    return jx * screen.x + jy * screen.y +
+           slopes_grad(p.p_camera, p.slopes, lens.fx, lens.fy, p.camera_from_local, p.n0, p.n1, gn0, gn1);
+}
+
 }  // namespace detail
 
 // dL/d(screen position), pixels.
@@ -49,33 +72,27 @@ Gaussian<F> project_grad(const Gaussian<F>& in, const Lens<F>& lens, const Proje
     const F ka = F(-0.5) * s.g_dxdx, kb = F(-0.5) * s.g_dxdy, kc = F(-0.5) * s.g_dydy;
     const F a = p.conic_a, b = p.conic_b, c = p.conic_c;
     const F t00 = ka * a + kb * b, t01 = ka * b + kb * c, t10 = kb * a + kc * b, t11 = kb * b + kc * c;
-    const F h00 = -(a * t00 + b * t10), h01 = -(a * t01 + b * t11), h11 = -(b * t01 + c * t11);
+    F h00 = -(a * t00 + b * t10), h01 = -(a * t01 + b * t11), h11 = -(b * t01 + c * t11);
+    Vec3<F> g_area;
+    if (lens.antialias) {  // ln alpha holds ln(area / sqrt(det)); d ln sqrt(det) / dcov = conic / 2
+        const F half = F(-0.5) * s.g;
+        h00 = h00 + half * a, h01 = h01 + half * b, h11 = h11 + half * c;
+        g_area = p.area * (s.g / (dot(p.area, p.area) + F(kLeastArea2)));
+    }
 
     // Covariance to its factor m = n * scale.
-    const Vec3<F> gm0 = (p.m0 * h00 + p.m1 * h01) * F(2);
-    const Vec3<F> gm1 = (p.m0 * h01 + p.m1 * h11) * F(2);
+    Vec3<F> gm0 = (p.m0 * h00 + p.m1 * h01) * F(2);
+    Vec3<F> gm1 = (p.m0 * h01 + p.m1 * h11) * F(2);
+    if (lens.antialias) gm0 += cross(p.m1, g_area), gm1 += cross(g_area, p.m0);
     out.log_scale = gm0 * p.m0 + gm1 * p.m1;
     const Vec3<F> gn0 = gm0 * p.scale, gn1 = gm1 * p.scale;
 
-    // n to the rotation and to the linearization point.
-    const F sx = lens.fx * p.inv_z, sy = lens.fy * p.inv_z;
-    const Vec3<F>& w2 = p.camera_from_local.row2;
-    const Vec3<F> gw0 = gn0 * sx, gw1 = gn1 * sy;
-    const Vec3<F> gw2 = -(gw0 * p.u_held + gw1 * p.v_held);
-    const auto u_free = (p.u >= lens.min_u) & (p.u <= lens.max_u);
-    const auto v_free = (p.v >= lens.min_v) & (p.v <= lens.max_v);
-    const F gu = lens.fx * screen.x - select(u_free, dot(gw0, w2), F(0));
-    const F gv = lens.fy * screen.y - select(v_free, dot(gw1, w2), F(0));
-
-    // u = x / z, v = y / z, n ~ 1 / z.
-    Vec3<F> gp;
-    gp.x = gu * p.inv_z;
-    gp.y = gv * p.inv_z;
-    gp.z = -(p.inv_z * (gu * p.u + gv * p.v + dot(gn0, p.n0) + dot(gn1, p.n1)));
+    Mat3<F> g_camera_from_local;
+    const Vec3<F> gp = lens.equirect() ? detail::equirect_grad(lens, p, screen, gn0, gn1, g_camera_from_local)
+                                       : detail::pinhole_grad(lens, p, screen, gn0, gn1, g_camera_from_local);
     const Mat3<F> world_from_camera = transpose(lens.rotation);
     out.mean = world_from_camera * gp;
 
-    const Mat3<F> g_camera_from_local{gw0, gw1, gw2};
     out.rotation = detail::quaternion_grad(in.rotation, world_from_camera * g_camera_from_local);
     out.logit = s.g * (F(1) - p.opacity);
     out.sh0 = {select(p.color_raw.x > F(0), s.color.x * F(kSh0), F(0)),

@@ -4,6 +4,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/image/color.h"
+#include "fastscene/splat/engine.h"
 
 namespace fastscene::splat {
 namespace {
@@ -42,7 +43,8 @@ ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-                const double weight = view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0;
+                double weight = view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0;
+                if (view.model == CameraModel::equirectangular) weight *= latitude_weight(y, height);
                 double mx = 0, my = 0, squares = 0, product = 0;
                 each_neighbour(x, y, width, height, [&](std::size_t n, double w) {
                     const double a = picture[n][c], b = target(n);

@@ -9,6 +9,7 @@
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/blend_grad.h"
 #include "fastscene/splat/project_grad.h"
+#include "fastscene/splat/sh_color.h"
 
 namespace fastscene::splat {
 
@@ -17,6 +18,16 @@ struct ReferencePicture {
     int width = 0, height = 0;
     std::vector<PixelState<F>> pixels;
     std::vector<F> depth_sum;
+};
+
+// Coefficients of the higher bands, 3 * rest_functions(degree) a splat, in the order of Splats::sh_rest.
+template <class F>
+struct RestBands {
+    int degree = 0;
+    std::vector<F> values;
+    auto of(std::size_t splat) const {
+        return [this, at = splat * 3 * static_cast<std::size_t>(rest_functions(degree))](int i) { return values[at + static_cast<std::size_t>(i)]; };
+    }
 };
 
 namespace detail {
@@ -34,10 +45,10 @@ double plain(F x) {
 }
 // Drawable splats, front to back; equal depths in order.
 template <class F>
-std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens) {
+std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens, const RestBands<F>& rest) {
     std::vector<Drawn<F>> out;
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        const Projection<F> p = project(splats[i], lens);
+        const Projection<F> p = project(splats[i], lens, more_color(rest.degree, sight_of(splats[i].mean, lens.camera_center()), rest.of(i)));
         if (!is_drawable(splats[i], p)) continue;
         const double reach2 = plain(reach2_of(p));
         out.push_back({i, p, footprint_of(p, lens), std::sqrt(reach2 * plain(p.cov_xx)), std::sqrt(reach2 * plain(p.cov_yy))});
@@ -45,28 +56,38 @@ std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const L
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.footprint.depth_z < b.footprint.depth_z; });
     return out;
 }
-// Calls visit(pixel number, dx, dy) for every pixel the splat may show at.
+// Calls visit(pixel number, dx, dy) for every pixel the splat may show at; `aside` pixels to the right of where it is.
 template <class F, class Visit>
-void each_pixel(const Drawn<F>& d, int width, int height, Visit&& visit) {
-    const double x = plain(d.footprint.x), y = plain(d.footprint.y);
+void each_pixel_aside(const Drawn<F>& d, int width, int height, double aside, Visit&& visit) {
+    const double x = plain(d.footprint.x) + aside, y = plain(d.footprint.y);
     const auto first = [](double v) { return static_cast<int>(std::max(0.0, std::floor(v - 0.5))); };
     const auto last = [](double v, int size) { return static_cast<int>(std::min(size - 1.0, std::ceil(v - 0.5))); };
     for (int py = first(y - d.half_y); py <= last(y + d.half_y, height); ++py)
         for (int px = first(x - d.half_x); px <= last(x + d.half_x, width); ++px)
             visit(static_cast<std::size_t>(py) * static_cast<std::size_t>(width) + static_cast<std::size_t>(px),
-                  F(px + 0.5) - d.footprint.x, F(py + 0.5) - d.footprint.y);
+                  F(px + 0.5 - aside) - d.footprint.x, F(py + 0.5) - d.footprint.y);
+}
+template <class F, class Visit>
+void each_pixel(const Drawn<F>& d, int width, int height, bool wraps, Visit&& visit) {
+    each_pixel_aside(d, width, height, 0, visit);
+    const double x = plain(d.footprint.x);
+    if (!wraps) return;
+    if (x - d.half_x < 0.5)
+        each_pixel_aside(d, width, height, width, visit);
+    else if (x + d.half_x > width - 0.5)
+        each_pixel_aside(d, width, height, -width, visit);
 }
 }  // namespace detail
 
 template <class F>
 ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens, int width, int height,
-                                     Vec3<F> background) {
+                                     Vec3<F> background, const RestBands<F>& rest = {}) {
     ReferencePicture<F> out{width, height, {}, {}};
     const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     out.pixels.assign(size, PixelState<F>{F(1), {}});
     out.depth_sum.assign(size, F(0));
-    for (const auto& d : detail::draw_order(splats, lens))
-        detail::each_pixel(d, width, height, [&](std::size_t i, F dx, F dy) {
+    for (const auto& d : detail::draw_order(splats, lens, rest))
+        detail::each_pixel(d, width, height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
             out.depth_sum[i] += blend(out.pixels[i], d.footprint, dx, dy) * d.footprint.depth_z;
         });
     for (auto& pixel : out.pixels) pixel.color += background * pixel.transmittance;
@@ -76,14 +97,17 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
 // dL/d(parameters) from v = dL/d(pixel color).
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
-                                             const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v) {
+                                             const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
+                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr) {
     std::vector<Gaussian<F>> out(splats.size());
+    const auto n = static_cast<std::size_t>(3 * rest_functions(rest.degree));
+    if (rest_out) rest_out->assign(splats.size() * n, F(0));
     for (auto& g : out) g.rotation.w = F(0);  // a gradient, not the identity rotation
     std::vector<PixelGradState<F>> state(v.size());
     for (std::size_t i = 0; i < v.size(); ++i) state[i] = {F(1), dot(v[i], picture.pixels[i].color), v[i]};
-    for (const auto& d : detail::draw_order(splats, lens)) {
+    for (const auto& d : detail::draw_order(splats, lens, rest)) {
         PixelSums<F> sums;
-        detail::each_pixel(d, picture.width, picture.height, [&](std::size_t i, F dx, F dy) {
+        detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
             const BlendGrad<F> b = blend_grad(state[i], d.footprint, dx, dy);
             sums.g += b.g;
             sums.g_dx += b.g * dx;
@@ -94,6 +118,10 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
             sums.color += v[i] * b.weight;
         });
         out[d.splat] = project_grad(splats[d.splat], lens, d.projection, sums);
+        if (rest.degree == 0) continue;
+        F slopes[kMostRest];
+        out[d.splat].mean += more_color_grad(rest.degree, sight_of(splats[d.splat].mean, lens.camera_center()), out[d.splat].sh0 / F(kSh0), rest.of(d.splat), slopes);
+        if (rest_out) std::copy(slopes, slopes + n, rest_out->begin() + static_cast<std::ptrdiff_t>(d.splat * n));
     }
     return out;
 }
@@ -109,10 +137,14 @@ std::vector<Gaussian<F>> gaussians_of(const Splats& s) {
     return out;
 }
 template <class F>
+RestBands<F> rest_of(const Splats& s) {
+    return {s.sh_degree, {s.sh_rest.begin(), s.sh_rest.end()}};
+}
+template <class F>
 Lens<F> lens_over(const Lens<float>& l) {
     const auto wide = [](Vec3f a) { return Vec3<F>{F(a.x), F(a.y), F(a.z)}; };
     return {{wide(l.rotation.row0), wide(l.rotation.row1), wide(l.rotation.row2)}, wide(l.translation),
-            F(l.fx), F(l.fy), F(l.cx), F(l.cy), F(l.min_u), F(l.max_u), F(l.min_v), F(l.max_v)};
+            F(l.fx), F(l.fy), F(l.cx), F(l.cy), F(l.min_u), F(l.max_u), F(l.min_v), F(l.max_v), l.model, l.antialias};
 }
 
 struct ReferenceLoss {

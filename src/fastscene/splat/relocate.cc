@@ -68,7 +68,8 @@ std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<
     return out;
 }
 
-// Splat `to` becomes the second half of splat `from`; both start with fresh moments.
+}  // namespace
+
 void split(Cloud& cloud, std::int64_t from, std::int64_t to) {
     auto& x = cloud.parameters;
     std::size_t axis = 0;
@@ -89,9 +90,35 @@ void split(Cloud& cloud, std::int64_t from, std::int64_t to) {
         x[cloud.at(from, a)] -= offset[static_cast<std::size_t>(a)];
         x[cloud.at(to, a)] += offset[static_cast<std::size_t>(a)];
     }
+    for (int k = 0; k < 3 * rest_functions(cloud.degree); ++k) {
+        cloud.rest[cloud.rest_at(to, k)] = cloud.rest[cloud.rest_at(from, k)];
+        for (const std::int64_t i : {from, to}) cloud.rest_first_moment[cloud.rest_at(i, k)] = cloud.rest_second_moment[cloud.rest_at(i, k)] = 0;
+    }
 }
 
-}  // namespace
+std::int64_t grow(Cloud& cloud, std::int64_t wanted, std::uint64_t seed, int step) {
+    wanted = std::min(wanted, cloud.capacity - cloud.count);
+    if (wanted <= 0) return 0;
+    const std::vector<std::int64_t> sources =
+        splats_to_split(cloud, {}, static_cast<std::size_t>(wanted), Random(seed, "splat.grow", static_cast<std::uint64_t>(step)));
+    for (const std::int64_t from : sources) split(cloud, from, cloud.count++);
+    return static_cast<std::int64_t>(sources.size());
+}
+
+void add_noise(Cloud& cloud, float size_m, std::uint64_t seed, int step) {
+    constexpr double kGate = 100, kGateOpacity = 0.005;  // as published
+    for (std::int64_t i = 0; i < cloud.count; ++i) {
+        const double gate = 1 / (1 + std::exp(kGate * (opacity_of(cloud, i) - kGateOpacity)));
+        if (!(gate > 1e-6)) continue;
+        Random random(seed, "splat.noise", static_cast<std::uint64_t>(step) << 32 | static_cast<std::uint64_t>(i));
+        const auto get = [&](int p) { return cloud.parameters[cloud.at(i, p)]; };
+        const Mat3f turn = matrix_of(Quatf{get(6), get(7), get(8), get(9)});
+        Vec3f local;
+        for (std::size_t a = 0; a < 3; ++a) local[a] = random.normal() * std::exp(get(3 + static_cast<int>(a)));
+        const Vec3f by = turn * local * (static_cast<float>(gate) * size_m);
+        for (int a = 0; a < 3; ++a) cloud.parameters[cloud.at(i, a)] += by[static_cast<std::size_t>(a)];
+    }
+}
 
 std::int64_t relocate(Cloud& cloud, const Relocation& how, std::uint64_t seed, int step) {
     const std::vector<std::int64_t> useless = useless_splats(cloud, how.useless_fraction);

@@ -21,36 +21,75 @@ struct SplatParams {
     int steps = 3000;
     float lambda_dssim = 0.2f;
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
+    std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
+    int sh_degree = 0;                 // generated rooms carry no view dependence
+    float opacity_pull = 0, scale_pull = 0;
+    bool antialias = false;
+    bool random_background = false;
+    int eval_every = 0;
+    int holdout = 8;
+    int patience = 0;
+    int until = 0;
+    std::string checkpoint;
+    int checkpoint_every = 500;
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
     v("backend", p.backend, Choices{{"cpu", "reference"}}, "What renders and differentiates the splats.");
-    v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians.");
+    v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("steps", p.steps, Bounds{0, 1e6}, "Training steps; each looks at one view.");
     v("lambda", p.lambda_dssim, Bounds{0, 1}, "Weight of D-SSIM in the loss.");
     v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
+    v("strategy", p.strategy, Choices{{"mcmc", "classic", "none"}},
+      "mcmc: the dead move to where the error is, missing ones grow there; classic: clone, split, prune and reset opacities; none: all stay.");
+    v("sh-degree", p.sh_degree, Bounds{0, 3}, "Degree of the spherical harmonics: color that depends on the direction of view.");
+    v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
+    v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
+    v("antialias", p.antialias, "Train for a renderer that dims splats smaller than a pixel (Mip-Splatting's 2D filter).");
+    v("random-background", p.random_background, "A background of random color behind every step: nothing may hide in black.");
+    v("eval-every", p.eval_every, Bounds{0, 1e6}, "Measure held-out views every so many steps; 0 = train on all views.");
+    v("holdout", p.holdout, Bounds{2, 1e6}, "With eval-every: every so manieth view is held out.");
+    v("patience", p.patience, Bounds{0, 1e6}, "With eval-every: stop after so many measurements without improvement; 0 = never.");
+    v("until", p.until, Bounds{0, 1e6}, "Stop at this step, or go on to it beyond `steps` at the last step sizes; 0 = at `steps`.");
+    v("checkpoint", p.checkpoint, "File to go on from where it is there, and to leave the whole state of training in.");
+    v("checkpoint-every", p.checkpoint_every, Bounds{1, 1e6}, "Steps between two writings of the checkpoint.");
 }
 
 struct CurvePoint {
     int step;
     float loss, psnr;   // mean over the last steps' training views
 };
+// Means over the held-out views.
+struct EvalPoint {
+    int step;
+    float psnr, ssim;
+};
+struct EvalPicture {
+    std::string view;
+    ImageRgb8 picture, truth;
+};
 struct FittedSplats {
     Splats splats;
     std::vector<CurvePoint> curve;
+    std::vector<EvalPoint> evals;            // empty without eval_every
+    std::vector<EvalPicture> eval_pictures;  // of the end
+    int steps = 0;                           // taken, those before a checkpoint included
 };
 
 // Starting Gaussians: flat discs on the surfaces, `count` of them drawn from the points.
 Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run);
+// Throws Error for views that do not fit together, for a checkpoint of other settings or a damaged one; Stopped (after writing the
+// checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the bytes of a run that was never stopped.
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run);
 
 // A picture of the splats: sRGB-encoded floats 0..1 on `background` (sRGB), and if asked the expected depth.
 struct SplatPicture {
     ImageColor color;     // sRGB-encoded (what 3DGS stores), NOT linear
     ImageF alpha;
-    ImageF depth_z;       // alpha-weighted mean, metres along the optical axis; 0 where alpha is 0
+    ImageF depth_z;       // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0 where alpha is 0
 };
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background = {}, const std::string& backend = "cpu");
+                           Vec3f background = {}, const std::string& backend = "cpu", CameraModel model = CameraModel::pinhole,
+                           bool antialias = false);
 
 }  // namespace fastscene

@@ -10,10 +10,10 @@ namespace {
 
 class CpuStepper : public Stepper {
   public:
-    LossSums step(Cloud& cloud, const View& view, float lambda, const std::array<float, kParameters>& rates, int adam_step) override {
-        engine_.render(cloud, view.camera, view.world_from_camera, {}, false);
-        const LossSums sums = engine_.differentiate(view, lambda);
-        engine_.step(cloud, rates, adam_step);
+    LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
+        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, false, view.model, plan.antialias);
+        const LossSums sums = engine_.differentiate(view, plan.lambda_dssim);
+        engine_.step(cloud, plan.rates);
         return sums;
     }
 
@@ -22,33 +22,57 @@ class CpuStepper : public Stepper {
 };
 
 // Adam as in the paper, in double precision but for what is stored.
-void adam(Cloud& cloud, std::size_t at, double gradient, double rate, int step) {
-    const double m = 0.9 * cloud.first_moment[at] + 0.1 * gradient;
-    const double v = 0.999 * cloud.second_moment[at] + 0.001 * gradient * gradient;
-    cloud.first_moment[at] = static_cast<float>(m);
-    cloud.second_moment[at] = static_cast<float>(v);
-    const double move = rate * (m / (1 - std::pow(0.9, step))) / (std::sqrt(v / (1 - std::pow(0.999, step))) + 1e-15);
-    cloud.parameters[at] = static_cast<float>(cloud.parameters[at] - move);
+struct AdamSlot {
+    float &x, &first_moment, &second_moment;
+};
+void adam(AdamSlot slot, double gradient, double rate, int step) {
+    const double m = 0.9 * slot.first_moment + 0.1 * gradient;
+    const double v = 0.999 * slot.second_moment + 0.001 * gradient * gradient;
+    slot.first_moment = static_cast<float>(m);
+    slot.second_moment = static_cast<float>(v);
+    slot.x = static_cast<float>(slot.x - rate * (m / (1 - std::pow(0.9, step))) / (std::sqrt(v / (1 - std::pow(0.999, step))) + 1e-15));
 }
 
 class ReferenceStepper : public Stepper {
   public:
-    LossSums step(Cloud& cloud, const View& view, float lambda, const std::array<float, kParameters>& rates, int adam_step) override {
-        const auto splats = gaussians_of<double>(cloud.splats());
-        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera));
-        const auto picture = render_reference(splats, lens, view.camera.width, view.camera.height, Vec3d{});
+    LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
+        const Splats now = cloud.splats();
+        const auto splats = gaussians_of<double>(now);
+        const auto rest = rest_of<double>(now);
+        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera, view.model, plan.antialias));
+        const Vec3d background{plan.background.x, plan.background.y, plan.background.z};
+        const auto picture = render_reference(splats, lens, view.camera.width, view.camera.height, background, rest);
         std::vector<Vec3d> colors;
         for (const auto& p : picture.pixels) colors.push_back(p.color);
-        const ReferenceLoss loss = loss_reference(colors, view, lambda);
-        const auto gradients = gradients_reference(splats, lens, picture, loss.v);
+        const ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
+        std::vector<double> rest_gradient;
+        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient);
+        const int n = 3 * rest_functions(cloud.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i) {
             const Gaussian<double>& g = gradients[static_cast<std::size_t>(i)];
-            const double all[kParameters] = {g.mean.x,     g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y, g.log_scale.z, g.rotation.w,
-                                             g.rotation.x, g.rotation.y, g.rotation.z, g.logit,       g.sh0.x,       g.sh0.y,       g.sh0.z};
-            for (int p = 0; p < kParameters; ++p)
-                adam(cloud, cloud.at(i, p), all[p], rates[static_cast<std::size_t>(p)], adam_step);
+            double all[kParameters] = {g.mean.x,     g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y, g.log_scale.z, g.rotation.w,
+                                       g.rotation.x, g.rotation.y, g.rotation.z, g.logit,       g.sh0.x,       g.sh0.y,       g.sh0.z};
+            add_pull(splats[static_cast<std::size_t>(i)], plan.rates, all);
+            bool seen = false;
+            for (const double x : all) seen |= x != 0;
+            for (int p = 0; p < kParameters; ++p) {
+                const std::size_t at = cloud.at(i, p);
+                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)], plan.rates.adam_step);
+            }
+            for (int k = 0; k < n && seen && plan.rates.rest_rate > 0; ++k) {
+                const std::size_t at = cloud.rest_at(i, k);
+                adam({cloud.rest[at], cloud.rest_first_moment[at], cloud.rest_second_moment[at]}, rest_gradient[static_cast<std::size_t>(i * n + k)],
+                     plan.rates.rest_rate, plan.rates.rest_adam_step);
+            }
         }
         return {loss.loss, loss.squared_error};
+    }
+
+  private:
+    static void add_pull(const Gaussian<double>& g, const StepRates& rates, double* all) {
+        const double opacity = 1 / (1 + std::exp(-g.logit));
+        all[10] += rates.opacity_pull * opacity * (1 - opacity);
+        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_pull * std::exp(g.log_scale[a]);
     }
 };
 

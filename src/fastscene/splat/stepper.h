@@ -10,10 +10,16 @@
 
 namespace fastscene::splat {
 
+struct StepPlan {
+    float lambda_dssim = 0.2f;
+    Vec3f background;
+    bool antialias = false;
+    StepRates rates;
+};
 struct Stepper {
     virtual ~Stepper() = default;
-    // Renders the view on black, differentiates, lets Adam move the cloud. adam_step counts from 1.
-    virtual LossSums step(Cloud& cloud, const View& view, float lambda_dssim, const std::array<float, kParameters>& rates, int adam_step) = 0;
+    // Renders the view, differentiates, lets Adam move the cloud.
+    virtual LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) = 0;
 };
 // Throws UsageError when there is no such backend.
 std::unique_ptr<Stepper> make_stepper(const std::string& backend);

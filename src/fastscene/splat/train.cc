@@ -2,34 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 
+#include "fastscene/base/file.h"
+#include "fastscene/base/hash.h"
 #include "fastscene/base/random.h"
+#include "fastscene/image/color.h"
+#include "fastscene/splat/classic.h"
 #include "fastscene/splat/relocate.h"
 #include "fastscene/splat/stepper.h"
+#include "fastscene/splat/train_state.h"
 
 namespace fastscene::splat {
 namespace {
 
-// The view of each step: every view once, in random order, then again in another order.
+// The view of each step (from 1): every view once, in random order, then again in another order.
 class ViewOrder {
   public:
-    ViewOrder(std::size_t count, std::uint64_t seed) : order_(count), seed_(seed) { std::iota(order_.begin(), order_.end(), std::size_t{0}); }
-    std::size_t next() {
-        if (at_ == 0) {
-            Random random(seed_, "splat.views", round_++);
-            for (std::size_t i = order_.size() - 1; i > 0; --i)
-                std::swap(order_[i], order_[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
+    ViewOrder(std::size_t count, std::uint64_t seed) : order_(count), seed_(seed) {}
+    std::size_t at(int step) {
+        const auto n = order_.size(), k = static_cast<std::size_t>(step - 1);
+        if (k / n != round_) {
+            round_ = k / n;
+            std::iota(order_.begin(), order_.end(), std::size_t{0});
+            Random random(seed_, "splat.views", round_);
+            for (std::size_t i = n - 1; i > 0; --i) std::swap(order_[i], order_[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
         }
-        const std::size_t view = order_[at_];
-        at_ = (at_ + 1) % order_.size();
-        return view;
+        return order_[k % n];
     }
 
   private:
     std::vector<std::size_t> order_;
-    std::uint64_t seed_, round_ = 0;
-    std::size_t at_ = 0;
+    std::uint64_t seed_, round_ = ~std::uint64_t{0};
 };
 
 std::array<float, kParameters> rates_at(float done, const SplatParams& params, const TrainTuning& t) {
@@ -38,22 +43,6 @@ std::array<float, kParameters> rates_at(float done, const SplatParams& params, c
     const float scale = t.scale * other, rotation = t.rotation * other, logit = t.logit * other, sh0 = t.sh0 * other;
     return {mean, mean, mean, scale, scale, scale, rotation, rotation, rotation, rotation, logit, sh0, sh0, sh0};
 }
-
-// Means over the steps since the last point.
-class Curve {
-  public:
-    void add(const LossSums& s) { loss_ += s.loss, squared_error_ += s.squared_error, ++steps_; }
-    void close(int step, std::vector<CurvePoint>& out) {
-        if (!steps_) return;
-        const double mse = std::max(squared_error_ / steps_, 1e-10);
-        out.push_back({step, static_cast<float>(loss_ / steps_), static_cast<float>(-10 * std::log10(mse))});
-        *this = {};
-    }
-
-  private:
-    double loss_ = 0, squared_error_ = 0;
-    int steps_ = 0;
-};
 
 void check_views(const ViewSet& set) {
     if (set.views.empty()) throw Error("splat: no views to train on");
@@ -65,32 +54,198 @@ void check_views(const ViewSet& set) {
     }
 }
 
+// Which of the views teach and which only measure.
+struct Split {
+    std::vector<const View*> train, held_out;
+};
+Split split_views(const ViewSet& set, const SplatParams& params) {
+    Split out;
+    for (std::size_t i = 0; i < set.views.size(); ++i) {
+        // The first view is kept for training: with one view alone there is nothing to hold out.
+        const bool held = params.eval_every > 0 && i % static_cast<std::size_t>(params.holdout) == static_cast<std::size_t>(params.holdout) - 1;
+        (held ? out.held_out : out.train).push_back(&set.views[i]);
+    }
+    if (params.eval_every > 0 && out.held_out.empty())
+        throw Error("splat: expected at least {} views to hold one out (holdout {}), found {}", params.holdout, params.holdout, set.views.size());
+    return out;
+}
+
+// All that a run's numbers depend on but how far it goes and what is measured on the way.
+std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
+    Hash hash;
+    params.until = 0, params.checkpoint.clear(), params.checkpoint_every = 500, params.patience = 0;
+    if (params.eval_every > 0) params.eval_every = 1;
+    hash.add(fields_json(params).dump()).add(seed).add(set.points.size());
+    for (const View& v : set.views) {
+        hash.add(v.name).add(static_cast<int>(v.model)).add_bytes(v.color.pixels.data(), v.color.pixels.size() * sizeof(Rgb8)).add_bytes(v.weight.pixels.data(), v.weight.pixels.size());
+        hash.add_bytes(&v.camera, sizeof v.camera).add_bytes(&v.world_from_camera, sizeof v.world_from_camera);
+    }
+    for (const SurfacePoint& p : set.points) hash.add_bytes(&p.position_m, sizeof p.position_m);
+    return hash.hex();
+}
+
+float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
+
+EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views, bool antialias) {
+    Engine engine(choose_kernel());
+    double psnr = 0, ssim = 0;
+    for (const View* v : views) {
+        engine.render(state.cloud, v->camera, v->world_from_camera, {}, false, v->model, antialias);
+        const LossSums sums = engine.differentiate(*v, 1.f);  // the loss is then all D-SSIM
+        psnr += psnr_of(sums.squared_error), ssim += 1 - sums.loss;
+    }
+    const double n = static_cast<double>(views.size());
+    return {state.step, static_cast<float>(psnr / n), static_cast<float>(ssim / n)};
+}
+
+std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<const View*>& views, const SplatParams& params) {
+    constexpr std::size_t kMost = 6;
+    std::vector<EvalPicture> out;
+    for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i) {
+        const View& v = *views[i * views.size() / std::min(views.size(), kMost)];
+        const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model, params.antialias);
+        ImageRgb8 picture(v.camera.width, v.camera.height);
+        for (std::size_t k = 0; k < picture.pixels.size(); ++k)
+            picture.pixels[k] = {byte_from_unit(p.color.pixels[k].x), byte_from_unit(p.color.pixels[k].y), byte_from_unit(p.color.pixels[k].z)};
+        out.push_back({v.name, std::move(picture), v.color});
+    }
+    return out;
+}
+
+// One run of training: the state and what does not change while it goes on.
+class Training {
+  public:
+    Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run)
+        : params_(params), tuning_(tuning), run_(run), views_(split_views(set, params)), order_(views_.train.size(), run.seed),
+          stepper_(make_stepper(params.backend)), extent_m_(scene_extent_m(set)), state_(start(set)) {
+        last_ = params.until > 0 ? params.until : params.steps;
+        // A splat is useless only if no view needs it: judge after every view has been seen.
+        density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
+    }
+
+    FittedSplats go() {
+        Progress progress(run_, "splat", last_);
+        progress.advance(std::min(state_.step, last_));
+        while (state_.step < last_ && !stalled()) {
+            if (run_.stop.stop_requested()) {
+                save();
+                run_.check_stop();
+            }
+            step();
+            progress.advance();
+        }
+        save();
+        FittedSplats out;
+        out.splats = params_.strategy == "classic" ? alive(state_.cloud.splats(), Classic{}.faint) : state_.cloud.splats();
+        out.curve = state_.curve, out.evals = state_.evals, out.steps = state_.step;
+        close_curve(out.curve);
+        if (!views_.held_out.empty()) {
+            if (out.evals.empty() || out.evals.back().step != state_.step) out.evals.push_back(evaluate(state_, views_.held_out, params_.antialias));
+            out.eval_pictures = eval_pictures(out.splats, views_.held_out, params_);
+        }
+        return out;
+    }
+
+  private:
+    TrainState start(const ViewSet& set) {
+        if (!params_.checkpoint.empty()) {
+            key_ = key_of(set, params_, run_.seed);
+            if (std::filesystem::exists(params_.checkpoint)) {
+                TrainState found = checkpoint_from(read_file(params_.checkpoint), key_, params_.checkpoint);
+                run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
+                return found;
+            }
+        }
+        Splats splats = initial_splats(set.points, params_.count, run_);
+        if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
+        splats.sh_degree = params_.sh_degree;
+        splats.resize(splats.size());
+        TrainState state{0, Cloud(splats, true, params_.strategy == "none" ? 0 : params_.count), 0, 0, 0, {}, {}};
+        if (params_.strategy == "classic") state.cloud.seen_move = state.cloud.seen_steps = AlignedFloats(state.cloud.seen_weight.size(), 0.f);
+        return state;
+    }
+
+    void step() {
+        const int now = state_.step + 1;
+        const float done = std::min(1.f, static_cast<float>(now - 1) / static_cast<float>(std::max(params_.steps, 1)));
+        StepPlan plan;
+        plan.lambda_dssim = params_.lambda_dssim;
+        plan.antialias = params_.antialias;
+        plan.rates.rates = rates_at(done, params_, tuning_);
+        plan.rates.adam_step = now;
+        const auto count = static_cast<float>(state_.cloud.count);
+        plan.rates.opacity_pull = params_.opacity_pull / count, plan.rates.scale_pull = params_.scale_pull / (3 * count);
+        if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
+            plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done), plan.rates.rest_adam_step = now / tuning_.rest_every;
+        if (params_.random_background) {
+            Random random(run_.seed, "splat.background", static_cast<std::uint64_t>(now));
+            plan.background = {random.uniform(), random.uniform(), random.uniform()};
+        }
+        const LossSums sums = stepper_->step(state_.cloud, *views_.train[order_.at(now)], plan);
+        state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
+        state_.step = now;
+        if (params_.strategy == "mcmc") move_splats(now, done, plan.rates.rates[0]);
+        if (params_.strategy == "classic") densify_splats(now, done);
+        constexpr int kCurveSteps = 50;
+        if (now % kCurveSteps == 0) close_curve(state_.curve);
+        if (params_.eval_every > 0 && now % params_.eval_every == 0) state_.evals.push_back(evaluate(state_, views_.held_out, params_.antialias));
+        if (now % params_.checkpoint_every == 0) save();
+    }
+
+    void move_splats(int now, float done, float rate_m) {
+        if (tuning_.noise > 0) add_noise(state_.cloud, tuning_.noise * rate_m, run_.seed, now);
+        if (now % density_every_ != 0 || done >= tuning_.relocate_until) return;
+        grow(state_.cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(state_.cloud.count)), run_.seed, now);
+        relocate(state_.cloud, {tuning_.relocate_fraction}, run_.seed, now);
+    }
+    void densify_splats(int now, float done) {
+        const Classic classic;
+        if (now % density_every_ == 0 && done >= classic.from && done < classic.until) densify(state_.cloud, classic, extent_m_, run_.seed, now);
+        if (now % classic.reset_every == 0 && done < classic.until) reset_opacities(state_.cloud);
+    }
+
+    void close_curve(std::vector<CurvePoint>& curve) {
+        if (state_.sum_steps == 0) return;
+        const double n = state_.sum_steps;
+        curve.push_back({state_.step, static_cast<float>(state_.loss_sum / n), psnr_of(state_.squared_error_sum / n)});
+        state_.loss_sum = state_.squared_error_sum = 0, state_.sum_steps = 0;
+    }
+
+    // Whether the held-out views have stopped improving.
+    bool stalled() const {
+        constexpr float kImprovementDb = 0.01f;
+        if (params_.patience == 0) return false;
+        float best = -1e9f;
+        int since = 0;
+        for (const EvalPoint& e : state_.evals) {
+            since = e.psnr > best + kImprovementDb ? 0 : since + 1;
+            best = std::max(best, e.psnr);
+        }
+        return since >= params_.patience;
+    }
+
+    void save() {
+        if (!params_.checkpoint.empty() && saved_ != state_.step) write_file(params_.checkpoint, std::string_view(checkpoint_bytes(state_, key_)));
+        saved_ = state_.step;
+    }
+
+    const SplatParams& params_;
+    const TrainTuning& tuning_;
+    const Run& run_;
+    Split views_;
+    ViewOrder order_;
+    std::unique_ptr<Stepper> stepper_;
+    float extent_m_;
+    std::string key_;
+    TrainState state_;
+    int last_ = 0, density_every_ = 0, saved_ = -1;
+};
+
 }  // namespace
 
 FittedSplats fit(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run) {
     check_views(set);
-    const Splats start = initial_splats(set.points, params.count, run);
-    if (start.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
-    Cloud cloud(start, true);
-    const std::unique_ptr<Stepper> stepper = make_stepper(params.backend);
-    ViewOrder order(set.views.size(), run.seed);
-    Progress progress(run, "splat", params.steps);
-    FittedSplats out;
-    Curve curve;
-    constexpr int kCurveSteps = 50;
-    // A splat is useless only if no view needs it: judge after every view has been seen.
-    const int relocate_every = std::max(tuning.relocate_every, static_cast<int>(set.views.size()));
-    for (int step = 1; step <= params.steps; ++step) {
-        run.check_stop();
-        const View& view = set.views[order.next()];
-        const float done = static_cast<float>(step - 1) / static_cast<float>(params.steps);
-        curve.add(stepper->step(cloud, view, params.lambda_dssim, rates_at(done, params, tuning), step));
-        if (step % relocate_every == 0 && done < tuning.relocate_until) relocate(cloud, {tuning.relocate_fraction}, run.seed, step);
-        if (step % kCurveSteps == 0 || step == params.steps) curve.close(step, out.curve);
-        progress.advance();
-    }
-    out.splats = cloud.splats();
-    return out;
+    return Training(set, params, tuning, run).go();
 }
 
 }  // namespace fastscene::splat

@@ -50,6 +50,7 @@ class IrradianceCache {
     std::vector<float> usefulness(const std::vector<SunPatch>& patches, const SceneBvh& bvh, std::uint64_t seed) const;
     void drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed);
     void index();
+    void despeckle(bool indirect);
     void smooth(bool indirect, int radius, float tolerance);
 
     float cell_m_ = 0.03f;

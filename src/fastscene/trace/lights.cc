@@ -10,38 +10,61 @@ namespace {
 
 constexpr float kLargeArea = 0.5f;
 constexpr float kSunRadius = 0.008f;   // of its disc, in radians: 0.9 degrees across
-constexpr float kOffset = 4e-4f;
 
-// Nearer than this a lamp is no brighter: keeps single samples from burning holes.
+// Nearer than this a lamp's part is no brighter to the cache: keeps single samples from burning holes.
 constexpr float kNearest = 0.03f;
 
-std::size_t pick(const std::vector<float>& cumulative, float u) {
-    const float wanted = u * cumulative.back();
-    const auto at = std::upper_bound(cumulative.begin(), cumulative.end(), wanted);
-    return std::min(cumulative.size() - 1, static_cast<std::size_t>(at - cumulative.begin()));
+std::size_t pick(const float* cumulative, std::size_t count, float u) {
+    const float wanted = u * cumulative[count - 1];
+    return std::min(count - 1, static_cast<std::size_t>(std::upper_bound(cumulative, cumulative + count, wanted) - cumulative));
 }
+
+std::array<Vec3f, 3> corners(const Room& room, int mesh, int triangle) {
+    const Mesh& m = room.meshes[static_cast<std::size_t>(mesh)];
+    const std::size_t t = 3 * static_cast<std::size_t>(triangle);
+    return {m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]]};
+}
+Vec3f emission_of(const Room& room, int mesh) { return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)].emission; }
 
 }  // namespace
 
-Lights::Lights(const Room& room) : large_(room.meshes.size(), false) {
+Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
+    std::vector<int> light_of_object(room.objects.size(), -1);
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
-        const Vec3f emission = room.materials[static_cast<std::size_t>(mesh.material)].emission;
-        if (!(luminance(emission) > 0)) continue;
-        Light light;
-        light.mesh = static_cast<int>(m);
-        for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-            const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]], c = mesh.positions[mesh.triangles[t + 2]];
+        const float bright = luminance(emission_of(room, static_cast<int>(m)));
+        if (!(bright > 0)) continue;
+        Light part;
+        std::vector<float> areas;
+        for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+            const auto [a, b, c] = corners(room, static_cast<int>(m), static_cast<int>(t));
             const float area = 0.5f * length(cross(b - a, c - a));
-            light.area += area;
-            light.center += (a + b + c) * (area / 3);
-            light.cumulative.push_back(light.area);
+            part.triangles.push_back({static_cast<std::int32_t>(m), static_cast<std::int32_t>(t)});
+            areas.push_back(area);
+            part.area += area;
+            part.center += (a + b + c) * (area / 3);
         }
-        if (!(light.area > 0)) continue;
-        light.center = light.center / light.area;
-        light.power = light.area * luminance(emission);
-        if (light.area > kLargeArea) large_[m] = true;
-        else lights_.push_back(std::move(light));
+        if (!(part.area > 0)) continue;
+        if (part.area > kLargeArea) {
+            large_[m] = true;
+            continue;
+        }
+        // The candles of a chandelier are one light.
+        const bool owned = mesh.object >= 0 && static_cast<std::size_t>(mesh.object) < light_of_object.size();
+        int index = owned ? light_of_object[static_cast<std::size_t>(mesh.object)] : -1;
+        if (index < 0) {
+            index = static_cast<int>(lights_.size());
+            lights_.emplace_back();
+            if (owned) light_of_object[static_cast<std::size_t>(mesh.object)] = index;
+        }
+        Light& light = lights_[static_cast<std::size_t>(index)];
+        light.center = (light.center * light.area + part.center) / (light.area + part.area);
+        light.area += part.area;
+        for (std::size_t t = 0; t < areas.size(); ++t) {
+            light.triangles.push_back(part.triangles[t]);
+            light.cumulative.push_back(light.power += areas[t] * bright);
+        }
+        light_of_mesh_[m] = index;
     }
     for (std::size_t i = 0; i < room.portals.size(); ++i) {
         const Portal& p = room.portals[i];
@@ -55,6 +78,23 @@ Lights::Lights(const Room& room) : large_(room.meshes.size(), false) {
         light.power = light.area * (luminance(room.sky.horizon) + luminance(room.sky.zenith) + 0.5f * luminance(room.sky.ground)) * 0.4f;
         lights_.push_back(std::move(light));
     }
+    if (lights_.size() <= static_cast<std::size_t>(kMost)) return;
+    // More than can be weighed at every place: the weakest are found by gathering, as large ones are.
+    std::vector<int> order(lights_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lights_[static_cast<std::size_t>(a)].power > lights_[static_cast<std::size_t>(b)].power; });
+    std::vector<Light> kept;
+    std::vector<int> place(lights_.size(), -1);
+    for (int i = 0; i < kMost; ++i) {
+        place[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
+        kept.push_back(std::move(lights_[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])]));
+    }
+    for (std::size_t m = 0; m < light_of_mesh_.size(); ++m) {
+        if (light_of_mesh_[m] < 0) continue;
+        light_of_mesh_[m] = place[static_cast<std::size_t>(light_of_mesh_[m])];
+        if (light_of_mesh_[m] < 0) large_[m] = true;
+    }
+    lights_ = std::move(kept);
 }
 
 Lights::Choice Lights::choice_at(Vec3f position, Vec3f normal) const {
@@ -68,58 +108,90 @@ Lights::Choice Lights::choice_at(Vec3f position, Vec3f normal) const {
         float facing = 1.f;
         if (light.portal >= 0) facing = std::max(0.f, -dot(light.direction, to) / std::max(far, 1e-4f)) + 0.02f;
         sum += light.power * above * facing / std::max(d2, 0.25f * light.area + 0.01f);
-        choice.cumulative.push_back(sum);
+        choice.cumulative[static_cast<std::size_t>(choice.count++)] = sum;
     }
-    if (!(sum > 0)) choice.cumulative.clear();
+    if (!(sum > 0)) choice.count = 0;
     return choice;
 }
 
-Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, float which, Vec2f uv, Random& random) const {
-    if (choice.cumulative.empty()) return {};
-    const std::size_t i = pick(choice.cumulative, which);
-    const Light& light = lights_[i];
-    const float chance = (choice.cumulative[i] - (i ? choice.cumulative[i - 1] : 0.f)) / choice.cumulative.back();
-    if (!(chance > 0)) return {};
-    const float u = uv.x, v = uv.y, w = random.uniform();
-    Vec3f target, facing;
-    if (light.portal >= 0) {
+float Lights::portal_density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction) const {
+    float sum = 0;
+    for (int i = 0; i < choice.count; ++i) {
+        const Light& light = lights_[static_cast<std::size_t>(i)];
+        const float cosine = -dot(light.direction, direction);
+        if (light.portal < 0 || !(cosine > 1e-5f)) continue;
         const Portal& p = room.portals[static_cast<std::size_t>(light.portal)];
-        target = p.corner + p.edge_u * u + p.edge_v * v;
-        facing = light.direction;
-    } else {
-        const Mesh& mesh = room.meshes[static_cast<std::size_t>(light.mesh)];
-        const std::size_t t = 3 * pick(light.cumulative, w);
-        const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]], c = mesh.positions[mesh.triangles[t + 2]];
-        const float r = std::sqrt(u);
-        target = a * (1 - r) + b * (r * (1 - v)) + c * (r * v);
-        facing = normalize(cross(b - a, c - a));
+        const float far = dot(p.corner - position, light.direction) / -cosine;
+        if (!(far > 0)) continue;
+        const Vec3f at = position + direction * far - p.corner;
+        const float u = dot(at, p.edge_u) / dot(p.edge_u, p.edge_u), v = dot(at, p.edge_v) / dot(p.edge_v, p.edge_v);
+        if (u >= 0 && u <= 1 && v >= 0 && v <= 1) sum += choice.chance(i) * far * far / (cosine * light.area);
     }
-    const Vec3f from = position + normal * kOffset, to = target - from;
-    const float far = length(to);
-    if (!(far > 1e-4f)) return {};
-    const Vec3f direction = to / far;
-    const float here = dot(normal, direction);
-    if (!(here > 0)) return {};
-    float there = -dot(facing, direction);
-    if (light.mesh >= 0) there = std::abs(there);  // a thin shade shines to both sides
-    if (!(there > 0)) return {};
-    const float geometry = here * there / std::max(far * far, kNearest * kNearest) * light.area / chance;
-    // Up to just before the lamp's own surface.
-    if (bvh.blocked(from, direction, 0.f, far * 0.999f - kOffset)) return {};
-    if (light.portal >= 0) return sky_radiance(room.sky, direction) * geometry;
-    return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(light.mesh)].material)].emission * geometry;
+    return sum;
 }
 
-Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Random& random) const {
+Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const {
+    Towards out;
+    if (choice.count == 0) return out;
+    const std::size_t i = pick(choice.cumulative.data(), static_cast<std::size_t>(choice.count), which.x);
+    const Light& light = lights_[i];
+    const float chance = choice.chance(static_cast<int>(i));
+    if (!(chance > 0)) return out;
+    const Vec3f from = offset_from(position, normal);
+    if (light.portal >= 0) {
+        const Portal& p = room.portals[static_cast<std::size_t>(light.portal)];
+        const Vec3f to = p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from;
+        out.direction = normalize(to);
+        out.far = kFar;
+        out.radiance = sky_radiance(room.sky, out.direction);
+        out.density = portal_density(room, choice, from, out.direction);
+        return out;
+    }
+    const std::size_t t = pick(light.cumulative.data(), light.cumulative.size(), which.y);
+    const Triangle triangle = light.triangles[t];
+    const auto [a, b, c] = corners(room, triangle.mesh, triangle.triangle);
+    const float r = std::sqrt(uv.x);
+    const Vec3f to = a * (1 - r) + b * (r * (1 - uv.y)) + c * (r * uv.y) - from;
+    const float far = length(to);
+    if (!(far > 1e-4f)) return out;
+    out.direction = to / far;
+    const Vec3f emission = emission_of(room, triangle.mesh);
+    // A thin shade shines to both sides.
+    const float there = std::abs(dot(normalize(cross(b - a, c - a)), out.direction));
+    if (!(there > 1e-5f)) return out;
+    out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
+    out.radiance = emission;
+    out.density = chance * luminance(emission) / light.power * far * far / there;
+    return out;
+}
+
+float Lights::density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction, const RayHit& hit) const {
+    if (choice.count == 0) return 0;
+    if (!hit) return portal_density(room, choice, position, direction);
+    const int i = light_of_mesh_[static_cast<std::size_t>(hit.mesh)];
+    if (i < 0) return 0;
+    const float there = std::abs(dot(hit.normal, direction));
+    return choice.chance(i) * luminance(emission_of(room, hit.mesh)) / lights_[static_cast<std::size_t>(i)].power * hit.distance * hit.distance / std::max(1e-5f, there);
+}
+
+Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const {
+    const Towards light = draw(room, choice, position, normal, which, uv);
+    const float here = dot(normal, light.direction);
+    if (!(light.density > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far)) return {};
+    const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
+    return light.radiance * (here * near / light.density);
+}
+
+Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const {
     const Sky& sky = room.sky;
     if (!(luminance(sky.sun_irradiance) > 0)) return {};
     const float cosine = dot(normal, sky.sun_dir);
     if (!(cosine > 0)) return {};
     Vec3f s, t;
     make_frame(sky.sun_dir, s, t);
-    const float r = kSunRadius * std::sqrt(random.uniform()), phi = 6.2831853f * random.uniform();
+    const float r = kSunRadius * std::sqrt(uv.x), phi = 6.2831853f * uv.y;
     const Vec3f direction = normalize(sky.sun_dir + s * (r * std::cos(phi)) + t * (r * std::sin(phi)));
-    if (bvh.blocked(position + normal * kOffset, direction, 0.f, kFar)) return {};
+    if (bvh.blocked(offset_from(position, normal), direction, 0.f, kFar)) return {};
     return sky.sun_irradiance * cosine;
 }
 

@@ -1,9 +1,10 @@
 // Lights: lamps (emissive meshes), windows (portals to the sky) and the sun, sampled by what they give to a place.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
-#include "fastscene/base/random.h"
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/scene_bvh.h"
 
@@ -14,25 +15,47 @@ class Lights {
     explicit Lights(const Room& room);
 
     // Which light to ask from a place: probabilities by power, distance and orientation.
+    static constexpr int kMost = 48;
     struct Choice {
-        std::vector<float> cumulative;  // over all lights; empty: none shines here
+        int count = 0;                       // 0: none shines here
+        std::array<float, kMost> cumulative; // the first `count`, rising
+        float chance(int i) const { return (cumulative[static_cast<std::size_t>(i)] - (i ? cumulative[static_cast<std::size_t>(i - 1)] : 0.f)) / cumulative[static_cast<std::size_t>(count - 1)]; }
     };
     Choice choice_at(Vec3f position, Vec3f normal) const;
-    // One estimate of the irradiance from lamps and windows. `which`, `u`, `v`: uniform in [0, 1), best well spread.
-    Vec3f sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, float which, Vec2f uv, Random& random) const;
+
+    // A direction towards a lamp or window, and what comes from there if nothing stands between.
+    struct Towards {
+        Vec3f direction;
+        float far = 0;       // how far a shadow ray has to look
+        Vec3f radiance;
+        float density = 0;   // per solid angle; 0: nothing drawn
+    };
+    // `which`: the light and the part of it, `uv`: the place on it; uniform in [0, 1), best well spread.
+    Towards draw(const Room& room, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const;
+    // The density with which draw() would have found this direction, whose ray ended in `hit`.
+    float density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction, const RayHit& hit) const;
+    // One estimate of the irradiance from lamps and windows.
+    Vec3f sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const;
     // One estimate of the sun's irradiance (0.5 degree disc, a little wider for thin air).
-    Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Random& random) const;
+    Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const;
     // Lamps that are large (more than half a square metre) are found by gathering instead of by sampling.
     bool is_large(int mesh) const { return large_[static_cast<std::size_t>(mesh)]; }
 
   private:
-    struct Light {
-        int mesh = -1, portal = -1;
-        Vec3f center, direction;       // direction: a portal shines only into the room; zero: all around
-        float power = 0, area = 0;
-        std::vector<float> cumulative; // areas of the mesh's triangles
+    struct Triangle {
+        std::int32_t mesh, triangle;
     };
+    // The glowing parts of one object, or one window.
+    struct Light {
+        int portal = -1;
+        Vec3f center, direction;          // direction: a portal shines only into the room; zero: all around
+        float power = 0, area = 0;
+        std::vector<Triangle> triangles;
+        std::vector<float> cumulative;    // their powers
+    };
+    float portal_density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction) const;
     std::vector<Light> lights_;
+    std::vector<int> light_of_mesh_;      // -1: none
     std::vector<bool> large_;
 };
 

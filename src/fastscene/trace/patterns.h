@@ -37,6 +37,9 @@ TextureValue stripes(const Material& m, const TexturePoint& p);
 TextureValue damask(const Material& m, const TexturePoint& p);
 TextureValue floral(const Material& m, const TexturePoint& p);
 
+// A picture (patterns_image.cc).
+TextureValue image(const Material& m, const TexturePoint& p);
+
 // Things (patterns_things.cc).
 TextureValue metal(const Material& m, const TexturePoint& p);
 TextureValue art(const Material& m, const TexturePoint& p);

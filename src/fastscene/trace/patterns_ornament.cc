@@ -54,12 +54,16 @@ int field_motif(const Material& m, Vec2f q, int style) {
 }  // namespace
 
 TextureValue rug(const Material& m, const TexturePoint& p) {
-    // coords span the rug about its middle; scale_m is half of its longer side.
-    const float half = positive(m.scale_m), fp = p.footprint_m;
+    // coords are metres from the rug's middle; scale_m is half its width, coords.y half its depth (negative: a round rug).
+    const float half_x = positive(m.scale_m), half_z = p.coords.y > 0.f ? p.coords.y : half_x, half = std::min(half_x, half_z), fp = p.footprint_m;
     const int style = static_cast<int>(lattice_hash(1, 1, 1, m.seed) % 4);
-    const float inset = half - std::max(std::fabs(p.flat.x), std::fabs(p.flat.y) * 1.f);
-    const Vec2f q = p.flat * (4.5f / half);
-    const float fade = detail_fade(fp, 0.12f * half);
+    const float inset_x = half_x - std::fabs(p.flat.x), inset_z = half_z - std::fabs(p.flat.y);
+    const bool round = p.coords.y < 0.f;
+    const float inset = round ? half - length(p.flat) : std::min(inset_x, inset_z);
+    // A whole number of motifs over the width, whatever it is.
+    const float unit = half_x / std::max(2.f, std::round(half_x / 0.3f));
+    const Vec2f q = p.flat * (1.f / unit);
+    const float fade = detail_fade(fp, 0.5f * unit);
     const Vec3f mean = (m.color_a * 0.62f + m.color_b * 0.2f + m.color_c * 0.18f);
     const int motif = field_motif(m, q, style);
     Vec3f c = lerp(mean, motif == 0 ? m.color_a : motif == 1 ? m.color_b : m.color_c, fade);
@@ -67,7 +71,7 @@ TextureValue rug(const Material& m, const TexturePoint& p) {
     const float band = 0.13f * half;
     if (style != 3 && inset < band) {
         const float t = inset / band;
-        const float along = (std::fabs(p.flat.x) > std::fabs(p.flat.y) ? p.flat.y : p.flat.x) / band;
+        const float along = round ? std::atan2(p.flat.y, p.flat.x) * half / band : (inset_x < inset_z ? p.flat.y : p.flat.x) / band;
         const bool guard = (t > 0.12f && t < 0.22f) || (t > 0.82f && t < 0.92f);
         const bool bead = t > 0.34f && t < 0.7f && std::fabs(fraction(along) - 0.5f) + std::fabs(t - 0.52f) < 0.24f;
         c = guard ? m.color_c : bead ? m.color_a : m.color_b;

@@ -13,7 +13,8 @@ float grain(float across, float along, float footprint, std::uint32_t seed) {
     const float rings = mix(0.5f, smooth_step(0.f, 0.75f, t) - smooth_step(0.82f, 1.f, t), ring_fade);
     const float fibres = fbm2({across * 420.f, along * 14.f}, 2, footprint * 420.f, seed + 9);
     const float broad = fbm2({across * 14.f, along * 1.6f}, 3, footprint * 14.f, seed + 3);
-    return unit_clamp(0.42f * rings + 0.2f * fibres + 0.38f * broad);
+    // Rings are seen, not striped: what a board shows from a step away is its broad tone.
+    return unit_clamp(0.3f * rings + 0.18f * fibres + 0.52f * broad);
 }
 
 // One board out of a floor: its own tone, its own piece of trunk.
@@ -22,7 +23,7 @@ TextureValue board(const Material& m, float across, float along, float footprint
     const float g = grain(across + static_cast<float>(id >> 24) * 0.37f, along + static_cast<float>((id >> 16) & 255) * 0.53f,
                           footprint, m.seed + (id & 31));
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.75f * (g - 0.3f) + 0.45f * (tone - 0.5f) + 0.12f));
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.62f * (g - 0.3f) + 0.36f * (tone - 0.5f) + 0.1f));
     v.albedo = v.albedo * (0.9f + 0.2f * warmth);
     v.roughness = m.roughness * (0.92f + 0.2f * g);
     v.height = 0.93f + 0.07f * (1.f - g);

@@ -12,6 +12,10 @@ namespace fastscene {
 
 inline constexpr float kFar = std::numeric_limits<float>::infinity();
 
+// How far from a surface a ray starts that leaves it.
+inline constexpr float kSurfaceOffset = 4e-4f;
+inline Vec3f offset_from(Vec3f position, Vec3f normal) { return position + normal * kSurfaceOffset; }
+
 struct RayHit {
     float distance = kFar;   // +inf: nothing was hit
     int mesh = -1;           // index into Room::meshes

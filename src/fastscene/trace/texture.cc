@@ -36,9 +36,13 @@ TextureValue raw_texture(const Material& m, const TexturePoint& p) {
         case Pattern::grass: return patterns::grass(m, p);
         case Pattern::bark: return patterns::bark(m, p);
         case Pattern::screen: return patterns::screen(m, p);
+        case Pattern::image: return patterns::image(m, p);
     }
     return {m.color_a, m.roughness, 0.5f};
 }
+
+// A footprint that nothing in a room exceeds.
+constexpr float kFarAway = 1e6f;
 
 // Size of the finest relief of a pattern: below it no slope is computed.
 float relief_size(const Material& m) {
@@ -89,6 +93,7 @@ Vec2f texture_slope(const Material& material, const TexturePoint& point, int axi
 }
 
 Vec3f mean_albedo(const Material& material) {
+    if (material.pattern == Pattern::image) return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the last halving
     // The footprint of 1 cm leaves the fine grain to its mean; 256 places over four units cover the rest.
     Vec3f sum{};
     constexpr int kSide = 16;
@@ -101,6 +106,7 @@ Vec3f mean_albedo(const Material& material) {
             p.flat = whole ? Vec2f{u * material.scale_m, v * material.scale_m}
                            : material.pattern == Pattern::rug ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m} : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
             p.coords = {p.flat.x, p.flat.y, 0.3f * (u + v) * span};
+            if (material.pattern == Pattern::rug) p.coords = {p.flat.x, material.scale_m, p.flat.y};  // its y says how deep it is
             p.footprint_m = 0.01f;
             sum += sample_texture(material, p).albedo;
         }

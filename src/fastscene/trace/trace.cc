@@ -12,6 +12,7 @@
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
+#include "fastscene/trace/path.h"
 #include "fastscene/trace/scene_bvh.h"
 #include "fastscene/trace/shade.h"
 #include "fastscene/trace/surface.h"
@@ -108,11 +109,38 @@ struct TracedRoom::Impl {
         return out;
     }
 
+    // Radiances are averaged over the pixel before they are developed.
+    ImageColor path_traced(const Eye& eye, const ShotParts& parts, const Look* look, const Run& run) const {
+        const PathScene scene{room, bvh, lights};
+        const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
+        ImageColor out(eye.width, eye.height);
+        Progress progress(run, "paths", eye.height);
+        parallel_for(eye.height, 1, [&](std::int64_t begin, std::int64_t end) {
+            run.check_stop();
+            for (auto y = static_cast<int>(begin); y < end; ++y)
+                for (int x = 0; x < eye.width; ++x) {
+                    const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+                    Vec3f sum{};
+                    for (int s = 0; s < samples; ++s) {
+                        Sampler sampler(key, static_cast<std::uint32_t>(s));
+                        const Vec2f offset = sampler.next2();
+                        const Vec3f direction = world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+                        sum += path_radiance(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, sampler);
+                    }
+                    const Vec3f mean = sum / static_cast<float>(samples);
+                    out.at(x, y) = look ? develop(*look, mean) : mean;
+                }
+            progress.advance(end - begin);
+        });
+        return out;
+    }
+
     Shot shoot(const Eye& eye, const ShotParts& parts, const Run& run) const {
         Shot shot;
         if (parts.color || parts.albedo) {
-            FASTSCENE_CHECK(light.has_value());
-            shot.color = color(eye, parts, &room.look, parts.albedo ? &shot.albedo : nullptr, run);
+            const Look* look = parts.radiance ? nullptr : &room.look;
+            FASTSCENE_CHECK(light.has_value() || parts.paths);
+            shot.color = parts.paths ? path_traced(eye, parts, look, run) : color(eye, parts, look, parts.albedo ? &shot.albedo : nullptr, run);
         }
         if (parts.range) shot.range = ImageF(eye.width, eye.height);
         if (parts.normal) shot.normal = ImageColor(eye.width, eye.height);

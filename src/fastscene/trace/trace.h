@@ -38,6 +38,8 @@ struct Shot {
 struct ShotParts {
     bool color = true, range = true, albedo = false, normal = false, object = false;
     int pixel_samples = 0;   // camera rays a pixel; 0 = TraceParams::pixel_samples
+    bool paths = false;      // plain path tracing: no cache, nothing shared between pixels; for measurements
+    bool radiance = false;   // `color` holds the pixel's mean radiance, undeveloped
     float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
 };
 

@@ -2,6 +2,7 @@
 // Paper: MVP (multi-view projection). COLMAP is not needed: the poses are known by construction.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fastscene/base/fields.h"
@@ -15,6 +16,7 @@ struct ViewsParams {
     int size = 640;             // width and height of a view
     float fov_deg = 90;
     int points = 200000;        // starting points
+    std::string sfm = "known";  // who says where the cameras are
     int weight_carried = 200;   // of 255: painted at an earlier viewpoint
     int weight_invented = 110;  // of 255: painted at this one
     int weight_silhouette = 130;  // of 255: most that a pixel beside a warped silhouette counts
@@ -24,6 +26,8 @@ void visit_fields(ViewsParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
     v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
     v("points", p.points, Bounds{1, 1e7}, "Starting points taken from the range maps.");
+    v("sfm", p.sfm, Choices{{"known", "colmap", "triangulate"}},
+      "Cameras: known by construction; found by COLMAP as the paper has it; or known, with points of COLMAP's.");
     v("weight-carried", p.weight_carried, Bounds{0, 255}, "How much a pixel painted at an earlier viewpoint counts, of 255.");
     v("weight-invented", p.weight_invented, Bounds{0, 255}, "How much a pixel painted at this viewpoint counts, of 255.");
     v("weight-silhouette", p.weight_silhouette, Bounds{0, 255}, "The most that a pixel beside a warped silhouette counts, of 255.");

@@ -13,6 +13,7 @@ constexpr int kBandRows = 32;          // rows of the target that one piece of w
 constexpr float kEdgeSlack = 0.01f;    // triangles overlap by a hundredth, so that rounding opens no cracks
 constexpr float kDeepestFold_m = 0.25f;   // chosen on walked rooms with known truth, as is the next
 constexpr float kDeepestGuess_m = 0.6f;   // before the sky: a gap between a curtain's folds is rarely a window
+constexpr float kBridgeYields = 1.05f;    // of the jump: the far surface of the same cell, and a little of its slope
 constexpr float kSkyRange = 0.5f * kFarthestRange;
 
 struct Corner {
@@ -26,11 +27,13 @@ struct Colors {
     const WarpSource* around = nullptr;
     int x = 0, y = 0;
     Cover cover = Cover::front;   // a bridge between two surfaces: each keeps its own color up to the middle
+    float behind_m = 0;           // a bridge yields to what lies no farther behind it: the surfaces that it joins
 };
 bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 
 struct Band {
     CoarseView& view;
+    ImageF& order;   // range plus behind_m of what was drawn: the least wins
     const Image<Vec3f>& direction;
     int begin, end;
 };
@@ -106,9 +109,11 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
             if (!(sum > 0.f) || ea < slack || eb < slack || ec < slack) continue;
             const float t = volume * sign / sum;
             float& range = band.view.range.at(x, y);
-            if (!(t < range) || (is_bridge(colors.cover) && sign < 0)) continue;
+            float& order = band.order.at(x, y);
+            if (!(t + colors.behind_m < order) || (is_bridge(colors.cover) && sign < 0)) continue;
             if (colors.cover == Cover::guess && range < kSkyRange && band.view.cover.at(x, y) != Cover::guess) continue;
             range = t;
+            order = t + colors.behind_m;
             const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
             band.view.color.at(x, y) = color_in_cell(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
             band.view.plane.at(x, y) = plane;
@@ -198,7 +203,7 @@ void draw_quarter(const Band& band, const Placed& placed, int x, int y, int cell
 }
 
 // The surface between four pixels.
-void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cover) {
+void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cover, float jump_m) {
     const WarpSource& s = placed.source;
     const int r = wrap_column(x + 1, s.color.width);
     const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0}), c = placed.corner(x, y + 1, {0, 1}),
@@ -207,7 +212,7 @@ void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cove
     const float margin = 0.05f * static_cast<float>(placed.size.height);
     if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
     const Colors colors{{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)},
-                        cover == Cover::front && is_inside(s, x, y) ? &s : nullptr, x, y, cover};
+                        cover == Cover::front && is_inside(s, x, y) ? &s : nullptr, x, y, cover, kBridgeYields * jump_m};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
     draw(band, a, b, c, colors, plane);
     draw(band, b, d, c, colors, plane);
@@ -230,19 +235,19 @@ void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesse
     const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) && !(s.cuts.at(r, y) & kCutDown) &&
                        !(s.cuts.at(x, y + 1) & kCutRight);
     if (whole) {
-        if (!guesses) draw_whole(band, placed, x, y, Cover::front);
+        if (!guesses) draw_whole(band, placed, x, y, Cover::front, 0);
         return;
     }
     const float jump = u00 && u10 && u01 && u11 ? jump_in_cell(s, x, y) : kFarthestRange;
     if (guesses) {
-        if (jump >= kDeepestFold_m && jump < kDeepestGuess_m) draw_whole(band, placed, x, y, Cover::guess);
+        if (jump >= kDeepestFold_m && jump < kDeepestGuess_m) draw_whole(band, placed, x, y, Cover::guess, jump);
         return;
     }
     if (u00) draw_quarter(band, placed, x, y, x, y, false, false);
     if (u10) draw_quarter(band, placed, r, y, x, y, true, false);
     if (u01) draw_quarter(band, placed, x, y + 1, x, y, false, true);
     if (u11) draw_quarter(band, placed, r, y + 1, x, y, true, true);
-    if (jump < kDeepestFold_m) draw_whole(band, placed, x, y, Cover::bridge);
+    if (jump < kDeepestFold_m) draw_whole(band, placed, x, y, Cover::bridge, jump);
 }
 
 // Between the outermost row and the pole: a fan about the row's mean.
@@ -288,12 +293,13 @@ void draw_source(const Band& band, const Placed& placed, bool guesses) {
 CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
     CoarseView view{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
                     Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)};
+    ImageF order = view.range;
     Image<Vec3f> direction(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) direction.at(x, y) = direction_of_pixel(x, y, size);
     const auto draw_all = [&](const Placed& placed, bool guesses) {
         parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
-            draw_source({view, direction, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
+            draw_source({view, order, direction, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
         });
     };
     for (const WarpSource& source : sources) {

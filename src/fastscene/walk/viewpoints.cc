@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "fastscene/walk/free_space.h"
 #include "fastscene/walk/walk.h"
 
 namespace fastscene {
 namespace {
 
-constexpr float kConeCosine = 0.9f;       // about 26 degrees: a step needs room to its sides too
 constexpr float kUpDown = 0.6f;           // people stand and bend, they do not fly
 constexpr float kFarthest = 1e9f;
 
@@ -33,17 +33,6 @@ std::vector<Vec3f> spread_directions(int count) {
     return out;
 }
 
-// The least range near the direction.
-float free_distance(const Panorama& first, Vec3f direction) {
-    const EquirectSize size = first.size();
-    const int step = std::max(1, size.width / 512);
-    float least = kFarthest;
-    for (int y = 0; y < size.height; y += step)
-        for (int x = 0; x < size.width; x += step)
-            if (dot(direction_of_pixel(x, y, size), direction) > kConeCosine) least = std::min(least, first.range.at(x, y));
-    return least;
-}
-
 }  // namespace
 
 std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& params) {
@@ -52,7 +41,7 @@ std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& pa
     for (Vec3f d : spread_directions(params.viewpoints)) {
         const Vec3f step = normalize(Vec3f{d.x, d.y * kUpDown, d.z});
         const float longest = std::fabs(d.y) > 0.99f ? kUpDown * params.reach_m : params.reach_m;
-        left.push_back(step * std::min(longest, params.clearance * free_distance(first, step)));
+        left.push_back(step * std::min(longest, params.clearance * free_distance(first.range, step)));
     }
     // Each next one is the nearest to any visited one, the start included.
     std::vector<Vec3f> visited{{}};

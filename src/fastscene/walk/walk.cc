@@ -1,8 +1,12 @@
 #include "fastscene/walk/walk.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "fastscene/walk/complete.h"
+#include "fastscene/walk/free_space.h"
+#include "fastscene/walk/published_walk.h"
+#include "fastscene/walk/ready.h"
 
 namespace fastscene {
 namespace {
@@ -10,18 +14,6 @@ namespace {
 // An invented surface must stand clearly in front of an observed one to hide it.
 constexpr float kObservedWins = 1.03f;
 constexpr float kObservedWins_m = 0.02f;
-
-void check_first(const Panorama& first) {
-    if (first.range.empty() || !first.range.same_size(first.color))
-        throw Error("walk: expected a range map of the panorama's size {} x {}, found {} x {}", first.color.width, first.color.height,
-                    first.range.width, first.range.height);
-    if (first.color.width != 2 * first.color.height || first.color.height < 8)
-        throw Error("walk: expected a panorama twice as wide as high, found {} x {}", first.color.width, first.color.height);
-    for (int y = 0; y < first.range.height; ++y)
-        for (int x = 0; x < first.range.width; ++x)
-            if (!(first.range.at(x, y) > 0.f))
-                throw Error("walk: range at ({}, {}) is {}; expected metres > 0 (the depth stage fills what is missing)", x, y, first.range.at(x, y));
-}
 
 // What the observed and the invented surfaces show together; `known` says which pixel came from where.
 CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<WarpSource>& invented, Vec3f position, EquirectSize size,
@@ -46,13 +38,23 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Wa
     return view;
 }
 
-}  // namespace
+// A reach longer than the room is wide somewhere: said once, with what became of it.
+void tell_what_was_clipped(const Panorama& first, const WalkParams& params, const Run& run) {
+    float shortest = std::numeric_limits<float>::infinity();
+    for (const Vec3f& world : choose_viewpoints(first, params)) {
+        const Vec3f p = inverse(first.world_from_pano) * world;
+        shortest = std::min(shortest, distance_ahead(first.range, normalize(p)));
+    }
+    if (shortest < params.reach_m)
+        run.warn(fmt::format("walk: a reach of {} m would leave the room (a surface is {:.2f} m away); viewpoints are clipped to {:.0f} % of the free distance",
+                             params.reach_m, shortest, 100 * params.clearance));
+}
 
-std::vector<Panorama> walk_through(const Panorama& first, const WalkParams& params, const Run& run) {
-    check_first(first);
+Walked walk_our_way(const Panorama& first, const WalkParams& params, const Run& run) {
     const EquirectSize size = first.size();
     const std::vector<Vec3f> positions = choose_viewpoints(first, params);
-    const auto inpainter = make_inpainter(params.inpainter);
+    tell_what_was_clipped(first, params, run);
+    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
 
@@ -62,7 +64,6 @@ std::vector<Panorama> walk_through(const Panorama& first, const WalkParams& para
                           outside_picture(first.color, first.range), inpainter.get()};
 
     std::vector<Panorama> walked{first};
-    if (walked[0].known.empty()) walked[0].known = Image<Known>(size.width, size.height, Known::original);
     Progress progress(run, "walk", static_cast<std::int64_t>(positions.size()));
     for (const Vec3f& world_position : positions) {
         run.check_stop();
@@ -79,6 +80,15 @@ std::vector<Panorama> walk_through(const Panorama& first, const WalkParams& para
         walked.push_back(std::move(next));
         progress.advance();
     }
+    return {std::move(walked), Json::object()};
+}
+
+}  // namespace
+
+Walked walk_through(const Panorama& given, const WalkParams& params, const Run& run, const RangeEstimator& estimate) {
+    const Panorama first = ready_to_walk(given, run);
+    Walked walked = params.kind == "ours" ? walk_our_way(first, params, run) : walk_as_published(first, params, run, estimate);
+    walked.about["kind"] = params.kind;
     return walked;
 }
 

@@ -2,10 +2,12 @@
 // synthesis: warp to a new position, mark holes) and PNVI (progressive novel view inpainting).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "fastscene/base/fields.h"
+#include "fastscene/base/json.h"
 #include "fastscene/base/run.h"
 #include "fastscene/inpaint/inpaint.h"
 #include "fastscene/scene/panorama.h"
@@ -13,24 +15,43 @@
 namespace fastscene {
 
 struct WalkParams {
+    std::string kind = "ours";    // what follows holds for "ours", or for the published kinds, as its sentence says
     int viewpoints = 14;          // new ones, besides panorama 0
     float reach_m = 0.7f;         // farthest viewpoint from panorama 0
     float clearance = 0.5f;       // never farther than this share of the free distance
+    float step = 0.02f;           // of the greatest range
+    int steps = 6;
     std::string inpainter = "harmonic";
+    std::string inpaint_weights;
 };
+inline std::vector<std::string> walk_kinds() { return {"ours", "paper", "paper-direct", "paper-far"}; }
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
-    v("viewpoints", p.viewpoints, Bounds{0, 200}, "New viewpoints besides the first panorama.");
-    v("reach", p.reach_m, Bounds{0.01, 10}, "Greatest distance in metres from the first viewpoint.");
-    v("clearance", p.clearance, Bounds{0.05, 0.95}, "Greatest step as a share of the free distance in that direction.");
+    v("kind", p.kind, Choices{walk_kinds()},
+      "How to walk: ours; or as published: eight directions step by step, holes painted on cube faces (paper), on the panorama itself "
+      "(paper-direct), or in one large step (paper-far).");
+    v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
+    v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
+    v("clearance", p.clearance, Bounds{0.05, 0.95}, "Ours: greatest step as a share of the free distance in that direction.");
+    v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
+    v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
     v("inpainter", p.inpainter, Choices{inpainters()}, "What paints the holes.");
+    v("inpaint-weights", p.inpaint_weights, "Checkpoint for --walk-inpainter aotgan: the official G*.pt or a .safetensors.");
 }
 
 // Positions (world, metres) in the order in which they are visited: each close to the ones before it, spread over
 // the free space around panorama 0, up and down too.
 std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& params);
 
-// Returns panorama 0 followed by one panorama a viewpoint, each complete in color and range, with `known` set.
-std::vector<Panorama> walk_through(const Panorama& first, const WalkParams& params, const Run& run);
+struct Walked {
+    std::vector<Panorama> panoramas;   // panorama 0, then one a viewpoint, each complete in color and range, with `known` set
+    Json about;                        // what the record of the stage should say: what stood in, what was clipped
+};
+// Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's size.
+using RangeEstimator = std::function<ImageF(const ImageColor& color, const Run& run)>;
+
+// Pixels of `first` without a range (0, NaN, infinite) are far background. Throws Error when there is no room to walk in.
+// `estimate` may be empty.
+Walked walk_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate = {});
 
 }  // namespace fastscene

@@ -142,7 +142,7 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 4;
-    const std::vector<Panorama> walked = walk_through(first, params, {});
+    const std::vector<Panorama> walked = walk_through(first, params, {}).panoramas;
     ASSERT_EQ(walked.size(), 5u);
     EXPECT_EQ(walked[0].color, first.color);
     EXPECT_EQ(walked[0].range, first.range);
@@ -183,7 +183,7 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 3;
-    for (const Panorama& panorama : walk_through(first, params, {})) {
+    for (const Panorama& panorama : walk_through(first, params, {}).panoramas) {
         const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
         int good = 0, all = 0;
@@ -231,7 +231,7 @@ TEST(Walk, ThroughAWindowHolesAreTheOutside) {
     WalkParams params;
     params.viewpoints = 8;
     int holes = 0, right = 0, sky = 0;
-    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {})) {
+    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {}).panoramas) {
         const Panorama truth = panorama_of_window_room(panorama.world_from_pano.translation);
         const ImageMask edges = near_edges(truth.range, 2);
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -286,9 +286,9 @@ TEST(Walk, SameBytesForAnyNumberOfThreads) {
     WalkParams params;
     params.viewpoints = 2;
     set_threads(1);
-    const auto one = walk_through(first, params, {});
+    const auto one = walk_through(first, params, {}).panoramas;
     set_threads(2);
-    const auto two = walk_through(first, params, {});
+    const auto two = walk_through(first, params, {}).panoramas;
     set_threads(0);
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_EQ(one[i].color, two[i].color);
@@ -297,12 +297,91 @@ TEST(Walk, SameBytesForAnyNumberOfThreads) {
     }
 }
 
-TEST(Walk, RefusesWhatIsNoRangeMap) {
-    Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {64, 32}, 1);
-    first.range.at(3, 4) = std::nanf("");
-    EXPECT_THROW(walk_through(first, {}, {}), Error);
+// What the library says while it works.
+struct Heard : EventSink {
+    std::string warnings;
+    void tell(const Event& event) override {
+        if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings += warning->text + "\n";
+    }
+};
+std::string error_of(const Panorama& first) {
+    try {
+        WalkParams params;
+        params.viewpoints = 1;
+        walk_through(first, params, {});
+        return "";
+    } catch (const Error& e) {
+        return e.what();
+    }
+}
+
+TEST(Walk, RefusesWhatIsNoRoom) {
+    const Panorama good = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {64, 32}, 1);
+    Panorama first = good;
     first.range = {};
-    EXPECT_THROW(walk_through(first, {}, {}), Error);
+    EXPECT_NE(error_of(first).find("expected a range map of the panorama's size 64 x 32"), std::string::npos);
+    first.range = ImageF(32, 16, 1.f);
+    EXPECT_NE(error_of(first).find("found 32 x 16"), std::string::npos);
+    first.range = ImageF(64, 32, std::nanf(""));
+    EXPECT_NE(error_of(first).find("no range in any"), std::string::npos);
+    first.range = ImageF(64, 32, 0.03f);   // a camera inside a cushion
+    EXPECT_NE(error_of(first).find("inside a thing"), std::string::npos);
+    first.color = ImageColor(60, 32);
+    first.range = ImageF(60, 32, 1.f);
+    EXPECT_NE(error_of(first).find("twice as wide as high"), std::string::npos);
+    EXPECT_EQ(error_of(good), "");
+}
+
+TEST(Walk, WhatHasNoRangeIsFarBackground) {
+    Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {128, 64}, 1);
+    const float nothing[] = {0.f, -1.f, std::nanf(""), std::numeric_limits<float>::infinity()};
+    for (int y = 20; y < 28; ++y)
+        for (int x = 40; x < 56; ++x) first.range.at(x, y) = nothing[(x + y) % 4];
+    for (const char* kind : {"ours", "paper", "paper-direct", "paper-far"}) {
+        WalkParams params;
+        params.kind = kind;
+        params.viewpoints = 2;
+        params.steps = 2;
+        Heard heard;
+        const auto walked = walk_through(first, params, {0, &heard, {}}).panoramas;
+        EXPECT_NE(heard.warnings.find("96 pixels of the range map have no range"), std::string::npos) << kind << heard.warnings;
+        EXPECT_TRUE(std::isinf(walked[0].range.at(48, 24))) << kind;
+        for (const Panorama& panorama : walked) {
+            int sky = 0;
+            for (const float r : panorama.range.pixels) {
+                ASSERT_GT(r, 0.f) << kind;
+                sky += std::isinf(r);
+            }
+            EXPECT_GT(sky, 60) << kind;
+            EXPECT_LT(sky, 400) << kind;
+        }
+    }
+}
+
+TEST(Walk, TinyAndHugeRoomsAndStepsThatAreTooLong) {
+    for (const float width : {0.5f, 200.f}) {
+        SyntheticWorld world;
+        world.room = {{-0.5f * width, -0.4f * width, -0.6f * width}, {0.5f * width, 0.5f * width, 0.5f * width}, {0.5f, 0.5f, 0.5f}, SyntheticPaint::smooth};
+        const Panorama first = render_synthetic(world, {}, {128, 64}, 1);
+        for (const char* kind : {"ours", "paper"}) {
+            WalkParams params;
+            params.kind = kind;
+            params.viewpoints = 4;
+            params.reach_m = 10;
+            params.step = 0.5f;
+            params.steps = 3;
+            Heard heard;
+            for (const Panorama& panorama : walk_through(first, params, {0, &heard, {}}).panoramas) {
+                const Vec3f p = panorama.world_from_pano.translation;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    EXPECT_GT(p[c], world.room.low[c]) << kind << ' ' << width;
+                    EXPECT_LT(p[c], world.room.high[c]) << kind << ' ' << width;
+                }
+                for (const float r : panorama.range.pixels) ASSERT_TRUE(r > 0.f && std::isfinite(r));
+            }
+            EXPECT_EQ(heard.warnings.find("clipped") != std::string::npos, width < 1 || params.kind == "paper") << kind << ' ' << width << heard.warnings;
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// The half of a comparison with another trainer that is ours: writes a set of views as a COLMAP model, measures any
+// splats at the poses held out of it, and says what our training costs to get as far. Used by bench/peers/*.sh.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "bench/textured_room.h"
+#include "fastscene/base/json.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/io/view_io.h"
+#include "fastscene/splat/splat.h"
+
+namespace {
+
+using namespace fastscene;
+
+double cpu_s() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+double held_out_psnr(const Splats& splats, const std::vector<View>& views) {
+    double sum = 0;
+    for (const View& view : views) {
+        const SplatPicture picture = render_splats(splats, view.camera, view.world_from_camera);
+        double squares = 0;
+        for (std::size_t i = 0; i < view.color.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float d = std::clamp(picture.color.pixels[i][c], 0.f, 1.f) - unit_from_srgb8(view.color.pixels[i])[c];
+                squares += static_cast<double>(d) * d;
+            }
+        sum += -10 * std::log10(squares / (3.0 * static_cast<double>(view.color.size())));
+    }
+    return sum / static_cast<double>(views.size());
+}
+
+// What a COLMAP model tells of a point: place and color, and from its neighbours how far apart they are.
+ViewSet without_normals(ViewSet set) {
+    for (SurfacePoint& p : set.points) p.normal = {};
+    return set;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    int size = 512, count = 50000, positions = 3, held_out = 8, samples = 2;
+    double target = 0;
+    std::string folder, file;
+    std::vector<int> steps{20, 30, 40, 50, 60, 80, 100, 130, 160, 200, 250, 300, 400, 500, 700, 1000};
+    CLI::App app{"One side of a comparison between trainers"};
+    app.require_subcommand(1);
+    app.add_option("--size", size, "Width and height of the views")->check(CLI::Range(16, 4096));
+    app.add_option("--count", count, "Gaussians, and points of the model")->check(CLI::Range(1, 10000000));
+    app.add_option("--positions", positions, "Viewpoints, 14 views each")->check(CLI::Range(1, 8));
+    app.add_option("--samples", samples, "Rays a pixel along each side")->check(CLI::Range(1, 8));
+    CLI::App* write = app.add_subcommand("write", "Write the training views as a COLMAP model");
+    write->add_option("folder", folder)->required();
+    CLI::App* eval = app.add_subcommand("eval", "PSNR of splats at the held-out poses");
+    eval->add_option("file", file)->required();
+    CLI::App* train = app.add_subcommand("train", "CPU seconds until the held-out PSNR is reached");
+    train->add_option("--psnr", target, "PSNR to reach, dB")->required();
+    train->add_option("--steps", steps, "Lengths of run to try, ascending");
+    CLI11_PARSE(app, argc, argv);
+
+    set_threads(1);
+    const bench::RoomSet set = bench::room_set(size, positions, count, held_out, samples);
+    if (*write) save_views(folder, without_normals(set.train));
+    if (*eval) fmt::print("{}\n", Json{{"held_out_psnr", held_out_psnr(load_splats(file).splats, set.held_out)}}.dump());
+    if (*train) {
+        const ViewSet views = without_normals(set.train);
+        SplatParams params;
+        params.count = count;
+        for (const int n : steps) {
+            params.steps = n;
+            const double before = cpu_s();
+            const FittedSplats fitted = fit_splats(views, params, Run{});
+            const double cost = cpu_s() - before, psnr = held_out_psnr(fitted.splats, set.held_out);
+            fmt::print("{}\n", Json{{"steps", n}, {"cpu_s", cost}, {"held_out_psnr", psnr}}.dump());
+            if (psnr >= target) break;
+        }
+    }
+    return 0;
+} catch (const std::exception& e) {
+    fmt::print(stderr, "bench_peer: {}\n", e.what());
+    return 1;
+}

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Our trainer beside OpenSplat 1.2.0 (AGPL; fetched and built beside this project, never part of it), both on one thread,
+# CPU time: cost of a step at equal N, loss and settings, and CPU seconds until OpenSplat's own held-out PSNR.
+#   bench/peers/opensplat.sh [WORK]        WORK: scratch folder; WORK/OpenSplat may hold the sources already
+# Needs libtorch-dev libopencv-dev cmake ninja-build git time. Builds on Debian 12 after one change: libtorch 1.13's
+# Optimizer::zero_grad cannot drop the gradients, so they are dropped by hand. (Cameras that all stand in one point make its learning rate NaN: two viewpoints at least.)
+set -euo pipefail
+here=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(realpath -m "${1:-$here/out/opensplat}")
+peer=$here/build/release/bin/bench_peer bench=$here/build/release/bin/bench_splat
+commit=bd0400db58aa14c597bf2f99c4b68cdef7b6134d
+export OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
+mkdir -p "$work"
+
+program=$work/OpenSplat/build/opensplat
+if [ ! -x "$program" ]; then
+  [ -d "$work/OpenSplat" ] || { git clone -q https://github.com/WebODM/OpenSplat "$work/OpenSplat"; git -C "$work/OpenSplat" checkout -q $commit; }
+  sed -i 's/opt->zero_grad(true);/for (auto\& group : opt->param_groups()) for (auto\& p : group.params()) p.mutable_grad() = torch::Tensor();/' "$work/OpenSplat/model.cpp"
+  cmake -S "$work/OpenSplat" -B "$work/OpenSplat/build" -G Ninja -DGPU_RUNTIME=CPU -DCMAKE_BUILD_TYPE=Release >"$work/cmake.log"
+  nice ninja -j1 -C "$work/OpenSplat/build" >"$work/build.log"
+fi
+
+# CPU seconds of a run of OpenSplat: fixed number of Gaussians, every parameter stepped every time, degree 0 active.
+opensplat() {  # DATA STEPS OUT
+  taskset -c 0 /usr/bin/time -f "%U %S" -o "$work/time" "$program" "$1" --cpu -n "$2" -o "$3" --densify-from 100000000 --densify-until 100000000 \
+    --sh-degree 3 --sh-degree-interval 100000000 --ssim-weight 0.2 --num-downscales 0 >"$work/opensplat.log"
+  awk '{print $1 + $2}' "$work/time"
+}
+ours() { taskset -c 0 "$bench" --size "$1" --count "$2" --threads 1 --json --warm 3 --steps 20 | sed 's/.*"cpu_ms_per_step":\([0-9.]*\).*/\1/'; }
+
+echo "== CPU milliseconds a step, paired, in turn"
+for setting in "512 50000" "512 200000"; do
+  read -r size count <<<"$setting"
+  data=$work/room-$size-$count
+  [ -d "$data" ] || "$peer" --size "$size" --count "$count" --positions 2 --samples 1 write "$data"
+  for pair in 1 2; do
+    short=$(opensplat "$data" 5 "$work/short.ply") long=$(opensplat "$data" 25 "$work/long.ply") mine=$(ours "$size" "$count")
+    awk -v a="$short" -v b="$long" -v m="$mine" -v s="$size" -v n="$count" \
+      'BEGIN { t = (b - a) / 20 * 1000; printf "%dx%d, %d Gaussians: OpenSplat %.0f ms, ours %.1f ms, ratio %.1f\n", s, s, n, t, m, t / m }'
+  done
+done
+
+echo "== CPU seconds until OpenSplat's held-out PSNR"
+for setting in ${GOALS-"512:50000:300 256:50000:1000"}; do
+  IFS=: read -r size count steps <<<"$setting"
+  data=$work/goal-$size-$count
+  [ -d "$data" ] || "$peer" --size "$size" --count "$count" write "$data"
+  cost=$(opensplat "$data" "$steps" "$work/goal.ply")
+  load=$(opensplat "$data" 1 "$work/short.ply")
+  psnr=$("$peer" --size "$size" --count "$count" eval "$work/goal.ply" | sed 's/.*:\([0-9.]*\)}/\1/')
+  echo "OpenSplat $size $count: $steps steps, $cost CPU s ($load of them loading and one step), $psnr dB"
+  taskset -c 0 "$peer" --size "$size" --count "$count" train --psnr "$psnr"
+done

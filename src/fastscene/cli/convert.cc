@@ -1,0 +1,92 @@
+#include "fastscene/cli/flags.h"
+#include "fastscene/cli/verb.h"
+#include "fastscene/pipeline/splat_files.h"
+
+namespace fastscene::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Flags {
+    std::string from, to, up, from_up, handed = "right";
+    std::vector<float> crop, translate{0, 0, 0};
+    std::int64_t max_splats = 0;
+    int sh_degree = 3, spz_version = 3;
+    float scale = 1, min_opacity = 0;
+    bool compact = false;
+};
+
+// Numbers whose `up` axis points up and, if that is level, whose other axes are those of the programs that have such numbers:
+//   y: x right, z back (OpenGL); left-handed z forward (Unity).   z: x right, y forward (Blender); left-handed x forward, y right (Unreal).
+Mat3d numbers_from_world(const std::string& up, bool left_handed) {
+    if (up == "y") return {{1, 0, 0}, {0, -1, 0}, {0, 0, left_handed ? 1.0 : -1.0}};
+    if (up == "z") return left_handed ? Mat3d{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}} : Mat3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+    return {{1, 0, 0}, {0, 1, 0}, {0, 0, left_handed ? -1.0 : 1.0}};
+}
+
+// What must be done to the world so that the file's numbers come out (or went in) as wanted.
+Similarity world_for(const fs::path& file, const std::string& up, bool left_handed) {
+    if (up.empty()) return {};
+    return {transpose(splat_file_from_world(file)) * numbers_from_world(up, left_handed), 1, {}};
+}
+
+void check(const Flags& flags) {
+    if (!is_splat_file_name(flags.to)) throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
+    if (!(flags.scale > 0 && flags.scale < 1e6f)) throw UsageError("--scale: expected a number above 0, found {}", flags.scale);
+    if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1)) throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
+    if (flags.max_splats < 0) throw UsageError("--max-splats: expected 1 or more, found {}", flags.max_splats);
+    if (flags.handed == "left" && flags.up.empty()) throw UsageError("--handed left: expected --up y, z or -y beside it");
+    for (std::size_t a = 0; a < 3 && !flags.crop.empty(); ++a)
+        if (!(flags.crop[a] < flags.crop[a + 3]))
+            throw UsageError("--crop: expected the low corner, then the high one, found {} and {}", flags.crop[a], flags.crop[a + 3]);
+}
+
+void convert(const Flags& flags, const Session& session) {
+    check(flags);
+    const Run run = session.run(0);
+    Progress progress(run, "convert", 3);
+    Splats splats = load_scene(flags.from, run).splats;
+    const std::size_t found = splats.size();
+    progress.advance();
+    transform(splats, inverse(world_for(scene_file(flags.from), flags.from_up, false)));
+    if (flags.min_opacity > 0) splats = opaque(splats, flags.min_opacity);
+    if (!flags.crop.empty()) splats = cropped(splats, {flags.crop[0], flags.crop[1], flags.crop[2]}, {flags.crop[3], flags.crop[4], flags.crop[5]});
+    if (flags.max_splats > 0) splats = strongest(splats, static_cast<std::size_t>(flags.max_splats));
+    reduce_sh(splats, flags.sh_degree);
+    if (splats.size() == 0 && found > 0) throw Error("{}: none of {} splats is left; nothing was written", flags.from, found);
+    if (found == 0) run.warn(fmt::format("{}: has no splats", flags.from));
+    const Vec3d move{flags.translate[0], flags.translate[1], flags.translate[2]};
+    transform(splats, compose(world_for(flags.to, flags.up, flags.handed == "left"), {{}, flags.scale, move}));
+    progress.advance();
+    run.check_stop();
+    save_scene(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version}, run);
+    progress.advance();
+    const auto bytes = fs::file_size(flags.to);
+    run.note(fmt::format("{} of {} splats, spherical harmonics of degree {}, {:.2f} MB", splats.size(), found, splats.sh_degree, static_cast<double>(bytes) / 1e6));
+    session.print(flags.to, {{"file", flags.to}, {"splats", splats.size()}, {"splats_read", found}, {"sh_degree", splats.sh_degree}, {"bytes", bytes}});
+}
+
+}  // namespace
+
+Verb add_convert(CLI::App& app) {
+    auto flags = std::make_shared<Flags>();
+    CLI::App* verb = app.add_subcommand("convert", "Splats from one file format to another: .ply, .compressed.ply, .spz, .glb, .sog.");
+    verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
+    verb->add_option("to", flags->to, "File to write; its ending chooses the format.")->type_name("FILE")->required();
+    const auto axes = CLI::IsMember({"y", "z", "-y"}).description("");
+    verb->add_option("--up", flags->up, "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")->type_name("y|z|-y")->check(axes);
+    verb->add_option("--from-up", flags->from_up, "Axis that points up in the numbers read, where a file does not keep to its format's own.")->type_name("y|z|-y")->check(axes);
+    verb->add_option("--handed", flags->handed, "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
+        ->type_name("right|left")->check(CLI::IsMember({"right", "left"}).description(""))->capture_default_str();
+    verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")->type_name("X")->capture_default_str();
+    verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")->type_name("X Y Z")->expected(3)->default_str("0 0 0");
+    verb->add_option("--crop", flags->crop, "Keeps what lies between two corners: low right, down, forward, then high.")->type_name("X Y Z X Y Z")->expected(6);
+    verb->add_option("--max-splats", flags->max_splats, "Keeps this many, those that cover most.")->type_name("N");
+    verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")->type_name("X")->capture_default_str();
+    verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")->type_name("N")->check(CLI::Range(0, 3).description(""))->capture_default_str();
+    verb->add_option("--spz-version", flags->spz_version, "2 for old readers, 3, or 4 (smaller, newest readers).")->type_name("N")->check(CLI::Range(2, 4).description(""))->capture_default_str();
+    verb->add_flag("--compact", flags->compact, "PLY: only the bands there are, instead of always 62 floats a splat.");
+    return {verb, [flags](const Session& session) { convert(*flags, session); }};
+}
+
+}  // namespace fastscene::cli

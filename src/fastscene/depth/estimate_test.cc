@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/base/random.h"
+#include "fastscene/depth/align.h"
+#include "fastscene/depth/box_layout.h"
+#include "fastscene/depth/metric_range.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr EquirectSize kSize{256, 128};
+
+BoxLayout some_box() { return {0.4f, {2.1f, 3.4f, 1.7f, 2.6f}, 1.5f, 1.1f, 0}; }
+
+// Each of the six sides in its own color.
+ImageColor painted(const BoxLayout& box, EquirectSize size) {
+    ImageColor color(size.width, size.height);
+    const ImageF range = range_of_box(box, size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Vec3f p = direction_of_pixel(x, y, size) * range.at(x, y);
+            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw), right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
+            Vec3f c{0.3f, 0.2f, 0.1f};  // floor
+            if (p.y < -0.999f * box.ceiling_m) c = {0.8f, 0.8f, 0.8f};
+            else if (ahead > 0.999f * box.wall_m[0]) c = {0.5f, 0.5f, 0.4f};
+            else if (right > 0.999f * box.wall_m[1]) c = {0.4f, 0.5f, 0.5f};
+            else if (-ahead > 0.999f * box.wall_m[2]) c = {0.6f, 0.5f, 0.5f};
+            else if (-right > 0.999f * box.wall_m[3]) c = {0.45f, 0.4f, 0.45f};
+            color.at(x, y) = c;
+        }
+    return color;
+}
+
+double mean_relative_error(const ImageF& found, const ImageF& truth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) sum += std::abs(found.pixels[i] - truth.pixels[i]) / truth.pixels[i];
+    return sum / static_cast<double>(truth.size());
+}
+
+TEST(BoxLayout, RangeLiesOnTheBox) {
+    const BoxLayout box = some_box();
+    const ImageF range = range_of_box(box, kSize);
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+            const Vec3f p = direction_of_pixel(x, y, kSize) * range.at(x, y);
+            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw), right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
+            const float inside[6] = {box.wall_m[0] - ahead, box.wall_m[1] - right, box.wall_m[2] + ahead, box.wall_m[3] + right, box.floor_m - p.y, box.ceiling_m + p.y};
+            float nearest = 10;
+            for (const float gap : inside) {
+                EXPECT_GT(gap, -1e-4f);
+                nearest = std::min(nearest, gap);
+            }
+            EXPECT_NEAR(nearest, 0, 1e-4f);
+        }
+}
+
+TEST(BoxLayout, FindsAPaintedBox) {
+    const BoxLayout box = some_box();
+    const BoxLayout found = fit_box(painted(box, {512, 256}), box.floor_m);
+    EXPECT_LT(mean_relative_error(range_of_box(found, kSize), range_of_box(box, kSize)), 0.06) << "yaw " << found.yaw << " ceiling " << found.ceiling_m;
+}
+
+TEST(BoxLayout, FindsNoNonsenseInAnEmptyPicture) {
+    const BoxLayout found = fit_box(ImageColor(64, 32, {0.5f, 0.5f, 0.5f}), 1.6f);
+    for (const float r : range_of_box(found, {64, 32}).pixels) EXPECT_TRUE(r > 0.1f && r < 40.f);
+}
+
+// What a perfect scale-and-shift-invariant network would say of a furnished box.
+ImageF relative_of(const ImageF& range, float scale, float shift, bool furniture) {
+    ImageF relative = range;
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x) {
+            float r = range.at(x, y);
+            const bool table = furniture && x > 20 && x < 110 && y > 70 && y < 120;
+            if (table) r *= 0.6f;
+            relative.at(x, y) = (r - shift) / scale;
+        }
+    return relative;
+}
+
+TEST(MetricRange, FloorTellsScaleAndShift) {
+    const BoxLayout box = some_box();
+    const ImageF truth = range_of_box(box, kSize);
+    for (const auto& [scale, shift] : {std::pair{8.f, 0.f}, {5.f, 0.8f}, {12.f, -0.5f}})
+        for (const bool furniture : {false, true}) {
+            const MetricFit fit = fit_metres(relative_of(truth, scale, shift, furniture), box.floor_m);
+            EXPECT_TRUE(fit.sure);
+            EXPECT_NEAR(fit.scale, scale, 0.02f * scale) << shift << furniture;
+            EXPECT_NEAR(fit.shift, shift, 0.05f);
+            EXPECT_NEAR(fit.ceiling_m, box.ceiling_m, 0.05f);
+        }
+}
+
+TEST(MetricRange, ScalesWithTheCamera) {
+    const ImageF relative = relative_of(range_of_box(some_box(), kSize), 8, 0, false);
+    const MetricFit low = fit_metres(relative, 1.f), high = fit_metres(relative, 2.f);
+    EXPECT_NEAR(high.scale / low.scale, 2, 0.02);
+}
+
+TEST(MetricRange, SaysWhenThereIsNoFloor) {
+    ImageF noise(kSize.width, kSize.height);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise.pixels[i] = Random(5, "noise", i).uniform(0.05f, 1.f);
+    const MetricFit fit = fit_metres(noise, 1.6f);
+    EXPECT_FALSE(fit.sure);
+    EXPECT_GT(fit.scale, 0);
+    EXPECT_EQ(fit.shift, 0);
+}
+
+TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
+    // A near disc before a far wall; the coarse map knows it only roughly.
+    const EquirectSize large{256, 128}, small{64, 32};
+    ImageColor picture(large.width, large.height);
+    ImageF truth(large.width, large.height);
+    const auto is_near = [](Vec3f d) { return d.z > std::cos(0.5f); };
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x) {
+            const bool near = is_near(direction_of_pixel(x, y, large));
+            picture.at(x, y) = near ? Vec3f{0.6f, 0.1f, 0.1f} : Vec3f{0.2f, 0.3f, 0.4f};
+            truth.at(x, y) = near ? 1.f : 3.f;
+        }
+    ImageF coarse(small.width, small.height);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) coarse.at(x, y) = is_near(direction_of_pixel(x, y, small)) ? 1.f : 3.f;
+    const ImageF fine = aligned_to_picture(coarse, picture);
+    int wrong = 0;
+    for (std::size_t i = 0; i < fine.size(); ++i) wrong += std::abs(fine.pixels[i] - truth.pixels[i]) > 0.2f;
+    EXPECT_LT(wrong, 12);  // nearest neighbours leave about 150 of them
+    // A tilted plane under an even picture.
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) coarse.at(x, y) = 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 64.f);
+    const ImageF plane = aligned_to_picture(coarse, ImageColor(large.width, large.height, {0.5f, 0.5f, 0.5f}));
+    for (int y = 8; y < 120; ++y)
+        for (int x = 0; x < large.width; ++x) EXPECT_NEAR(plane.at(x, y), 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 256.f), 0.05f);
+}
+
+}  // namespace
+}  // namespace fastscene

@@ -1,0 +1,70 @@
+#include "fastscene/depth/estimator.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "fastscene/depth/align.h"
+#include "fastscene/depth/box_layout.h"
+#include "fastscene/depth/metric_range.h"
+#include "fastscene/nn/egformer.h"
+
+namespace fastscene {
+namespace {
+
+class LayoutEstimator : public DepthEstimator {
+  public:
+    explicit LayoutEstimator(float camera_height_m) : camera_height_m_(camera_height_m) {}
+    EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
+        run.check_stop();
+        const BoxLayout box = fit_box(color, camera_height_m_);
+        return {range_of_box(box, {color.width, color.height}),
+                {{"backend", "layout"},
+                 {"camera_height_m", box.floor_m},
+                 {"ceiling_above_camera_m", box.ceiling_m},
+                 {"walls_m", box.wall_m},
+                 {"yaw_deg", box.yaw * 57.29578f},
+                 {"edge_score", box.score}}};
+    }
+
+  private:
+    float camera_height_m_;
+};
+
+class EgformerEstimator : public DepthEstimator {
+  public:
+    EgformerEstimator(const std::filesystem::path& weights, float camera_height_m)
+        : network_(Egformer::load(weights)), name_(weights.filename().string()), camera_height_m_(camera_height_m) {}
+    EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
+        run.check_stop();
+        const ImageF relative = network_.relative_depth(color);
+        run.check_stop();
+        const MetricFit fit = fit_metres(relative, camera_height_m_);
+        if (!fit.sure)
+            run.warn(fmt::format("depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess", camera_height_m_));
+        return {aligned_to_picture(metric_range(relative, fit), color),
+                {{"backend", "egformer"},
+                 {"weights", name_},
+                 {"camera_height_m", fit.camera_height_m},
+                 {"ceiling_above_camera_m", fit.ceiling_m},
+                 {"scale", fit.scale},
+                 {"shift", fit.shift},
+                 {"floor_share", fit.floor_share},
+                 {"floor_found", fit.sure}}};
+    }
+
+  private:
+    Egformer network_;
+    std::string name_;
+    float camera_height_m_;
+};
+
+}  // namespace
+
+std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) {
+    if (params.backend == "egformer" && params.weights.empty()) throw UsageError("--depth-backend egformer: expected --depth-weights FILE, found none");
+    if (!params.weights.empty() && params.backend != "layout") return std::make_unique<EgformerEstimator>(params.weights, params.camera_height_m);
+    FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto");
+    return std::make_unique<LayoutEstimator>(params.camera_height_m);
+}
+
+}  // namespace fastscene

@@ -1,0 +1,147 @@
+#include "fastscene/depth/metric_range.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "fastscene/base/check.h"
+#include "fastscene/geometry/sphere.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kNearest = 0.1f;
+
+// A pixel that may lie on the floor (sine < 0 is down) or the ceiling.
+struct Sample {
+    double relative, sine, weight;  // weight: solid angle
+};
+
+// Only steep rays tell a level plane from a wall: 20 degrees from the horizon and more.
+std::vector<Sample> steep_samples(const ImageF& relative) {
+    const EquirectSize size{relative.width, relative.height};
+    const int step = std::max(1, relative.width / 256);
+    std::vector<Sample> samples;
+    for (int y = step / 2; y < relative.height; y += step) {
+        const double lat = (0.5 - (y + 0.5) / relative.height) * std::numbers::pi;
+        if (std::abs(lat) < 20 * std::numbers::pi / 180) continue;
+        for (int x = step / 2; x < relative.width; x += step)
+            if (std::isfinite(relative.at(x, y))) samples.push_back({relative.at(x, y), std::sin(lat), pixel_solid_angle(y, size)});
+    }
+    return samples;
+}
+
+// Scale, shift and ceiling that explain the samples.
+struct Planes {
+    double scale = 0, shift = 0, ceiling = 0;
+};
+
+// Height above the camera of a sample, minus that of its plane: metres.
+double misfit(const Sample& s, const Planes& p, double camera_height) {
+    const double height = (p.scale * s.relative + p.shift) * s.sine;
+    return s.sine < 0 ? height + camera_height : height - p.ceiling;
+}
+// Geman-McClure: an outlier has no say.
+double trust(double residual, double sigma) {
+    const double q = sigma * sigma / (sigma * sigma + residual * residual);
+    return q * q;
+}
+
+// The 3 x 3 system by Cramer's rule; false when it says nothing.
+bool solve(const std::array<std::array<double, 3>, 3>& a, const std::array<double, 3>& b, Planes& out) {
+    const auto det = [](const std::array<std::array<double, 3>, 3>& m) {
+        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    };
+    const double d = det(a);
+    if (!(std::abs(d) > 1e-18)) return false;
+    std::array<double, 3> x{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        auto m = a;
+        for (std::size_t r = 0; r < 3; ++r) m[r][c] = b[r];
+        x[c] = det(m) / d;
+    }
+    out = {x[0], x[1], x[2]};
+    return out.scale > 0 && std::isfinite(out.shift) && std::isfinite(out.ceiling);
+}
+
+// Weighted least squares around the planes of before: what is near its plane pulls.
+bool refit(const std::vector<Sample>& samples, double camera_height, double sigma, Planes& planes) {
+    std::array<std::array<double, 3>, 3> a{};
+    std::array<double, 3> b{};
+    // A whisper for "shift 0, ceiling 1 m", so that a room without a ceiling is solvable.
+    a[1][1] = 1e-4;
+    a[2][2] = 1e-4;
+    b[2] = 1e-4;
+    for (const Sample& s : samples) {
+        const double w = s.weight * trust(misfit(s, planes, camera_height), sigma);
+        const std::array<double, 3> row{s.relative * s.sine, s.sine, s.sine < 0 ? 0. : -1.};
+        const double target = s.sine < 0 ? -camera_height : 0.;
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) a[i][j] += w * row[i] * row[j];
+            b[i] += w * row[i] * target;
+        }
+    }
+    return solve(a, b, planes);
+}
+
+double nadir_median(const std::vector<Sample>& samples) {
+    std::vector<double> values;
+    for (const Sample& s : samples)
+        if (s.sine < -0.85) values.push_back(s.relative * -s.sine);
+    if (values.empty()) return 0;
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+}  // namespace
+
+MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
+    FASTSCENE_CHECK(camera_height_m > 0.f && !relative.empty());
+    const std::vector<Sample> samples = steep_samples(relative);
+    const double height = camera_height_m, nadir = nadir_median(samples);
+    MetricFit fit;
+    fit.camera_height_m = camera_height_m;
+    fit.scale = nadir > 0 ? static_cast<float>(height / nadir) : camera_height_m;
+
+    // Several guesses of the shift, each drawn to the planes near it; the one that explains most of the sphere stays.
+    double best = 0;
+    Planes found;
+    for (const double shift_share : {0., -0.3, -0.6, 0.25, 0.5, 0.75}) {
+        Planes planes{nadir > 0 ? height * (1 - shift_share) / nadir : height, height * shift_share, 1.};
+        bool good = planes.scale > 0;
+        for (const double sigma : {0.6, 0.4, 0.25, 0.15, 0.1, 0.07, 0.05, 0.05, 0.05, 0.05})
+            good = good && refit(samples, height, sigma * height, planes);
+        // A shift near the camera's height makes a sphere of everything, and a sphere has a bit of floor, too.
+        if (!good || !(planes.ceiling > 0.1 * height) || !(std::abs(planes.shift) < 0.9 * height)) continue;
+        double explained = 0;
+        for (const Sample& s : samples) explained += s.weight * trust(misfit(s, planes, height), 0.05 * height);
+        if (explained > best) best = explained, found = planes;
+    }
+    if (!(best > 0)) return fit;
+
+    double floor = 0, ceiling = 0, below = 0, above = 0;
+    for (const Sample& s : samples) {
+        const double on = s.weight * (std::abs(misfit(s, found, height)) < 0.1 * height);
+        (s.sine < 0 ? floor : ceiling) += on;
+        (s.sine < 0 ? below : above) += s.weight;
+    }
+    fit.floor_share = below > 0 ? static_cast<float>(floor / below) : 0;
+    // A tenth of the lower half-space: less may as well be a table.
+    if (!(fit.floor_share > 0.1f)) return fit;
+    fit.scale = static_cast<float>(found.scale);
+    fit.shift = static_cast<float>(found.shift);
+    fit.ceiling_m = above > 0 && ceiling / above > 0.1 ? static_cast<float>(found.ceiling) : 0.f;
+    fit.sure = true;
+    return fit;
+}
+
+ImageF metric_range(const ImageF& relative, const MetricFit& fit) {
+    ImageF range = relative;
+    for (float& r : range.pixels) r = std::max(kNearest, fit.scale * r + fit.shift);
+    return range;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,229 @@
+#include "fastscene/geometry/resample.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/geometry/resample_source.h"
+
+namespace fastscene {
+namespace {
+
+constexpr int kMostSamples = 64;        // a side; a target pixel so much larger than the source's is nearly the whole picture
+constexpr float kUnit = 65536.f;
+// Next to the poles and in turned pictures the source is read along columns, which no processor foresees.
+constexpr std::size_t kPrefetchAhead = 96, kPrefetchEach = 4;
+constexpr int kGrain = 8;               // rows a piece
+
+}  // namespace
+
+SpherePicture equirect_picture(EquirectSize size, const Mat3f& world_from_picture) {
+    return {SpherePicture::Kind::equirect, size.width, size.height, {}, world_from_picture};
+}
+SpherePicture cube_picture(int face_size, float fov_deg, const Mat3f& world_from_picture) {
+    return {SpherePicture::Kind::cube, face_size, 6 * face_size, Pinhole::with_fov(face_size, face_size, fov_deg), world_from_picture};
+}
+SpherePicture perspective_picture(const Pinhole& camera, const Mat3f& world_from_camera) {
+    return {SpherePicture::Kind::perspective, camera.width, camera.height, camera, world_from_camera};
+}
+
+// Rows of the target that one piece of work has planned; pieces are put together in order.
+struct ResamplePlan::Build {
+    const SpherePicture& source;
+    const SpherePicture& target;
+    Filter filter;
+    float feather_deg;
+    std::vector<std::vector<Tap>> rows;   // general rows, in order of their pixels
+
+    struct Samples {
+        int nx, ny;
+    };
+    // Samples a side so that they lie no farther apart than the source's pixels.
+    Samples samples_at(Vec3f here) const {
+        if (filter == Filter::point) return {1, 1};
+        const Vec2f angle = pixel_angles(target, here);
+        const float pitch = pitch_at(source, here);
+        const auto count = [&](float ratio) {
+            // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them for whole ratios.
+            const float wanted = filter == Filter::area && ratio > 1.05f ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f) : ratio;
+            return std::clamp(static_cast<int>(std::ceil(wanted - 0.05f)), 1, kMostSamples);
+        };
+        return {count(angle.x / pitch), count(angle.y / pitch)};
+    }
+
+    Quad plan_pixel(int x, int y) {
+        const Vec3f here = direction_in(target, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+        const Samples n = samples_at(here);
+        const bool one = n.nx == 1 && n.ny == 1;
+        const int side = filter == Filter::bicubic ? 4 : filter == Filter::area && !one ? 1 : 2;
+        std::array<SourcePlace, 6> places;
+        if (one) {
+            const int count = places_of(source, here, feather_deg, places);
+            if (count == 1 && is_inside(source, places[0], side)) return quad_of(places[0]);
+        }
+        std::vector<SourceTap> taps;
+        const float share = 1.f / static_cast<float>(n.nx * n.ny);
+        for (int j = 0; j < n.ny; ++j)
+            for (int i = 0; i < n.nx; ++i) {
+                const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(n.nx),
+                               static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(n.ny)};
+                const int count = places_of(source, direction_in(target, at), feather_deg, places);
+                for (int k = 0; k < count; ++k) {
+                    SourcePlace place = places[static_cast<std::size_t>(k)];
+                    place.weight *= share;
+                    add_taps(source, place, side, taps);
+                }
+            }
+        rows.push_back(merged(taps));
+        return {-static_cast<std::int32_t>(rows.size()), 0, 0};
+    }
+
+    Quad quad_of(const SourcePlace& place) const {
+        const int part_height = source.kind == SpherePicture::Kind::cube ? source.width : source.height;
+        const auto fixed = [](float v) { return static_cast<std::int64_t>(std::lround((v - 0.5f) * kUnit)); };
+        const std::int64_t fx = std::clamp<std::int64_t>(fixed(place.pixel.x), 0, (static_cast<std::int64_t>(source.width) - 1) * 65536 - 1);
+        const std::int64_t fy = std::clamp<std::int64_t>(fixed(place.pixel.y), 0, (static_cast<std::int64_t>(part_height) - 1) * 65536 - 1);
+        const auto x = static_cast<std::int32_t>(fx >> 16), y = static_cast<std::int32_t>(fy >> 16);
+        return {(place.part * part_height + y) * source.width + x, static_cast<std::uint16_t>(fx & 0xffff), static_cast<std::uint16_t>(fy & 0xffff)};
+    }
+
+    // One tap a pixel; a sum of 1 unless part of the pixel is not shown.
+    static std::vector<Tap> merged(std::vector<SourceTap>& taps) {
+        std::stable_sort(taps.begin(), taps.end(), [](const SourceTap& a, const SourceTap& b) { return a.pixel < b.pixel; });
+        std::vector<Tap> out;
+        float sum = 0;
+        for (const SourceTap& tap : taps) {
+            if (out.empty() || out.back().pixel != tap.pixel) out.push_back({tap.pixel, 0});
+            out.back().weight += tap.weight;
+            sum += tap.weight;
+        }
+        for (Tap& tap : out) tap.weight /= sum;
+        return out;
+    }
+};
+
+ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& target, Filter filter, float feather_deg)
+    : source_width_(source.width), source_height_(source.height), width_(target.width), height_(target.height), cubic_(filter == Filter::bicubic),
+      quads_(static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height)) {
+    FASTSCENE_CHECK(source.width >= 2 && source.height >= 2 && target.width >= 1 && target.height >= 1);
+    FASTSCENE_CHECK(static_cast<std::int64_t>(source.width) * source.height < std::numeric_limits<std::int32_t>::max());
+    const std::size_t pieces = (static_cast<std::size_t>(height_) + kGrain - 1) / kGrain;
+    std::vector<Build> builds(pieces, Build{source, target, filter, feather_deg, {}});
+    parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
+        Build& build = builds[static_cast<std::size_t>(begin) / kGrain];
+        for (int y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < width_; ++x) quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] = build.plan_pixel(x, y);
+    });
+    begin_.push_back(0);
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const auto before = static_cast<std::int32_t>(begin_.size() - 1);
+        for (const std::vector<Tap>& row : builds[piece].rows) {
+            taps_.insert(taps_.end(), row.begin(), row.end());
+            begin_.push_back(static_cast<std::uint32_t>(taps_.size()));
+        }
+        const std::size_t from = piece * kGrain * static_cast<std::size_t>(width_);
+        const std::size_t to = std::min(quads_.size(), from + kGrain * static_cast<std::size_t>(width_));
+        for (std::size_t i = from; i < to; ++i)
+            if (quads_[i].first < 0) quads_[i].first -= before;
+    }
+}
+
+template <class T>
+[[gnu::noinline]] T ResamplePlan::general(const Image<T>& source, const Quad& quad) const {
+    const auto pixel = [&](std::int64_t i) -> const T& { return source.pixels[static_cast<std::size_t>(i)]; };
+    T sum{};
+    if (quad.first < 0) {
+        const auto row = static_cast<std::size_t>(-1 - quad.first);
+        for (std::uint32_t k = begin_[row]; k < begin_[row + 1]; ++k) sum = sum + pixel(taps_[k].pixel) * taps_[k].weight;
+        return sum;
+    }
+    const float u = static_cast<float>(quad.u) / kUnit, v = static_cast<float>(quad.v) / kUnit;
+    const std::int64_t w = source_width_, first = quad.first;
+    if (!cubic_) {
+        const T top = pixel(first) + (pixel(first + 1) - pixel(first)) * u, low = pixel(first + w) + (pixel(first + w + 1) - pixel(first + w)) * u;
+        return top + (low - top) * v;
+    }
+    const auto wu = catmull_rom(u), wv = catmull_rom(v);
+    for (int j = 0; j < 4; ++j) {
+        const std::int64_t row = first + (j - 1) * w - 1;
+        const T line = pixel(row) * wu[0] + pixel(row + 1) * wu[1] + pixel(row + 2) * wu[2] + pixel(row + 3) * wu[3];
+        sum = sum + line * wv[static_cast<std::size_t>(j)];
+    }
+    return sum;
+}
+
+namespace {
+// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them.
+using Lanes = float __attribute__((vector_size(32)));
+constexpr std::int64_t kLanePixels = 3;   // pixels that a load of Lanes touches
+Lanes lanes_at(const Vec3f* p) {
+    Lanes out;
+    std::memcpy(&out, p, sizeof out);
+    return out;
+}
+}  // namespace
+
+// Two wide loads, a blend of the rows, a blend of the two pixels in them, and a wide store.
+void ResamplePlan::apply_to(const ImageColor& source, ImageColor& out) const {
+    FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_ && out.width == width_ && out.height == height_);
+    // Wide loads must not end beyond the picture.
+    const std::int64_t wide = cubic_ ? 0 : std::max<std::int64_t>(0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);
+    parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
+        const std::size_t from = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_), to = static_cast<std::size_t>(end) * static_cast<std::size_t>(width_);
+        const Vec3f* const pixels = source.pixels.data();
+        const std::int64_t row = source_width_;
+        for (std::size_t i = from; i < to; ++i) {
+            const Quad quad = quads_[i];
+            if (i % kPrefetchEach == 0 && i + kPrefetchAhead < to) {
+                const std::int64_t ahead = std::max(0, quads_[i + kPrefetchAhead].first);
+                __builtin_prefetch(pixels + ahead);
+                __builtin_prefetch(pixels + ahead + row);
+            }
+            if (static_cast<std::uint64_t>(static_cast<std::int64_t>(quad.first)) >= static_cast<std::uint64_t>(wide) || i + 1 == to) [[unlikely]] {
+                out.pixels[i] = general(source, quad);
+                continue;
+            }
+            const float u = static_cast<float>(quad.u) * (1.f / kUnit), v = static_cast<float>(quad.v) * (1.f / kUnit);
+            const Lanes top = lanes_at(pixels + quad.first), low = lanes_at(pixels + quad.first + row);
+            const Lanes left = top + (low - top) * v;
+            const Lanes right = __builtin_shufflevector(left, left, 3, 4, 5, 6, 3, 4, 5, 6);
+            const Lanes value = left + (right - left) * u;
+            std::memcpy(static_cast<void*>(&out.pixels[i]), &value, 16);   // the fourth lane is overwritten by the next pixel
+        }
+    });
+}
+
+ImageColor ResamplePlan::apply(const ImageColor& source) const {
+    ImageColor out(width_, height_);
+    apply_to(source, out);
+    return out;
+}
+
+ImageF ResamplePlan::apply(const ImageF& source) const {
+    FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_);
+    ImageF out(width_, height_);
+    parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_); i < static_cast<std::size_t>(end) * static_cast<std::size_t>(width_); ++i)
+            out.pixels[i] = general(source, quads_[i]);
+    });
+    return out;
+}
+
+ImageMask ResamplePlan::covered() const {
+    ImageMask out(width_, height_);
+    for (std::size_t i = 0; i < quads_.size(); ++i) {
+        const std::int32_t first = quads_[i].first;
+        out.pixels[i] = first >= 0 || begin_[static_cast<std::size_t>(-1 - first)] < begin_[static_cast<std::size_t>(-first)] ? 255 : 0;
+    }
+    return out;
+}
+
+Vec2f ResamplePlan::place(int x, int y) const {
+    const Quad quad = quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    if (quad.first < 0) return {std::nanf(""), std::nanf("")};
+    return {static_cast<float>(quad.first % source_width_) + static_cast<float>(quad.u) / kUnit + 0.5f,
+            static_cast<float>(quad.first / source_width_) + static_cast<float>(quad.v) / kUnit + 0.5f};
+}
+
+}  // namespace fastscene

@@ -1,0 +1,224 @@
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/bytes.h"
+#include "fastscene/io/capture_io.h"
+#include "fastscene/io/capture_parts.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The numbers and words of one line of a text model.
+class Line {
+  public:
+    Line(const fs::path& path, std::size_t number, std::string_view text) : path_(path), number_(number), rest_(text) {}
+    std::string_view word() {
+        const std::size_t begin = rest_.find_first_not_of(" \t\r");
+        if (begin == std::string_view::npos) refuse("expected another word, found the end of the line");
+        const std::size_t end = std::min(rest_.find_first_of(" \t\r", begin), rest_.size());
+        const std::string_view out = rest_.substr(begin, end - begin);
+        rest_.remove_prefix(end);
+        return out;
+    }
+    // The rest of the line without the spaces around it.
+    std::string tail() {
+        const std::size_t begin = rest_.find_first_not_of(" \t\r"), end = rest_.find_last_not_of(" \t\r");
+        return begin == std::string_view::npos ? "" : std::string(rest_.substr(begin, end - begin + 1));
+    }
+    bool empty() const { return rest_.find_first_not_of(" \t\r") == std::string_view::npos; }
+    template <class T>
+    T number() {
+        const std::string_view text = word();
+        T value{};
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (code != std::errc() || end != text.data() + text.size()) refuse("expected a number, found \"" + std::string(text) + "\"");
+        return value;
+    }
+    [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: line {}: {}", path_.string(), number_, what); }
+
+  private:
+    const fs::path& path_;
+    std::size_t number_;
+    std::string_view rest_;
+};
+
+// Calls read(line) for each line; comments are skipped, and so are empty lines unless they mean something.
+template <class Read>
+void each_line(const fs::path& path, bool with_empty, const Read& read) {
+    const std::string text = read_file(path);
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        Line line(path, ++number, std::string_view(text).substr(at, end - at));
+        const bool comment = text[at] == '#';
+        if (!comment && (with_empty || !line.empty())) read(line);
+        at = end + 1;
+    }
+}
+
+using Cameras = std::map<std::int64_t, Lens>;
+
+template <class In>
+Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std::uint64_t height, const std::vector<double>& parameters) {
+    if (width < 1 || height < 1 || width > 65536 || height > 65536) in.refuse(fmt::format("expected a picture size, found {} x {}", width, height));
+    for (const double p : parameters)
+        if (!std::isfinite(p)) in.refuse("expected finite camera parameters, found another");
+    const Lens lens = lens_of(model, static_cast<int>(width), static_cast<int>(height), parameters);
+    if (lens.kind != LensKind::equirectangular && !(lens.fx > 0 && lens.fy > 0)) in.refuse(fmt::format("expected a positive focal length, found {}", lens.fx));
+    return lens;
+}
+
+template <class In>
+Rigidd pose_of(const In& in, const std::array<double, 7>& v) {
+    for (const double number : v)
+        if (!std::isfinite(number)) in.refuse("expected a finite pose, found another");
+    const Quatd q{v[0], v[1], v[2], v[3]};
+    if (const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; !(n > 0.1 && n < 10)) in.refuse("expected a unit quaternion, found one of another length");
+    return inverse(Rigidd{matrix_of(q), {v[4], v[5], v[6]}});
+}
+
+Cameras cameras_of_text(const fs::path& path) {
+    Cameras out;
+    each_line(path, false, [&](Line& in) {
+        const auto id = in.number<std::int64_t>();
+        const std::string name(in.word());
+        const auto model = lens_model(name);
+        if (!model) in.refuse(fmt::format("expected a camera model among {}, found {}", lens_model_names(), name));
+        const auto width = in.number<std::uint64_t>(), height = in.number<std::uint64_t>();
+        std::vector<double> parameters;
+        for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(in.number<double>());
+        out[id] = checked_lens(in, *model, width, height, parameters);
+    });
+    return out;
+}
+
+Cameras cameras_of_binary(const fs::path& path) {
+    const std::string bytes = read_file(path);
+    ByteReader in(path, bytes);
+    Cameras out;
+    for (std::size_t n = in.count(24); n > 0; --n) {
+        const auto id = in.get<std::int32_t>(), number = in.get<std::int32_t>();
+        const auto model = lens_model(number);
+        if (!model) in.refuse(fmt::format("expected a camera model among {}, found number {}", lens_model_names(), number));
+        const auto width = in.get<std::uint64_t>(), height = in.get<std::uint64_t>();
+        std::vector<double> parameters;
+        for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(in.get<double>());
+        out[id] = checked_lens(in, *model, width, height, parameters);
+    }
+    return out;
+}
+
+template <class In>
+Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const Rigidd& world_from_camera, const std::string& name) {
+    const auto found = cameras.find(camera);
+    if (found == cameras.end()) in.refuse(fmt::format("expected a camera {} among the model's, found none", camera));
+    if (!is_name_below(name)) in.refuse("expected a picture's name below the folder of images, found \"" + name + "\"");
+    return {name, {}, {}, found->second, world_from_camera};
+}
+
+std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) {
+    std::vector<Photo> out;
+    bool points_follow = false;  // each image has a second line, of its points; it may be empty
+    each_line(path, true, [&](Line& in) {
+        if (points_follow) {
+            points_follow = false;
+            return;
+        }
+        if (in.empty()) return;
+        (void)in.number<std::int64_t>();
+        std::array<double, 7> v{};
+        for (double& number : v) number = in.number<double>();
+        const auto camera = in.number<std::int64_t>();
+        out.push_back(photo_of(in, cameras, camera, pose_of(in, v), in.tail()));
+        points_follow = true;
+    });
+    return out;
+}
+
+std::vector<Photo> photos_of_binary(const fs::path& path, const Cameras& cameras) {
+    const std::string bytes = read_file(path);
+    ByteReader in(path, bytes);
+    std::vector<Photo> out;
+    for (std::size_t n = in.count(4 + 7 * 8 + 4 + 1 + 8); n > 0; --n) {
+        (void)in.get<std::int32_t>();
+        std::array<double, 7> v{};
+        for (double& number : v) number = in.get<double>();
+        const Rigidd pose = pose_of(in, v);
+        const auto camera = in.get<std::int32_t>();
+        const std::string name = in.text();
+        in.skip(in.count(24) * 24);
+        out.push_back(photo_of(in, cameras, camera, pose, name));
+    }
+    return out;
+}
+
+std::vector<CapturePoint> points_of_text(const fs::path& path) {
+    std::vector<CapturePoint> out;
+    each_line(path, false, [&](Line& in) {
+        (void)in.number<std::uint64_t>();
+        CapturePoint p;
+        for (std::size_t a = 0; a < 3; ++a) p.position[a] = in.number<double>();
+        p.color.r = in.number<std::uint8_t>(), p.color.g = in.number<std::uint8_t>(), p.color.b = in.number<std::uint8_t>();
+        out.push_back(p);
+    });
+    return out;
+}
+
+std::vector<CapturePoint> points_of_binary(const fs::path& path) {
+    const std::string bytes = read_file(path);
+    ByteReader in(path, bytes);
+    std::vector<CapturePoint> out;
+    for (std::size_t n = in.count(8 + 24 + 3 + 8 + 8); n > 0; --n) {
+        (void)in.get<std::uint64_t>();
+        CapturePoint p;
+        for (std::size_t a = 0; a < 3; ++a) p.position[a] = in.get<double>();
+        p.color.r = in.get<std::uint8_t>(), p.color.g = in.get<std::uint8_t>(), p.color.b = in.get<std::uint8_t>();
+        (void)in.get<double>();
+        in.skip(in.count(8) * 8);
+        out.push_back(p);
+    }
+    return out;
+}
+
+}  // namespace
+
+bool is_colmap_model(const fs::path& dir) {
+    const auto has = [&](const char* part) { return fs::exists(dir / (std::string(part) + ".bin")) || fs::exists(dir / (std::string(part) + ".txt")); };
+    return has("cameras") && has("images");
+}
+
+// The binary files where both are there, as COLMAP itself does.
+Capture load_colmap_model(const fs::path& model) {
+    const auto file = [&](const char* part, const char* ending) { return model / (std::string(part) + ending); };
+    const bool binary = fs::exists(file("cameras", ".bin")) && fs::exists(file("images", ".bin"));
+    Capture capture;
+    capture.source = model.string();
+    const Cameras cameras = binary ? cameras_of_binary(file("cameras", ".bin")) : cameras_of_text(file("cameras", ".txt"));
+    capture.photos = binary ? photos_of_binary(file("images", ".bin"), cameras) : photos_of_text(file("images", ".txt"), cameras);
+    if (fs::exists(file("points3D", ".bin")) && binary)
+        capture.points = points_of_binary(file("points3D", ".bin"));
+    else if (fs::exists(file("points3D", ".txt")))
+        capture.points = points_of_text(file("points3D", ".txt"));
+    else if (fs::exists(file("points3D", ".ply")))
+        capture.points = points_of_ply(file("points3D", ".ply"));
+    sort_by_name(capture.photos);
+    return capture;
+}
+
+Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) {
+    for (const fs::path& place : {dir / "sparse" / "0", dir / "sparse", dir / "colmap" / "sparse" / "0", dir}) {
+        if (!is_colmap_model(place)) continue;
+        Capture capture = load_colmap_model(place);
+        capture.source = dir.string();
+        name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks, folders.downscale);
+        return capture;
+    }
+    if (!fs::exists(dir)) throw Error("{}: cannot be read: No such file or directory", dir.string());
+    throw Error("{}: expected COLMAP's cameras and images (.bin or .txt) in sparse/0, sparse or the folder itself, found none", dir.string());
+}
+
+}  // namespace fastscene

@@ -1,0 +1,35 @@
+// Zip archives, read only: stored and deflated entries, as furniture packs (.sh3f) have them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fastscene {
+
+class ZipFile {
+  public:
+    // Reads the table of contents. Throws Error when the file is missing, cut short or no zip archive.
+    explicit ZipFile(std::filesystem::path path);
+
+    bool contains(const std::string& name) const { return entries_.contains(name); }
+    std::vector<std::string> names() const;
+    // The unpacked bytes. Throws Error for an unknown name, a damaged entry (its checksum is verified), encryption, or
+    // more than 256 MiB.
+    std::string read(const std::string& name) const;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    struct Entry {
+        std::uint64_t offset;                // of its local header
+        std::uint32_t packed, size, crc;
+        std::uint16_t method, flags;
+    };
+    std::filesystem::path path_;
+    std::uint64_t file_size_ = 0;
+    std::map<std::string, Entry> entries_;
+};
+
+}  // namespace fastscene

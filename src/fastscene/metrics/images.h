@@ -1,0 +1,38 @@
+// Pictures measured: each by itself (NIQE, BRISQUE), against the picture of the same name that it should be (PSNR, SSIM, LPIPS), against
+// the sentence that it should show (CLIP score).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/base/run.h"
+
+namespace fastscene {
+
+struct ImageMeasures {
+    std::filesystem::path pictures;           // a file or a folder of .png and .jpg
+    std::filesystem::path reference;          // same names; empty: none
+    std::string prompt;                       // empty: none
+    std::filesystem::path weights;            // parameters and networks (metrics_weights_text says what goes where)
+    std::vector<std::string> wanted;          // empty: all that these inputs allow
+};
+// Names that `wanted` may hold.
+const std::vector<std::string>& image_measure_names();
+
+// {"count", "pictures": [{"name", "psnr", …}], "mean": {…}, "missing": {measure: what to fetch}, "undefined": {picture: {measure: why}}}.
+// A measure that is not there is in "missing", never silently absent. Throws Error or UsageError: no pictures, no partner, other sizes.
+Json measure_images(const ImageMeasures& inputs, const Run& run);
+// The same as a table for people.
+std::string image_table(const Json& report);
+
+// $FASTSCENE_WEIGHTS, else metrics/ in the user's cache.
+std::filesystem::path default_metrics_weights();
+// Which files the folder should hold, and where they come from.
+std::string metrics_weights_text();
+
+// Pictures of a file or folder, by name.
+std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& place, const std::string& flag);
+
+}  // namespace fastscene

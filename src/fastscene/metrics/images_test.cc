@@ -1,0 +1,67 @@
+#include "fastscene/metrics/images.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/random.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Images : public testing::Test {
+  protected:
+    void SetUp() override {
+        root_ = fs::temp_directory_path() / "fastscene_images_test";
+        fs::remove_all(root_);
+        for (const char* name : {"ours", "true", "empty"}) fs::create_directories(root_ / name);
+        save(root_ / "true/a.png", 1, 0);
+        save(root_ / "ours/a.png", 1, 10);
+        save(root_ / "true/b.png", 2, 0);
+        save(root_ / "ours/b.png", 2, 0);
+    }
+    static void save(const fs::path& path, std::uint64_t seed, int shift, int side = 40) {
+        Random random(seed, "images");
+        ImageRgb8 image(side, side);
+        for (Rgb8& p : image.pixels) p.r = p.g = p.b = static_cast<std::uint8_t>(random.index(200) + shift);
+        save_png(path, image);
+    }
+    fs::path root_;
+};
+
+TEST_F(Images, LikenessNeedsNoWeightsAndWhatIsMissingIsSaid) {
+    const Json report = measure_images({root_ / "ours", root_ / "true", "a room", root_ / "empty", {}}, {});
+    EXPECT_EQ(report["count"], 2);
+    EXPECT_NEAR(report["pictures"][0]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9);
+    EXPECT_EQ(report["pictures"][1]["psnr"], "inf");
+    EXPECT_NEAR(report["mean"]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9) << "infinity does not swallow the mean";
+    EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
+    for (const char* name : {"niqe", "brisque", "brisque_opencv", "lpips_alex", "lpips_vgg", "clip_b32", "clip_l14"})
+        EXPECT_TRUE(report["missing"].contains(name)) << name;
+    const std::string table = image_table(report);
+    EXPECT_NE(table.find("niqe is not measured"), std::string::npos) << table;
+    EXPECT_NE(table.find("a.png"), std::string::npos) << table;
+}
+
+TEST_F(Images, UndefinedScoresAreNullWithAReason) {
+    save(root_ / "ours/c.png", 3, 0, 5);
+    save(root_ / "true/c.png", 3, 0, 5);
+    const Json report = measure_images({root_ / "ours", root_ / "true", "", root_ / "empty", {"ssim_wang"}}, {});
+    EXPECT_TRUE(report["pictures"][2]["ssim_wang"].is_null());
+    EXPECT_NE(report["undefined"]["c.png"]["ssim_wang"].get<std::string>().find("11 x 11"), std::string::npos);
+}
+
+TEST_F(Images, WrongInputsAreErrors) {
+    EXPECT_THROW(measure_images({root_ / "empty", "", "", root_, {}}, {}), Error) << "no pictures";
+    EXPECT_THROW(measure_images({root_ / "ours", root_ / "empty", "", root_, {}}, {}), Error) << "no partners";
+    EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"psnr"}}, {}), UsageError) << "nothing to compare with";
+    save(root_ / "true/a.png", 1, 0, 41);
+    EXPECT_THROW(measure_images({root_ / "ours", root_ / "true", "", root_, {}}, {}), Error) << "other sizes";
+}
+
+}  // namespace
+}  // namespace fastscene

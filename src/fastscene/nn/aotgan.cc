@@ -1,0 +1,66 @@
+#include "fastscene/nn/aotgan.h"
+
+#include <c10/core/InferenceMode.h>
+
+#include <mutex>
+
+#include "fastscene/base/check.h"
+#include "fastscene/nn/aotgan_net.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/weights_torch.h"
+
+namespace fastscene {
+
+struct Aotgan::State {
+    nn::AotganShape shape;
+    nn::LoadedWeights weights;
+    std::mutex one_at_a_time;  // parameters are made when first asked for
+};
+
+Aotgan::Aotgan(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Aotgan::Aotgan(Aotgan&&) noexcept = default;
+Aotgan& Aotgan::operator=(Aotgan&&) noexcept = default;
+Aotgan::~Aotgan() = default;
+
+Aotgan Aotgan::load(const std::filesystem::path& path) {
+    Weights weights = unwrapped(load_weights(path), "encoder.1.weight");
+    const nn::AotganShape shape = nn::aotgan_shape(weights);
+    Aotgan out(std::unique_ptr<State>(new State{shape, nn::LoadedWeights(std::move(weights)), {}}));
+    // Once through the smallest picture: whatever does not fit is told now, not in the middle of a walk.
+    (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});
+    return out;
+}
+
+std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, const Run& run) const {
+    if (pictures.empty()) return {};
+    const int w = pictures[0].color.width, h = pictures[0].color.height;
+    FASTSCENE_CHECK(w % kMultiple == 0 && h % kMultiple == 0 && w >= kSmallest && h >= kSmallest);
+    run.check_stop();
+    const std::lock_guard lock(state_->one_at_a_time);
+    use_our_threads();
+    const c10::InferenceMode inference;
+    const auto n = static_cast<std::int64_t>(pictures.size());
+    at::Tensor input = at::empty({n, 3, h, w}), mask = at::empty({n, 1, h, w});
+    auto in = input.accessor<float, 4>(), hole = mask.accessor<float, 4>();
+    for (std::int64_t i = 0; i < n; ++i) {
+        const Picture& picture = pictures[static_cast<std::size_t>(i)];
+        FASTSCENE_CHECK(picture.color.width == w && picture.color.height == h && picture.hole.same_size(picture.color));
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const bool open = picture.hole.at(x, y) != 0;
+                hole[i][0][y][x] = open ? 1.f : 0.f;
+                for (int c = 0; c < 3; ++c) in[i][c][y][x] = open ? 1.f : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
+            }
+    }
+    const at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask).contiguous();
+    const auto painted = out.accessor<float, 4>();
+    std::vector<ImageColor> result;
+    for (std::int64_t i = 0; i < n; ++i) {
+        ImageColor& image = result.emplace_back(w, h);
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) image.at(x, y) = (Vec3f{painted[i][0][y][x], painted[i][1][y][x], painted[i][2][y][x]} + Vec3f{1, 1, 1}) * 0.5f;
+    }
+    return result;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,85 @@
+#include "fastscene/nn/clip.h"
+
+#include <limits>
+
+#include "fastscene/nn/config_fields.h"
+#include "fastscene/nn/layers.h"
+
+namespace fastscene::nn {
+
+using at::Tensor;
+
+namespace {
+
+Tensor self_attention(const Scope& s, const Tensor& x, const ClipTower& tower, const Tensor& mask) {
+    const std::int64_t w = tower.width;
+    const Tensor q = linear(s / "q_proj", x, w), k = linear(s / "k_proj", x, w), v = linear(s / "v_proj", x, w);
+    return linear(s / "out_proj", attention(q, k, v, tower.heads, mask), w);
+}
+
+Tensor perceptron(const Scope& s, const Tensor& x, const ClipTower& tower) {
+    const Tensor inner = linear(s / "fc1", x, tower.inner);
+    return linear(s / "fc2", tower.quick_gelu ? quick_gelu(inner) : at::gelu(inner), tower.width);
+}
+
+Tensor layers(const Scope& s, Tensor x, const ClipTower& tower, const Tensor& mask) {
+    for (std::int64_t i = 0; i < tower.layers; ++i) {
+        const Scope layer = s / "layers" / i;
+        x = x + self_attention(layer / "self_attn", layer_norm(layer / "layer_norm1", x, tower.eps), tower, mask);
+        x = layer.out(x + perceptron(layer / "mlp", layer_norm(layer / "layer_norm2", x, tower.eps), tower));
+    }
+    return x;
+}
+
+}  // namespace
+
+ClipTower clip_tower(const Json& json, const std::string& where) {
+    const ConfigFields f(json, where);
+    ClipTower t;
+    t.width = f.whole("hidden_size", 512);
+    t.inner = f.whole("intermediate_size", 4 * t.width);
+    t.layers = f.whole("num_hidden_layers", 12);
+    t.heads = f.whole("num_attention_heads", 8);
+    if (t.width < 1 || t.heads < 1 || t.width % t.heads) throw Error("{}: expected \"hidden_size\" to divide among the heads, found {} among {}", where, t.width, t.heads);
+    const std::string act = f.text("hidden_act", "quick_gelu");
+    if (act != "quick_gelu" && act != "gelu") throw f.wrong("hidden_act", "\"quick_gelu\" or \"gelu\"", act);
+    t.quick_gelu = act == "quick_gelu";
+    t.eps = f.number("layer_norm_eps", 1e-5);
+    t.vocabulary = f.whole("vocab_size", 49408);
+    t.positions = f.whole("max_position_embeddings", 77);
+    t.image_size = f.whole("image_size", 224);
+    t.patch = f.whole("patch_size", 32);
+    if (t.patch < 1 || t.image_size % t.patch) throw Error("{}: expected \"image_size\" to be a multiple of \"patch_size\", found {} and {}", where, t.image_size, t.patch);
+    return t;
+}
+
+ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids) {
+    const Scope s = root / "text_model";
+    const std::int64_t length = ids.size(1);
+    const Tensor words = (s / "embeddings" / "token_embedding").parameter("weight", {tower.vocabulary, tower.width});
+    const Tensor places = (s / "embeddings" / "position_embedding").parameter("weight", {tower.positions, tower.width});
+    const Tensor x = (s / "embeddings").out(at::embedding(words, ids) + places.narrow(0, 0, length));
+    const Tensor later = at::full({length, length}, -std::numeric_limits<float>::infinity(), x.options()).triu(1);
+    const Tensor states = layer_norm(s / "final_layer_norm", layers(s / "encoder", x, tower, later), tower.eps);
+    const Tensor end = ids.argmax(1).reshape({-1, 1, 1}).expand({ids.size(0), 1, tower.width});
+    return {states, states.gather(1, end).squeeze(1)};
+}
+
+Tensor clip_vision(const Scope& root, const ClipTower& tower, const Tensor& pixels) {
+    const Scope s = root / "vision_model", embeddings = s / "embeddings";
+    const std::int64_t n = pixels.size(0), side = tower.image_size / tower.patch, count = side * side + 1;
+    const Tensor patches = conv(embeddings / "patch_embedding", pixels, tower.width, {tower.patch, tower.patch, 0, false}).flatten(2).transpose(1, 2);
+    const Tensor first = embeddings.parameter("class_embedding", {tower.width}).expand({n, 1, tower.width});
+    const Tensor places = (embeddings / "position_embedding").parameter("weight", {count, tower.width});
+    const Tensor x = layer_norm(s / "pre_layrnorm", at::cat({first, patches}, 1) + places, tower.eps);  // the name is CLIP's
+    return layer_norm(s / "post_layernorm", layers(s / "encoder", x, tower, {}).select(1, 0), tower.eps);
+}
+
+Tensor clip_text_features(const Scope& s, const ClipTower& tower, const Tensor& ids, std::int64_t dimension) {
+    return linear(s / "text_projection", clip_text(s, tower, ids).pooled, dimension, false);
+}
+Tensor clip_image_features(const Scope& s, const ClipTower& tower, const Tensor& pixels, std::int64_t dimension) {
+    return linear(s / "visual_projection", clip_vision(s, tower, pixels), dimension, false);
+}
+
+}  // namespace fastscene::nn

@@ -1,0 +1,36 @@
+// CLIP (Radford et al. 2021): text and pictures as vectors whose angle tells whether they fit. Stable Diffusion reads prompts with its text
+// half. Keys as in transformers' CLIPModel and CLIPTextModel. Private to nn/ (torch).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/nn/scope.h"
+
+namespace fastscene::nn {
+
+struct ClipTower {
+    std::int64_t width = 768, inner = 3072, layers = 12, heads = 12;
+    bool quick_gelu = true;  // x sigmoid(1.702 x) instead of GELU
+    double eps = 1e-5;
+    std::int64_t vocabulary = 49408, positions = 77;  // text
+    std::int64_t image_size = 224, patch = 32;        // pictures
+};
+// One tower's object of config.json: a text_encoder/config.json as a whole, or text_config or vision_config of a CLIPModel.
+ClipTower clip_tower(const Json& json, const std::string& where);
+
+struct ClipText {
+    at::Tensor states;  // [N, L, width], after the last norm
+    at::Tensor pooled;  // [N, width]: the state at the first end token (the largest number)
+};
+// ids [N, L] int64, L <= positions. Each position sees itself and those before it; padding is not masked, as in training.
+ClipText clip_text(const Scope& s, const ClipTower& tower, const at::Tensor& ids);
+// pixels [N, 3, image_size, image_size], normalized -> [N, width] after the last norm.
+at::Tensor clip_vision(const Scope& s, const ClipTower& tower, const at::Tensor& pixels);
+
+// Into the common space, not normalized: [N, dimension].
+at::Tensor clip_text_features(const Scope& s, const ClipTower& tower, const at::Tensor& ids, std::int64_t dimension);
+at::Tensor clip_image_features(const Scope& s, const ClipTower& tower, const at::Tensor& pixels, std::int64_t dimension);
+
+}  // namespace fastscene::nn

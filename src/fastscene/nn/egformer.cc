@@ -1,0 +1,83 @@
+#include "fastscene/nn/egformer.h"
+
+#include <ATen/core/grad_mode.h>
+
+#include <utility>
+
+#include "fastscene/geometry/reproject.h"
+#include "fastscene/image/color.h"
+#include "fastscene/nn/egformer_net.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/weights_torch.h"
+
+namespace fastscene {
+
+struct Egformer::State {
+    mutable nn::LoadedWeights weights;
+    nn::EgformerConstants constants;
+};
+
+namespace {
+
+// The file says how wide its first stage is; a file of ours also says at what size it was trained.
+EgformerShape shape_of(const Weights& weights) {
+    const WeightTensor& first = weights.at("patch_embed.0.weight");
+    if (first.shape.size() != 4 || first.shape[0] < 8 || first.shape[0] > 256 || first.shape[0] % 8 != 0)
+        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 8, found {}", weights.path.string(), text_of_shape(first.shape));
+    EgformerShape shape;
+    shape.channels = static_cast<int>(first.shape[0]);
+    if (const auto height = weights.metadata.find("height"); height != weights.metadata.end()) {
+        shape.height = std::atoi(height->second.c_str());
+        if (shape.height < 32 || shape.height > 4096 || shape.height % 32 != 0)
+            throw Error("{}: metadata \"height\": expected a multiple of 32 up to 4096, found \"{}\"", weights.path.string(), height->second);
+        shape.width = 2 * shape.height;
+    }
+    return shape;
+}
+
+// Every parameter is asked for once on a tiny picture, so that a file that lacks one is refused before any work.
+void check_all_keys(nn::LoadedWeights& weights, int channels) {
+    const nn::EgformerConstants tiny({32, 64, channels});
+    nn::egformer(nn::Scope(weights), tiny, at::zeros({1, 3, 32, 64}));
+}
+
+}  // namespace
+
+Egformer::Egformer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Egformer::Egformer(Egformer&&) noexcept = default;
+Egformer& Egformer::operator=(Egformer&&) noexcept = default;
+Egformer::~Egformer() = default;
+
+Egformer Egformer::load(const std::filesystem::path& path) {
+    const at::NoGradGuard no_gradients;
+    use_our_threads();
+    Weights weights = unwrapped(load_weights(path), "patch_embed.0.weight");
+    const EgformerShape shape = shape_of(weights);
+    auto state = std::make_unique<State>(State{nn::LoadedWeights(std::move(weights)), nn::EgformerConstants(shape)});
+    check_all_keys(state->weights, shape.channels);
+    return Egformer(std::move(state));
+}
+
+const EgformerShape& Egformer::shape() const { return state_->constants.shape; }
+
+ImageF Egformer::relative_depth(const ImageColor& color) const {
+    const at::NoGradGuard no_gradients;
+    use_our_threads();
+    const EgformerShape& size = shape();
+    const ImageColor seen = equirect_from_equirect(color, {size.width, size.height});
+    at::Tensor input = at::empty({1, 3, size.height, size.width});
+    float* planes = input.data_ptr<float>();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        // Through 8 bits: what the network was trained on.
+        const Rgb8 c = srgb8_from_linear(seen.pixels[i]);
+        planes[i] = static_cast<float>(c.r) / 255.f;
+        planes[seen.size() + i] = static_cast<float>(c.g) / 255.f;
+        planes[2 * seen.size() + i] = static_cast<float>(c.b) / 255.f;
+    }
+    const at::Tensor depth = nn::egformer(nn::Scope(state_->weights), state_->constants, input).contiguous();
+    ImageF out(size.width, size.height);
+    std::copy_n(depth.data_ptr<float>(), out.size(), out.pixels.begin());
+    return out;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,183 @@
+#include "fastscene/nn/egformer_net.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "fastscene/base/check.h"
+#include "fastscene/nn/egformer_tables.h"
+#include "fastscene/nn/layers.h"
+
+namespace fastscene::nn {
+namespace {
+
+using at::Tensor;
+
+constexpr double kPi = std::numbers::pi;
+
+Tensor table_tensor(std::vector<float> values, at::IntArrayRef shape) { return at::from_blob(values.data(), shape, at::kFloat).clone(); }
+
+// A stage works on a grid of tokens, row-major: [N, height * width, channels].
+struct Grid {
+    std::int64_t height, width;
+};
+Grid grid_of(const EgformerShape& shape, int level) { return {shape.height >> (level + 1), shape.width >> (level + 1)}; }
+
+Tensor picture_from_tokens(const Tensor& tokens, Grid grid) { return tokens.transpose(1, 2).reshape({tokens.size(0), tokens.size(2), grid.height, grid.width}); }
+Tensor tokens_from_picture(const Tensor& picture) { return picture.flatten(2).transpose(1, 2).contiguous(); }
+
+// ---- PanoFormer's block: attention that samples nine points of the tangent patch, each moved by a learned offset ----
+
+// -> [N, h, w, C]
+Tensor deformable_attention(const Scope& s, const Tensor& x, Grid grid, std::int64_t heads, const Tensor& patch) {
+    const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width;
+    const Tensor query = linear(s / "q_proj", x, c);
+    const Tensor offset = linear(s / "offset_proj", query, 18 * heads).view({n, h, w, heads, 9, 2}).permute({0, 3, 1, 2, 4, 5});
+    const Tensor weight = at::softmax(linear(s / "A_proj", query, 9 * heads).view({n, h, w, heads, 9}), -1).permute({0, 3, 1, 2, 4});
+    const Tensor value = linear(s / "k_proj", x, c).view({n, h, w, heads, c / heads}).permute({0, 3, 4, 1, 2}).reshape({n * heads, c / heads, h, w});
+
+    const Tensor point = patch + offset;  // (row, column)
+    // As published: pixel indices go to -1..1 as if corners were aligned, and are sampled as if they were not.
+    const Tensor column = 2 * point.select(-1, 1) / static_cast<double>(w - 1) - 1;
+    const Tensor row = 2 * point.select(-1, 0) / static_cast<double>(h - 1) - 1;
+    const Tensor where = at::stack({column, row}, -1).reshape({n * heads, h, w * 9, 2});
+    const Tensor sampled = at::grid_sampler(value, where, 0, 0, false).view({n * heads, c / heads, h, w, 9});  // bilinear, zeros outside
+    const Tensor mixed = (sampled * weight.reshape({n * heads, 1, h, w, 9})).sum(-1).view({n, c, h, w}).permute({0, 2, 3, 1});
+    return s.out(linear(s / "wm_proj", mixed, c));
+}
+
+// Feed-forward with a depthwise 3 x 3 between: the picture closes at its sides.
+Tensor local_feed_forward(const Scope& s, const Tensor& x, Grid grid) {
+    const std::int64_t c = x.size(2), wide = 4 * c;
+    const Tensor picture = picture_from_tokens(at::gelu(linear(s / "linear1" / 0, x, wide)), grid);
+    const Tensor round = at::cat({picture.narrow(3, grid.width - 1, 1), picture, picture.narrow(3, 0, 1)}, 3);
+    const Scope depthwise = s / "dwconv" / 0;
+    const Tensor mixed = at::conv2d(round, depthwise.parameter("weight", {wide, 1, 3, 3}), depthwise.parameter("bias", {wide}), 1, {1, 0}, 1, wide);
+    return s.out(linear(s / "linear2" / 0, tokens_from_picture(at::gelu(mixed)), c));
+}
+
+Tensor panoformer_layer(const Scope& s, Tensor x, Grid grid, std::int64_t heads, const Tensor& patch) {
+    for (int i = 0; i < 2; ++i) {
+        const Scope block = s / "blocks" / i;
+        x = x + deformable_attention(block / "dattn", layer_norm(block / "norm1", x), grid, heads, patch).flatten(1, 2);
+        x = block.out(x + local_feed_forward(block / "mlp", layer_norm(block / "norm2", x), grid));
+    }
+    return s.out(x);
+}
+
+// ---- EGformer's block: attention within one row or one column, biased by the geometry of the sphere ----
+
+enum class Windows { rows, columns };
+
+// qkv [N, L, 3C]; x: the block's input [N, L, C]; bias: how far apart two tokens of a window lie on the sphere (ERPE).
+Tensor equirect_attention(const Scope& s, const Tensor& qkv, const Tensor& x, Grid grid, std::int64_t heads, Windows windows, const Tensor& bias) {
+    const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width, d = c / heads;
+    const bool columns = windows == Windows::columns;
+    const std::int64_t count = columns ? w : h, length = columns ? h : w;
+    const Tensor split = qkv.view({n, h, w, 3, heads, d});
+    const Tensor qkv_of_window = (columns ? split.permute({3, 0, 2, 4, 1, 5}) : split.permute({3, 0, 1, 4, 2, 5})).reshape({3, n, count, heads, length, d});
+    const Tensor q = qkv_of_window[0], k = qkv_of_window[1], v = qkv_of_window[2];
+
+    const Tensor score = at::matmul(q, k.transpose(-2, -1)) + 0.1 * bias;  // no 1 / sqrt(d), as published
+    // How much a window has to say, against the window of this picture that says most.
+    const Tensor loudness = score.abs().mean(std::vector<std::int64_t>{2, 3, 4});
+    const Tensor strength = at::clamp_min(loudness / loudness.amax(1, true), 0.5);
+    // Distance-based attention score (DAS): 1 - cos of the normalised score, in place of softmax.
+    const Tensor normalised = score / score.norm(2, -1, true).clamp_min(1e-12);
+    const Tensor attention = (1 - at::cos(normalised * (kPi / 2))) * strength.view({n, count, 1, 1, 1});
+    const Tensor said = at::matmul(attention, v);
+    const Tensor raster = (columns ? said.permute({0, 3, 1, 2, 4}) : said.permute({0, 1, 3, 2, 4})).reshape({n, h * w, c});
+    // What a weak window does not say is said by the input (EaAR). As published, the input is cut into chunks of a
+    // window's length in raster order also where windows are columns: the weights were trained with that.
+    const Tensor rest = x.reshape({n, count, length, c}) * (1 - strength).view({n, count, 1, 1});
+    return (s / "attns" / 0).out(raster + rest.view({n, h * w, c}));
+}
+
+Tensor equirect_block(const Scope& s, const Tensor& x, Grid grid, std::int64_t heads, Windows windows, const Tensor& bias) {
+    const std::int64_t c = x.size(2);
+    const Tensor qkv = linear(s / "qkv", layer_norm(s / "norm1", x), 3 * c);
+    const Tensor y = x + linear(s / "proj", equirect_attention(s, qkv, x, grid, heads, windows, bias), c);
+    const Tensor fed = linear(s / "mlp" / "fc2", at::gelu(linear(s / "mlp" / "fc1", layer_norm(s / "norm2", y), 4 * c)), c);
+    return s.out(y + fed);
+}
+
+// ---- the U ----
+
+// Heads of PanoFormer's attention (0: this stage has none) and of EGformer's.
+struct Stage {
+    const char* name;
+    int level;
+    std::int64_t deformable_heads, heads;
+};
+constexpr Stage kDown[] = {{"stage1", 0, 1, 1}, {"stage2", 1, 2, 2}, {"stage3", 2, 0, 4}, {"stage4", 3, 0, 8}};
+constexpr Stage kBottleneck = {"bottleneck", 4, 0, 16};
+constexpr Stage kUp[] = {{"dec_stage5", 3, 0, 8}, {"dec_stage6", 2, 0, 4}, {"dec_stage7", 1, 4, 2}, {"dec_stage8", 0, 2, 1}};
+
+// Two blocks: where the picture is large the first is PanoFormer's, where it is small it attends to rows; the second, to columns.
+Tensor run_stage(const Scope& root, const Stage& stage, const Tensor& x, const EgformerConstants& k) {
+    const Scope s = root / stage.name;
+    const Grid grid = grid_of(k.shape, stage.level);
+    const auto level = static_cast<std::size_t>(stage.level);
+    const Tensor first = stage.deformable_heads ? panoformer_layer(s / 0, x, grid, stage.deformable_heads, k.patch[level])
+                                                : equirect_block(s / 0, x, grid, stage.heads, Windows::rows, k.row_bias[level]);
+    return equirect_block(s / 1, first, grid, stage.heads, Windows::columns, k.column_bias[level]);
+}
+
+// conv3x3, GELU, LayerNorm -> tokens.
+Tensor merged(const Scope& s, const Tensor& picture, std::int64_t channels, std::int64_t stride) {
+    return layer_norm(s / "norm", tokens_from_picture(at::gelu(conv(s / "conv", picture, channels, {.stride = stride}))));
+}
+Tensor doubled_nearest(const Tensor& picture) { return at::upsample_nearest2d(picture, {2 * picture.size(2), 2 * picture.size(3)}); }
+
+}  // namespace
+
+EgformerConstants::EgformerConstants(const EgformerShape& shape, at::Device device) : shape(shape) {
+    FASTSCENE_CHECK(shape.height % 32 == 0 && shape.width % 32 == 0 && shape.channels % 8 == 0);
+    for (int level = 0; level < 5; ++level) {
+        const auto i = static_cast<std::size_t>(level);
+        const Grid g = grid_of(shape, level);
+        const int h = static_cast<int>(g.height), w = static_cast<int>(g.width);
+        if (level < 2) patch[i] = table_tensor(tangent_patch_table(h, w), {1, 1, h, w, 9, 2}).to(device);
+        column_bias[i] = table_tensor(vertical_chord_table(h), {1, 1, 1, h, h}).to(device);
+        if (level >= 2) {
+            // Rows near the poles are short circles.
+            const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (kPi / h)).view({1, h, 1, 1, 1});
+            row_bias[i] = (table_tensor(horizontal_chord_table(w), {1, 1, 1, w, w}) * shrink).to(device);
+        }
+    }
+}
+
+Tensor egformer(const Scope& s, const EgformerConstants& k, const Tensor& color) {
+    const std::int64_t c = k.shape.channels;
+    FASTSCENE_CHECK(color.size(2) == k.shape.height && color.size(3) == k.shape.width);
+    const Scope embed = s / "patch_embed";
+    Tensor x = embed.out(layer_norm(embed / 2, tokens_from_picture(conv(embed / 0, color, c, {.stride = 2}))));
+
+    std::array<Tensor, 4> seen;
+    for (int i = 0; i < 4; ++i) {
+        seen[static_cast<std::size_t>(i)] = x = run_stage(s, kDown[i], x, k);
+        const Scope down = s / ("downsample" + std::to_string(i + 1));
+        x = down.out(merged(down, picture_from_tokens(x, grid_of(k.shape, i)), c << (i + 1), 2));
+    }
+    x = run_stage(s, kBottleneck, x, k);
+    for (int i = 0; i < 4; ++i) {
+        const int level = kUp[i].level;
+        const Grid grid = grid_of(k.shape, level);
+        const Scope up = s / ("upsample" + std::to_string(i + 5)), tune = s / ("tune" + std::to_string(i + 5));
+        x = up.out(merged(up, doubled_nearest(picture_from_tokens(x, grid_of(k.shape, level + 1))), c << level, 1));
+        x = run_stage(s, kUp[i], x, k);
+        const Tensor joined = at::cat({picture_from_tokens(seen[static_cast<std::size_t>(level)], grid), picture_from_tokens(x, grid)}, 1);
+        x = merged(tune, joined, c << level, 1);
+        tune.out(picture_from_tokens(x, grid));
+    }
+    const Scope final_tune = s / "tune_final";
+    Tensor picture = final_tune.out(picture_from_tokens(merged(final_tune, picture_from_tokens(x, grid_of(k.shape, 0)), c, 1), grid_of(k.shape, 0)));
+
+    const Scope out = s / "output_conv";
+    picture = conv(out / 0, picture, c);
+    picture = (out / 1).out(at::upsample_bilinear2d(picture, {k.shape.height, k.shape.width}, true));
+    picture = at::relu(conv(out / 2, picture, c));
+    return at::sigmoid(conv(out / 4, picture, 1, {.kernel = 1, .pad = 0}));
+}
+
+}  // namespace fastscene::nn

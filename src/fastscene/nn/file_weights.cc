@@ -1,0 +1,91 @@
+#include "fastscene/nn/file_weights.h"
+
+#include <cstring>
+#include <set>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/json.h"
+#include "fastscene/nn/weights_torch.h"
+
+namespace fastscene::nn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The weights' files of a component's folder.
+std::vector<fs::path> files_of(const fs::path& component) {
+    if (!fs::exists(component)) throw Error("{}: expected a model's folder or file, found none", component.string());
+    if (!fs::is_directory(component)) return {component};
+    for (const char* stem : {"diffusion_pytorch_model", "model", "diffusion_pytorch_model.fp16", "model.fp16"}) {
+        if (fs::exists(component / (std::string(stem) + ".safetensors"))) return {component / (std::string(stem) + ".safetensors")};
+        const fs::path index = component / (std::string(stem) + ".safetensors.index.json");
+        if (!fs::exists(index)) continue;
+        const Json json = read_json(index);
+        if (!json.contains("weight_map") || !json["weight_map"].is_object()) throw Error("{}: expected \"weight_map\", found none", index.string());
+        std::set<fs::path> parts;
+        for (const auto& [key, part] : json["weight_map"].items()) {
+            if (!part.is_string() || fs::path(part.get<std::string>()).has_parent_path()) throw Error("{}: expected file names in \"weight_map\", found {}", index.string(), part.dump());
+            parts.insert(component / part.get<std::string>());
+        }
+        for (const fs::path& part : parts)
+            if (!fs::exists(part)) throw Error("{}: expected the part {} that the index names, found none", index.string(), part.filename().string());
+        return {parts.begin(), parts.end()};
+    }
+    for (const char* name : {"diffusion_pytorch_model.bin", "pytorch_model.bin"})
+        if (fs::exists(component / name)) return {component / name};
+    throw Error("{}: expected diffusion_pytorch_model or model (.safetensors or .bin), found neither", component.string());
+}
+
+// What older files call a layer of the VAE's attention.
+std::string older_name(std::string key) {
+    for (const auto& [now, then] : {std::pair{".to_q.", ".query."}, {".to_k.", ".key."}, {".to_v.", ".value."}, {".to_out.0.", ".proj_attn."}})
+        if (const std::size_t at = key.find(now); at != std::string::npos) return key.replace(at, std::strlen(now), then);
+    return key;
+}
+
+}  // namespace
+
+FileWeights::FileWeights(const fs::path& component, at::TensorOptions options) : component_(component), options_(options) {
+    for (const fs::path& file : files_of(component)) parts_.push_back(load_weights(file));
+}
+
+const WeightTensor* FileWeights::find(const std::string& key) const {
+    for (const std::string& name : {key, older_name(key)})
+        for (const Weights& part : parts_)
+            if (const auto found = part.tensors.find(name); found != part.tensors.end()) return &found->second;
+    return nullptr;
+}
+
+std::vector<std::int64_t> FileWeights::shape_of(const std::string& key) const {
+    const WeightTensor* tensor = find(key);
+    return tensor ? tensor->shape : std::vector<std::int64_t>{};
+}
+
+std::int64_t FileWeights::bytes() const {
+    std::int64_t sum = 0;
+    for (const Weights& part : parts_)
+        for (const auto& [key, tensor] : part.tensors) sum += tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize());
+    return sum;
+}
+
+const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef shape) const {
+    const WeightTensor* tensor = find(key);
+    if (!tensor) {
+        if (parts_.size() == 1) parts_[0].at(key);  // names what is near
+        throw Error("{}: expected the tensor \"{}\" {}, found none", component_.string(), key, text_of_shape(shape.vec()));
+    }
+    // An old VAE stores 1 x 1 convolutions where a matrix stands now.
+    const at::IntArrayRef found(tensor->shape);
+    const bool fits = found == shape || (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape && found[shape.size()] == 1 && found.back() == 1);
+    if (!fits) throw Error("{}: {}: expected shape {}, found {}", component_.string(), key, text_of_shape(shape.vec()), text_of_shape(tensor->shape));
+    return *tensor;
+}
+
+at::Tensor FileWeights::get(const std::string& key, at::IntArrayRef shape) {
+    const auto ready = ready_.find(key);
+    if (ready != ready_.end()) return ready->second;
+    return ready_[key] = tensor_of(checked(key, shape)).to(options_).reshape(shape);
+}
+
+}  // namespace fastscene::nn

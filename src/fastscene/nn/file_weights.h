@@ -1,0 +1,42 @@
+// Weights from a folder as Hugging Face's libraries save them: one file, or several parts with an index. Private to nn/ (torch).
+#pragma once
+
+#include <filesystem>
+#include <unordered_map>
+#include <vector>
+
+#include "fastscene/nn/scope.h"
+#include "fastscene/nn/weights.h"
+
+namespace fastscene::nn {
+
+class FileWeights final : public WeightSource {
+  public:
+    // `component`: a file, or a folder such as unet/. In a folder the names of diffusers and transformers are tried:
+    // diffusion_pytorch_model, model, pytorch_model, as .safetensors (whole or in parts, also .fp16) or .bin. Safetensors are mapped: a
+    // tensor costs memory when it is first asked for. Throws Error naming the folder or file, what was expected and what was found.
+    FileWeights(const std::filesystem::path& component, at::TensorOptions options);
+
+    at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
+    bool has(const std::string& key) const override { return find(key) != nullptr; }
+    // Throws what get would throw, without reading.
+    void check(const std::string& key, at::IntArrayRef shape) const { checked(key, shape); }
+    // The shape in the file, empty when there is no such tensor.
+    std::vector<std::int64_t> shape_of(const std::string& key) const;
+    const std::filesystem::path& path() const { return component_; }
+    // Bytes of all parameters in the network's number type.
+    std::int64_t bytes() const;
+    // Forgets what was converted; it is read again when asked for.
+    void release() { ready_.clear(); }
+
+  private:
+    const WeightTensor* find(const std::string& key) const;
+    const WeightTensor& checked(const std::string& key, at::IntArrayRef shape) const;
+
+    std::filesystem::path component_;
+    at::TensorOptions options_;
+    std::vector<Weights> parts_;
+    std::unordered_map<std::string, at::Tensor> ready_;
+};
+
+}  // namespace fastscene::nn

@@ -1,0 +1,35 @@
+// Weights made from their names: anybody can make the same ones again, so two programs can be compared layer by layer without a file
+// between them. Private to nn/ (torch).
+#pragma once
+
+#include <string>
+#include <unordered_map>
+
+#include "fastscene/nn/scope.h"
+
+namespace fastscene::nn {
+
+// Element i of the stream `name`, in [-1, 1), exact in single precision.
+float hashed_number(std::uint64_t name_hash, std::uint64_t index);
+// The numbers of a stream as a tensor: test inputs.
+at::Tensor hashed_input(const std::string& name, at::IntArrayRef shape);
+// A parameter: matrices and kernels are uniform with variance 1 / fan-in, weights of norms lie about 1, running variances in [1, 1.1],
+// everything else in [-0.1, 0.1].
+at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape);
+
+// Every parameter that is asked for exists.
+class HashedWeights final : public WeightSource {
+  public:
+    explicit HashedWeights(at::TensorOptions options = at::kFloat) : options_(options) {}
+    at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
+    bool has(const std::string&) const override { return true; }
+    const std::unordered_map<std::string, at::Tensor>& seen() const { return seen_; }
+    // Puts a tensor of one's own in the place of a hashed one.
+    void set(const std::string& key, const at::Tensor& value) { seen_[key] = value; }
+
+  private:
+    at::TensorOptions options_;
+    std::unordered_map<std::string, at::Tensor> seen_;
+};
+
+}  // namespace fastscene::nn

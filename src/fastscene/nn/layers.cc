@@ -1,0 +1,67 @@
+#include "fastscene/nn/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fastscene/base/check.h"
+
+namespace fastscene::nn {
+
+using at::Tensor;
+
+// More rows at a time leave the caches: 1024 rows take 1.9 times as long for a 64 x 128 latent.
+constexpr std::int64_t kAttentionRows = 256;
+
+Tensor conv(const Scope& s, const Tensor& x, std::int64_t out, Conv shape) {
+    const Tensor weight = s.parameter("weight", {out, x.size(1), shape.kernel, shape.kernel});
+    const Tensor bias = shape.bias ? s.parameter("bias", {out}) : Tensor();
+    return s.out(at::conv2d(x, weight, bias, shape.stride, shape.pad));
+}
+
+Tensor linear(const Scope& s, const Tensor& x, std::int64_t out, bool bias) {
+    const Tensor weight = s.parameter("weight", {out, x.size(-1)});
+    return s.out(bias ? at::linear(x, weight, s.parameter("bias", {out})) : at::linear(x, weight));
+}
+
+Tensor group_norm(const Scope& s, const Tensor& x, std::int64_t groups, double eps) {
+    const std::int64_t channels = x.size(1);
+    return s.out(at::group_norm(x, groups, s.parameter("weight", {channels}), s.parameter("bias", {channels}), eps));
+}
+
+Tensor layer_norm(const Scope& s, const Tensor& x, double eps) {
+    const std::int64_t channels = x.size(-1);
+    return s.out(at::layer_norm(x, {channels}, s.parameter("weight", {channels}), s.parameter("bias", {channels}), eps));
+}
+
+namespace {
+
+Tensor split_heads(const Tensor& x, std::int64_t heads) {  // [N, L, heads d] -> [N heads, L, d]
+    const std::int64_t n = x.size(0), l = x.size(1), d = x.size(2) / heads;
+    return x.reshape({n, l, heads, d}).permute({0, 2, 1, 3}).reshape({n * heads, l, d});
+}
+Tensor join_heads(const Tensor& x, std::int64_t heads) {
+    const std::int64_t n = x.size(0) / heads, l = x.size(1), d = x.size(2);
+    return x.reshape({n, heads, l, d}).permute({0, 2, 1, 3}).reshape({n, l, heads * d});
+}
+
+}  // namespace
+
+Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t heads, const Tensor& mask, bool in_float) {
+    FASTSCENE_CHECK(heads > 0 && q.size(2) % heads == 0);
+    const Tensor scaled = split_heads(q, heads) * (1 / std::sqrt(static_cast<double>(q.size(2) / heads)));
+    const Tensor keys = split_heads(k, heads).transpose(1, 2), values = split_heads(v, heads);
+    std::vector<Tensor> rows;
+    for (std::int64_t from = 0; from < scaled.size(1); from += kAttentionRows) {
+        const std::int64_t count = std::min(kAttentionRows, scaled.size(1) - from);
+        const Tensor some = scaled.narrow(1, from, count);
+        Tensor weights = in_float ? at::bmm(some.to(at::kFloat), keys.to(at::kFloat)) : at::bmm(some, keys);
+        if (mask.defined()) weights = weights + mask.narrow(0, from, count);
+        rows.push_back(at::bmm(at::softmax(weights, -1).to(values.scalar_type()), values));
+    }
+    return join_heads(rows.size() == 1 ? rows[0] : at::cat(rows, 1), heads);
+}
+
+Tensor quick_gelu(const Tensor& x) { return x * at::sigmoid(1.702 * x); }
+
+}  // namespace fastscene::nn

@@ -1,0 +1,29 @@
+// A whole file mapped for reading: pages come when they are touched.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace fastscene {
+
+class MappedFile {
+  public:
+    // Throws Error when it cannot be opened, or is a directory.
+    explicit MappedFile(const std::filesystem::path& path);
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile();
+
+    const std::filesystem::path& path() const { return path_; }
+    std::string_view text() const { return {data_, size_}; }
+    std::span<const std::byte> bytes() const { return {reinterpret_cast<const std::byte*>(data_), size_}; }
+
+  private:
+    std::filesystem::path path_;
+    const char* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+}  // namespace fastscene

@@ -1,0 +1,103 @@
+#include "fastscene/nn/perceptual.h"
+
+#include <c10/core/InferenceMode.h>
+
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/json.h"
+#include "fastscene/nn/clip.h"
+#include "fastscene/nn/clip_image.h"
+#include "fastscene/nn/file_weights.h"
+#include "fastscene/nn/lpips.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/tokenizer.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+
+using at::Tensor;
+using nn::FileWeights;
+using nn::Scope;
+
+namespace {
+
+constexpr int kLeastSide = 32;  // below it the backbone has no pixels left
+
+Tensor tensor_of(const ImageRgb8& image) {  // [3, H, W], 0..255
+    const Tensor bytes = at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3}, at::kByte);
+    return bytes.permute({2, 0, 1}).to(at::kFloat).contiguous();
+}
+
+std::vector<float> unit_vector(const Tensor& features) {
+    const Tensor row = (features / features.norm()).to(at::kFloat).flatten().contiguous();
+    return {row.data_ptr<float>(), row.data_ptr<float>() + row.numel()};
+}
+
+}  // namespace
+
+struct LpipsMeasure::Parts {
+    nn::LpipsNet net;
+    FileWeights backbone, heads;
+};
+
+LpipsMeasure::LpipsMeasure(const std::string& net, const fs::path& backbone, const fs::path& heads)
+    : parts_(new Parts{net == "vgg" ? nn::LpipsNet::vgg : nn::LpipsNet::alex, FileWeights(backbone, at::kFloat), FileWeights(heads, at::kFloat)}) {
+    distance(ImageRgb8(kLeastSide, kLeastSide), ImageRgb8(kLeastSide, kLeastSide));  // every tensor is there and has its shape
+}
+LpipsMeasure::~LpipsMeasure() = default;
+
+double LpipsMeasure::distance(const ImageRgb8& a, const ImageRgb8& b) const {
+    if (!a.same_size(b)) throw Error("LPIPS: expected pictures of one size, found {} x {} and {} x {}", a.width, a.height, b.width, b.height);
+    if (a.width < kLeastSide || a.height < kLeastSide) throw Error("LPIPS: expected a picture of at least {0} x {0} pixels, found {1} x {2}", kLeastSide, a.width, a.height);
+    const c10::InferenceMode inference;
+    use_our_threads();
+    const auto input = [](const ImageRgb8& image) { return (tensor_of(image) / 127.5 - 1).unsqueeze(0); };
+    return nn::lpips(Scope(parts_->backbone), Scope(parts_->heads), parts_->net, input(a), input(b)).distance.item<double>();
+}
+
+struct ClipMeasure::Parts {
+    nn::ClipTower vision, text;
+    std::int64_t dimension = 512;
+    FileWeights weights;
+    ClipTokenizer tokenizer;
+    Parts(const fs::path& folder, const Json& config)
+        : vision(nn::clip_tower(config.at("vision_config"), "vision_config")), text(nn::clip_tower(config.at("text_config"), "text_config")),
+          dimension(config.value("projection_dim", 512)), weights(folder, at::kFloat), tokenizer(fs::exists(folder / "tokenizer") ? folder / "tokenizer" : folder) {}
+};
+
+ClipMeasure::ClipMeasure(const fs::path& folder) {
+    const Json config = read_json(folder / "config.json");
+    if (!config.contains("vision_config") || !config.contains("text_config"))
+        throw Error("{}: expected vision_config and text_config (a CLIPModel), found none", (folder / "config.json").string());
+    parts_ = std::make_unique<Parts>(folder, config);
+    of_text("a");
+    of_picture(ImageRgb8(8, 8));
+}
+ClipMeasure::~ClipMeasure() = default;
+
+std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const {
+    const c10::InferenceMode inference;
+    use_our_threads();
+    const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
+    const Tensor pixels = tensor_of(clip_crop(image, static_cast<int>(parts_->vision.image_size))) / 255;
+    const Tensor normalized = (pixels - row(.48145466, .4578275, .40821073)) / row(.26862954, .26130258, .27577711);
+    return unit_vector(nn::clip_image_features(Scope(parts_->weights), parts_->vision, normalized.unsqueeze(0), parts_->dimension));
+}
+
+std::vector<float> ClipMeasure::of_text(const std::string& text) const {
+    const c10::InferenceMode inference;
+    use_our_threads();
+    const std::vector<int> tokens = parts_->tokenizer.padded(text, 0);
+    const Tensor ids = at::tensor(std::vector<std::int64_t>(tokens.begin(), tokens.end()), at::kLong).unsqueeze(0);
+    return unit_vector(nn::clip_text_features(Scope(parts_->weights), parts_->text, ids, parts_->dimension));
+}
+
+double cosine(const std::vector<float>& a, const std::vector<float>& b) {
+    FASTSCENE_CHECK_EQ(a.size(), b.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * b[i];
+    return sum;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,42 @@
+// Networks that judge pictures, behind plain data: LPIPS (how different do two pictures look) and CLIP (does a picture fit a sentence).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fastscene/image/image.h"
+
+namespace fastscene {
+
+class LpipsMeasure {
+  public:
+    // backbone: torchvision's alexnet or vgg16 (.pth, .safetensors; features.N.weight); heads: the authors' lin0 … lin4 (alex.pth, vgg.pth).
+    // `net`: "alex" or "vgg". Throws Error naming the file, the tensor, expected and found.
+    LpipsMeasure(const std::string& net, const std::filesystem::path& backbone, const std::filesystem::path& heads);
+    ~LpipsMeasure();
+    // 0 = equal. Sizes must be equal, sides at least 32 (Error).
+    double distance(const ImageRgb8& a, const ImageRgb8& b) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+class ClipMeasure {
+  public:
+    // A folder as transformers saves CLIPModel: config.json, model.safetensors or pytorch_model.bin, and merges.txt (in it or in tokenizer/).
+    explicit ClipMeasure(const std::filesystem::path& folder);
+    ~ClipMeasure();
+    // Unit vectors in the common space.
+    std::vector<float> of_picture(const ImageRgb8& image) const;
+    std::vector<float> of_text(const std::string& text) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+double cosine(const std::vector<float>& a, const std::vector<float>& b);
+
+}  // namespace fastscene

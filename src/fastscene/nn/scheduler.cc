@@ -1,0 +1,253 @@
+#include "fastscene/nn/scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/check.h"
+#include "fastscene/nn/config_fields.h"
+
+namespace fastscene::nn {
+
+using at::Tensor;
+
+namespace {
+
+// sqrt((1 - a) / a) of all training steps: noise relative to signal.
+std::vector<double> all_sigmas(const Tensor& alphas) {
+    const Tensor s = at::sqrt((1 - alphas) / alphas);
+    return {s.data_ptr<float>(), s.data_ptr<float>() + s.numel()};
+}
+double interpolated(const std::vector<double>& table, double at) {
+    const double clamped = std::clamp(at, 0.0, static_cast<double>(table.size() - 1));
+    const auto below = std::min(static_cast<std::size_t>(clamped), table.size() - 2);
+    return table[below] + (table[below + 1] - table[below]) * (clamped - static_cast<double>(below));
+}
+
+double rounded_even(double v) { return std::nearbyint(v); }
+
+// `count` time steps downwards. `last` = the linspace form ends at 0 (else one step before it, as UniPC has it).
+std::vector<double> spaced(const ScheduleConfig& c, int count, bool last, bool whole) {
+    std::vector<double> out;
+    const int parts = last ? count : count + 1;
+    for (int i = 0; i < count; ++i) {
+        const int k = parts - 1 - i;  // counted upwards
+        double t = 0;
+        switch (c.spacing) {
+            case Spacing::linspace: t = parts > 1 ? static_cast<double>(c.train_steps - 1) * k / (parts - 1) : 0; break;
+            case Spacing::leading: t = static_cast<double>(k * (c.train_steps / parts)) + c.steps_offset; break;
+            case Spacing::trailing: t = rounded_even(c.train_steps - i * (static_cast<double>(c.train_steps) / count)) - 1; break;
+        }
+        out.push_back(whole ? rounded_even(t) : t);
+    }
+    return out;
+}
+
+// Sigma as the pair (signal, noise) of unit power.
+struct Mix {
+    double signal, noise;
+};
+Mix mix_of(double sigma) {
+    const double signal = 1 / std::sqrt(sigma * sigma + 1);
+    return {signal, sigma * signal};
+}
+// The clean latent that the output implies.
+Tensor clean_of(Prediction prediction, const Tensor& output, const Tensor& x, Mix m) {
+    return prediction == Prediction::noise ? (x - m.noise * output) / m.signal : m.signal * x - m.noise * output;
+}
+
+class EulerAncestral final : public Scheduler {
+  public:
+    EulerAncestral(const ScheduleConfig& config, int steps) {
+        config_ = config;
+        alphas_ = alphas_cumprod(config);
+        timesteps_ = spaced(config, steps, true, false);
+        if (config.spacing == Spacing::linspace)
+            for (double& t : timesteps_) t = static_cast<float>(t);
+        const std::vector<double> table = all_sigmas(alphas_);
+        for (const double t : timesteps_) sigmas_.push_back(static_cast<float>(interpolated(table, t)));
+        const double most = *std::max_element(sigmas_.begin(), sigmas_.end());
+        sigmas_.push_back(0);
+        init_noise_sigma_ = config.spacing == Spacing::leading ? std::sqrt(most * most + 1) : most;
+    }
+    Tensor scaled_input(const Tensor& x, int i) const override {
+        const double sigma = sigmas_[static_cast<std::size_t>(i)];
+        return x / std::sqrt(sigma * sigma + 1);
+    }
+    Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor& noise) override {
+        const double from = sigmas_[static_cast<std::size_t>(i)], to = sigmas_[static_cast<std::size_t>(i) + 1];
+        const Tensor clean = config_.prediction == Prediction::noise ? x - from * output : output * (-from / std::sqrt(from * from + 1)) + x / (from * from + 1);
+        const double up = std::sqrt(to * to * (from * from - to * to) / (from * from)), down = std::sqrt(to * to - up * up);
+        return x + (x - clean) / from * (down - from) + noise * up;
+    }
+    Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override { return clean + noise * sigmas_[static_cast<std::size_t>(i)]; }
+    bool wants_noise() const override { return true; }
+    std::unique_ptr<Scheduler> clone() const override { return std::make_unique<EulerAncestral>(*this); }
+};
+
+class Ddim final : public Scheduler {
+  public:
+    Ddim(const ScheduleConfig& config, int steps) {
+        config_ = config;
+        alphas_ = alphas_cumprod(config);
+        timesteps_ = spaced(config, steps, true, true);
+    }
+    Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor&) override {
+        const double t = timestep(i), before = t - config_.train_steps / steps();
+        const double a = alpha(t), b = before >= 0 ? alpha(before) : config_.alpha_to_one ? 1 : alpha(0);
+        const Mix m{std::sqrt(a), std::sqrt(1 - a)};
+        Tensor clean = clean_of(config_.prediction, output, x, m);
+        Tensor noise = config_.prediction == Prediction::noise ? output : m.signal * output + m.noise * x;
+        if (config_.clip_sample) clean = at::clamp(clean, -config_.clip_range, config_.clip_range);
+        return std::sqrt(b) * clean + std::sqrt(1 - b) * noise;
+    }
+    Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override {
+        const double a = alpha(timestep(i));
+        return std::sqrt(a) * clean + std::sqrt(1 - a) * noise;
+    }
+    std::unique_ptr<Scheduler> clone() const override { return std::make_unique<Ddim>(*this); }
+
+  private:
+    double alpha(double t) const { return alphas_.data_ptr<float>()[static_cast<std::int64_t>(t)]; }
+};
+
+// UniPC (Zhao et al. 2023), predicting the clean latent, with B(h) = e^h - 1: a predictor of order 1 to `solver_order`, and from the second
+// step on a corrector that uses the new output before predicting on.
+class UniPc final : public Scheduler {
+  public:
+    UniPc(const ScheduleConfig& config, int steps) {
+        config_ = config;
+        alphas_ = alphas_cumprod(config);
+        timesteps_ = spaced(config, steps, false, true);
+        const std::vector<double> table = all_sigmas(alphas_);
+        for (const double t : timesteps_) sigmas_.push_back(static_cast<float>(interpolated(table, t)));
+        sigmas_.push_back(static_cast<float>(table[0]));  // the last step ends at t = 0, where a little noise is left
+    }
+    Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor&) override {
+        const Tensor clean = clean_of(config_.prediction, output, x, mix_of(sigmas_[static_cast<std::size_t>(i)]));
+        const Tensor from = last_.defined() && i > 0 ? corrected(clean, i) : x;
+        cleans_.push_back(clean);
+        if (static_cast<int>(cleans_.size()) > config_.solver_order) cleans_.erase(cleans_.begin());
+        order_ = config_.lower_order_final ? std::min(config_.solver_order, steps() - i) : config_.solver_order;
+        order_ = std::min(order_, done_ + 1);
+        last_ = from;
+        done_ = std::min(done_ + 1, config_.solver_order);
+        return moved(from, i, i + 1, {}, order_);
+    }
+    Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override {
+        const Mix m = mix_of(sigmas_[static_cast<std::size_t>(i)]);
+        return m.signal * clean + m.noise * noise;
+    }
+    std::unique_ptr<Scheduler> clone() const override { return std::make_unique<UniPc>(*this); }
+
+  private:
+    double lambda(int i) const { return -std::log(static_cast<double>(sigmas_[static_cast<std::size_t>(i)])); }
+    Tensor corrected(const Tensor& clean, int i) const { return moved(last_, i - 1, i, clean, order_); }
+
+    // From step `a` to `b`. With `target`, the clean latent found at b, this is the corrector.
+    Tensor moved(const Tensor& x, int a, int b, const Tensor& target, int order) const {
+        const Mix to = mix_of(sigmas_[static_cast<std::size_t>(b)]), from = mix_of(sigmas_[static_cast<std::size_t>(a)]);
+        const double h = lambda(b) - lambda(a), growth = std::expm1(-h);
+        const Tensor& newest = cleans_.back();
+        std::vector<double> ratios;
+        std::vector<Tensor> slopes;
+        for (int k = 1; k < order; ++k) {
+            ratios.push_back((lambda(a - k) - lambda(a)) / h);
+            slopes.push_back((cleans_[cleans_.size() - 1 - static_cast<std::size_t>(k)] - newest) / ratios.back());
+        }
+        ratios.push_back(1);
+        Tensor bend = at::zeros_like(x);
+        if (target.defined()) {
+            const std::vector<double> rho = order == 1 ? std::vector{0.5} : weights(ratios, h, order);
+            for (std::size_t k = 0; k < slopes.size(); ++k) bend = bend + rho[k] * slopes[k];
+            bend = bend + rho.back() * (target - newest);
+        } else {
+            const std::vector<double> rho = order == 2 ? std::vector{0.5} : weights(ratios, h, order - 1);
+            for (std::size_t k = 0; k < slopes.size(); ++k) bend = bend + rho[k] * slopes[k];
+        }
+        return to.noise / from.noise * x - to.signal * growth * newest - to.signal * growth * bend;
+    }
+
+    // Solves sum_k rho_k r_k^i = phi_i for i < n.
+    static std::vector<double> weights(const std::vector<double>& ratios, double h, int n) {
+        const auto size = static_cast<std::size_t>(n);
+        std::vector<std::vector<double>> m(size, std::vector<double>(size + 1));
+        const double b = std::expm1(-h);
+        double phi = b / -h - 1, factorial = 1;
+        for (std::size_t i = 0; i < size; ++i) {
+            for (std::size_t k = 0; k < size; ++k) m[i][k] = std::pow(ratios[k], static_cast<double>(i));
+            m[i][size] = phi * factorial / b;
+            factorial *= static_cast<double>(i + 2);
+            phi = phi / -h - 1 / factorial;
+        }
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t r = 0; r < size; ++r) {
+                if (r == i) continue;
+                const double f = m[r][i] / m[i][i];
+                for (std::size_t k = i; k <= size; ++k) m[r][k] -= f * m[i][k];
+            }
+        std::vector<double> out;
+        for (std::size_t i = 0; i < size; ++i) out.push_back(m[i][size] / m[i][i]);
+        return out;
+    }
+
+    std::vector<Tensor> cleans_;  // newest last, at most solver_order
+    Tensor last_;                 // where the last predictor started
+    int order_ = 1, done_ = 0;
+};
+
+}  // namespace
+
+ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampler sampler) {
+    const ConfigFields f(json, where);
+    ScheduleConfig c;
+    c.train_steps = static_cast<int>(f.whole("num_train_timesteps", 1000));
+    c.beta_start = f.number("beta_start", 0.0001);
+    c.beta_end = f.number("beta_end", 0.02);
+    if (c.train_steps < 2 || !(c.beta_start > 0 && c.beta_start < c.beta_end && c.beta_end < 1))
+        throw Error("{}: expected at least 2 steps and 0 < beta_start < beta_end < 1, found {} steps, {} and {}", where, c.train_steps, c.beta_start, c.beta_end);
+    const std::string betas = f.text("beta_schedule", "linear");
+    if (betas != "linear" && betas != "scaled_linear") throw f.wrong("beta_schedule", "\"linear\" or \"scaled_linear\"", betas);
+    c.scaled_linear = betas == "scaled_linear";
+    if (const Json* trained = f.find("trained_betas")) throw f.wrong("trained_betas", "absent", *trained);
+    if (f.flag("rescale_betas_zero_snr", false)) throw f.wrong("rescale_betas_zero_snr", "false", true);
+    const std::string prediction = f.text("prediction_type", "epsilon");
+    if (prediction != "epsilon" && prediction != "v_prediction") throw f.wrong("prediction_type", "\"epsilon\" or \"v_prediction\"", prediction);
+    c.prediction = prediction == "epsilon" ? Prediction::noise : Prediction::velocity;
+
+    // A value that is the default of the class that wrote the file is not passed on to another class.
+    const std::string written_by = f.text("_class_name", "");
+    const std::string own = sampler == Sampler::ddim ? "DDIMScheduler" : sampler == Sampler::unipc ? "UniPCMultistepScheduler" : "EulerAncestralDiscreteScheduler";
+    const bool leading_class = written_by == "PNDMScheduler" || written_by == "DDIMScheduler";
+    std::string spacing = f.text("timestep_spacing", "");
+    if (written_by != own && !written_by.empty() && spacing == (leading_class ? "leading" : "linspace")) spacing.clear();
+    if (spacing.empty()) spacing = sampler == Sampler::ddim ? "leading" : "linspace";
+    if (spacing != "linspace" && spacing != "leading" && spacing != "trailing") throw f.wrong("timestep_spacing", "\"linspace\", \"leading\" or \"trailing\"", spacing);
+    c.spacing = spacing == "linspace" ? Spacing::linspace : spacing == "leading" ? Spacing::leading : Spacing::trailing;
+
+    c.steps_offset = static_cast<int>(f.whole("steps_offset", 0));
+    c.alpha_to_one = f.flag("set_alpha_to_one", true);
+    c.clip_sample = f.flag("clip_sample", sampler == Sampler::ddim && written_by == own);
+    c.clip_range = f.number("clip_sample_range", 1);
+    c.solver_order = static_cast<int>(std::clamp<std::int64_t>(f.whole("solver_order", 2), 1, 3));
+    c.lower_order_final = f.flag("lower_order_final", true);
+    return c;
+}
+
+Tensor alphas_cumprod(const ScheduleConfig& c) {
+    const Tensor betas = c.scaled_linear ? at::linspace(std::sqrt(c.beta_start), std::sqrt(c.beta_end), c.train_steps, at::kFloat).square()
+                                         : at::linspace(c.beta_start, c.beta_end, c.train_steps, at::kFloat);
+    return at::cumprod(1 - betas, 0);
+}
+
+std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig& config, int steps) {
+    FASTSCENE_CHECK(steps >= 1 && steps <= config.train_steps);
+    switch (sampler) {
+        case Sampler::euler_ancestral: return std::make_unique<EulerAncestral>(config, steps);
+        case Sampler::ddim: return std::make_unique<Ddim>(config, steps);
+        case Sampler::unipc: return std::make_unique<UniPc>(config, steps);
+    }
+    FASTSCENE_CHECK(false);
+    return nullptr;
+}
+
+}  // namespace fastscene::nn

@@ -1,0 +1,68 @@
+// Samplers: how predicted noise becomes the next, less noisy latent. The noise schedule of Stable Diffusion (1000 steps, betas whose roots
+// rise evenly) and three solvers, with the meaning of diffusers 0.26: what Diffusion360 was made with. Private to nn/ (torch).
+#pragma once
+
+#include <ATen/ATen.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fastscene/base/json.h"
+
+namespace fastscene::nn {
+
+enum class Prediction { noise, velocity };  // "epsilon" and "v_prediction"
+enum class Spacing { linspace, leading, trailing };
+
+struct ScheduleConfig {
+    int train_steps = 1000;
+    double beta_start = 0.00085, beta_end = 0.012;
+    bool scaled_linear = true;  // else linear
+    Prediction prediction = Prediction::noise;
+    Spacing spacing = Spacing::linspace;
+    int steps_offset = 0;
+    bool alpha_to_one = true;   // DDIM: what follows the last step is no noise at all
+    bool clip_sample = false;   // DDIM
+    double clip_range = 1;
+    int solver_order = 2;       // UniPC
+    bool lower_order_final = true;
+};
+// Reads scheduler_config.json. Kinds of schedule that Stable Diffusion 1 and 2 do not use throw Error.
+//   euler-ancestral, unipc: spacing as in the file, else linspace; ddim: as in the file, else leading.
+// (Made from another sampler's file, a spacing that equals that sampler's own default does not count: diffusers drops it.)
+enum class Sampler { euler_ancestral, ddim, unipc };
+ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampler sampler);
+
+// Products of 1 - beta, [train_steps] float.
+at::Tensor alphas_cumprod(const ScheduleConfig& config);
+
+class Scheduler {
+  public:
+    virtual ~Scheduler() = default;
+    int steps() const { return static_cast<int>(timesteps_.size()); }
+    double timestep(int i) const { return timesteps_[static_cast<std::size_t>(i)]; }
+    const std::vector<double>& timesteps() const { return timesteps_; }
+    const std::vector<float>& sigmas() const { return sigmas_; }  // empty for DDIM
+    double init_noise_sigma() const { return init_noise_sigma_; }
+
+    // What the network is shown at step i.
+    virtual at::Tensor scaled_input(const at::Tensor& x, int) const { return x; }
+    // From x at step i to step i + 1, given the network's output. `noise` (unit normal, like x) is read by the ancestral sampler only.
+    virtual at::Tensor step(const at::Tensor& output, int i, const at::Tensor& x, const at::Tensor& noise) = 0;
+    // A clean latent with the noise of step i.
+    virtual at::Tensor noised(const at::Tensor& clean, const at::Tensor& noise, int i) const = 0;
+    virtual bool wants_noise() const { return false; }
+    virtual std::unique_ptr<Scheduler> clone() const = 0;
+
+  protected:
+    ScheduleConfig config_;
+    at::Tensor alphas_;
+    std::vector<double> timesteps_;
+    std::vector<float> sigmas_;
+    double init_noise_sigma_ = 1;
+};
+
+std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig& config, int steps);
+
+}  // namespace fastscene::nn

@@ -1,0 +1,19 @@
+// A model folder as diffusers saves it, small enough for tests: random weights, a vocabulary of made-up merges.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace fastscene {
+
+// tokenizer/: merges.txt with as many merges as CLIP's, of bytes only.
+void write_tiny_tokenizer(const std::filesystem::path& folder);
+
+// unet/ vae/ text_encoder/ tokenizer/ scheduler/. `text_width` of the denoiser and of the text encoder may differ: a mixed-up folder.
+struct TinyModel {
+    int denoiser_text_width = 32, encoder_text_width = 32;
+    std::string prediction = "epsilon";
+};
+void write_tiny_model(const std::filesystem::path& folder, const TinyModel& model = {});
+
+}  // namespace fastscene

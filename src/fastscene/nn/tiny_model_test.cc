@@ -1,0 +1,78 @@
+#include "fastscene/nn/tiny_model.h"
+
+#include <c10/core/InferenceMode.h>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/json.h"
+#include "fastscene/nn/clip.h"
+#include "fastscene/nn/hashed.h"
+#include "fastscene/nn/safetensors.h"
+#include "fastscene/nn/tokenizer.h"
+#include "fastscene/nn/unet.h"
+#include "fastscene/nn/vae.h"
+#include "fastscene/nn/weights_torch.h"
+
+namespace fastscene {
+
+namespace fs = std::filesystem;
+using nn::HashedWeights;
+using nn::Scope;
+
+void write_tiny_tokenizer(const fs::path& folder) {
+    // The 68 bytes that are not printable stand from U+0100 on; each line makes a longer run of one of them behind a printable byte.
+    std::string lines = "#version: 0.2\n";
+    int count = 0;
+    for (char a = '!'; a <= '~'; ++a)
+        for (int b = 0; b < 600 && count < 48894; ++b, ++count) {
+            const int stand_in = 0x100 + b % 68;
+            const std::string other{static_cast<char>(0xc0 | stand_in >> 6), static_cast<char>(0x80 | (stand_in & 63))};
+            std::string left(1, a);
+            for (int i = 0; i < b / 68; ++i) left += other;
+            lines += left + " " + other + "\n";
+        }
+    make_directories(folder);
+    write_file(folder / "merges.txt", lines);
+}
+
+namespace {
+
+void save(const HashedWeights& weights, const fs::path& file) {
+    Weights out;
+    for (const auto& [key, tensor] : weights.seen()) out.tensors[key] = nn::weight_of(tensor);
+    save_safetensors(file, out);
+}
+
+}  // namespace
+
+void write_tiny_model(const fs::path& folder, const TinyModel& model) {
+    const c10::InferenceMode inference;
+    for (const char* part : {"unet", "vae", "text_encoder", "tokenizer", "scheduler"}) make_directories(folder / part);
+    write_tiny_tokenizer(folder / "tokenizer");
+
+    const Json unet = {{"_class_name", "UNet2DConditionModel"}, {"in_channels", 4}, {"out_channels", 4}, {"norm_num_groups", 8},
+                       {"block_out_channels", {16, 32}}, {"layers_per_block", 1}, {"attention_head_dim", 4}, {"cross_attention_dim", model.denoiser_text_width},
+                       {"down_block_types", {"CrossAttnDownBlock2D", "DownBlock2D"}}, {"up_block_types", {"UpBlock2D", "CrossAttnUpBlock2D"}}};
+    write_json(folder / "unet/config.json", unet);
+    HashedWeights denoiser;
+    nn::unet(Scope(denoiser), nn::unet_config(unet, "unet"), at::zeros({1, 4, 4, 4}), 1, at::zeros({1, 2, model.denoiser_text_width}));
+    save(denoiser, folder / "unet/diffusion_pytorch_model.safetensors");
+
+    const Json vae = {{"_class_name", "AutoencoderKL"}, {"block_out_channels", {8, 8, 16, 16}}, {"layers_per_block", 1}, {"latent_channels", 4}, {"norm_num_groups", 4},
+                      {"sample_size", 64}, {"down_block_types", Json::array({"DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D"})},
+                      {"up_block_types", Json::array({"UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D"})}};
+    write_json(folder / "vae/config.json", vae);
+    HashedWeights decoder;
+    nn::vae_decode(Scope(decoder), nn::vae_config(vae, "vae"), at::zeros({1, 4, 2, 2}));
+    save(decoder, folder / "vae/diffusion_pytorch_model.safetensors");
+
+    const Json text = {{"hidden_size", model.encoder_text_width}, {"intermediate_size", 64}, {"num_hidden_layers", 1}, {"num_attention_heads", 2}, {"hidden_act", "quick_gelu"}};
+    write_json(folder / "text_encoder/config.json", text);
+    HashedWeights encoder;
+    nn::clip_text(Scope(encoder), nn::clip_tower(text, "text"), at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
+    save(encoder, folder / "text_encoder/model.safetensors");
+
+    write_json(folder / "scheduler/scheduler_config.json", {{"_class_name", "PNDMScheduler"}, {"beta_start", 0.00085}, {"beta_end", 0.012}, {"beta_schedule", "scaled_linear"},
+                                                            {"num_train_timesteps", 1000}, {"set_alpha_to_one", false}, {"steps_offset", 1}, {"prediction_type", model.prediction}});
+}
+
+}  // namespace fastscene

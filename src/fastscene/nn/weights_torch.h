@@ -1,0 +1,49 @@
+// Weights of a file as tensors of libtorch. Private to nn/ (torch).
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "fastscene/base/check.h"
+#include "fastscene/base/error.h"
+#include "fastscene/nn/scope.h"
+#include "fastscene/nn/weights.h"
+
+namespace fastscene::nn {
+
+at::ScalarType scalar_type(NumberType type);
+// Shares the file's bytes (they are never written to) when they are aligned, copies otherwise.
+at::Tensor tensor_of(const WeightTensor& weight);
+// The other way, for saving: a copy in C order on the CPU.
+WeightTensor weight_of(const at::Tensor& tensor);
+
+// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for.
+class LoadedWeights final : public WeightSource {
+  public:
+    LoadedWeights(Weights weights, at::TensorOptions options = at::kFloat) : weights_(std::move(weights)), options_(options) {}
+    at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
+    bool has(const std::string& key) const override { return weights_.has(key); }
+    const Weights& weights() const { return weights_; }
+
+  private:
+    Weights weights_;
+    at::TensorOptions options_;
+    std::unordered_map<std::string, at::Tensor> ready_;
+};
+
+// Copies into a list of (name, tensor). Throws one Error that names every missing key, every unexpected one (unless `extra_allowed`) and
+// every other shape, as far as a message can hold them.
+using NamedTensors = std::vector<std::pair<std::string, at::Tensor>>;
+void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed = false);
+
+// For networks written as torch::nn::Module: its parameters and buffers by their registered names.
+template <class Module>
+void load_into(Module& module, const Weights& weights, bool extra_allowed = false) {
+    NamedTensors targets;
+    for (const auto& item : module.named_parameters()) targets.emplace_back(item.key(), item.value());
+    for (const auto& item : module.named_buffers()) targets.emplace_back(item.key(), item.value());
+    load_into(targets, weights, extra_allowed);
+}
+
+}  // namespace fastscene::nn

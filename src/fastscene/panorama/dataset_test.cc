@@ -1,0 +1,139 @@
+#include "fastscene/panorama/dataset.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <map>
+
+#include "fastscene/base/file.h"
+#include "fastscene/geometry/sphere.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/panorama/dataset_parts.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Dataset : public testing::Test {
+  protected:
+    fs::path folder_ = fs::temp_directory_path() / fmt::format("fastscene-dataset-{}", ::getpid());
+    void SetUp() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static DatasetRequest small(int count) {
+        DatasetRequest r{count, 64, 32, {}};
+        r.params.views = 2;
+        r.params.shard = 3;
+        r.params.trace = {.cell_m = 0.25f, .cell_samples = 8, .pixel_samples = 1};
+        return r;
+    }
+    static std::map<std::string, std::string> files(const fs::path& folder) {
+        std::map<std::string, std::string> out;
+        for (const auto& e : fs::recursive_directory_iterator(folder))
+            if (e.is_regular_file()) out[fs::relative(e.path(), folder).string()] = read_file(e.path());
+        return out;
+    }
+};
+
+TEST_F(Dataset, ResumedAndLengthenedIsTheSameBytes) {
+    fastscene::Run run;
+    run.seed = 4;
+    const DatasetState whole = make_dataset(small(5), folder_ / "whole", run);
+    EXPECT_EQ(whole.made, 5);
+    EXPECT_EQ(whole.there, 5);
+    make_dataset(small(2), folder_ / "parts", run);
+    // A picture half made: its JSON, which comes last, is not there.
+    fs::remove(folder_ / "parts/shard-00000/00000001.json");
+    fs::remove(folder_ / "parts/shard-00000/00000001.range.png");
+    EXPECT_EQ(make_dataset(small(5), folder_ / "parts", run).made, 4);
+    EXPECT_EQ(make_dataset(small(5), folder_ / "parts", run).made, 0);
+    EXPECT_EQ(files(folder_ / "whole"), files(folder_ / "parts"));
+}
+
+TEST_F(Dataset, OtherSettingsAreRefused) {
+    make_dataset(small(1), folder_, {});
+    DatasetRequest other = small(1);
+    other.height = other.width = 48;
+    EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
+    fastscene::Run run;
+    run.seed = 9;
+    EXPECT_THROW(make_dataset(small(1), folder_, run), UsageError);
+    other = small(0);
+    EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
+}
+
+// Neighbouring ranges, as points, span a plane whose normal is the one in the normal map: so frames, units and signs agree.
+TEST_F(Dataset, RangeNormalsAndClassesAgree) {
+    DatasetRequest request = small(2);
+    request.width = 256;
+    request.height = 128;
+    request.params.film = "clean";
+    make_dataset(request, folder_, {});
+    const EquirectSize size{256, 128};
+    for (int picture = 0; picture < 2; ++picture) {
+        const std::string stem = (folder_ / fmt::format("shard-00000/{:08}", picture)).string();
+        const ImageF range = load_float(stem + ".range.png", 0.001f);
+        const ImageRgb8 normals = load_rgb8(stem + ".normal.png"), color = load_rgb8(stem + ".color.png");
+        const ImageMask classes = load_mask_png(stem + ".class.png");
+        ASSERT_EQ(color.width, 256);
+        int flat = 0, agree = 0, shell = 0;
+        for (int y = 20; y < 108; ++y)
+            for (int x = 1; x < 255; ++x) {
+                if (range.at(x, y) <= 0 || range.at(x + 1, y) <= 0 || range.at(x, y + 1) <= 0) continue;
+                const auto point = [&](int px, int py) { return direction_of_pixel(px, py, size) * range.at(px, py); };
+                const Vec3f p = point(x, y), n = normalize(cross(point(x, y + 1) - p, point(x + 1, y) - p));
+                const Rgb8 c = normals.at(x, y);
+                const Vec3f m = normalize(Vec3f{static_cast<float>(c.r) - 127.5f, static_cast<float>(c.g) - 127.5f, static_cast<float>(c.b) - 127.5f});
+                const int k = classes.at(x, y);
+                if (k != 1 && k != 2 && k != 22) continue;
+                EXPECT_LT(dot(m, p), 0.02f * length(p)) << "normals look at the camera";
+                EXPECT_TRUE(k != 2 || m.y < -0.5f) << "floors look up";
+                ++shell;
+                ++flat;
+                agree += std::abs(dot(n, m)) > 0.97f ? 1 : 0;
+            }
+        EXPECT_GT(shell, 1000);
+        EXPECT_GT(agree, 0.85 * flat);
+    }
+}
+
+TEST_F(Dataset, AClaimIsHeldByOneAndInheritedFromTheDead) {
+    make_directories(folder_);
+    {
+        const auto mine = dataset::Claim::take(folder_, "a", 10);
+        ASSERT_TRUE(mine);
+        EXPECT_FALSE(dataset::Claim::take(folder_, "a", 10));
+        EXPECT_TRUE(dataset::Claim::take(folder_, "b", 10));
+    }
+    EXPECT_TRUE(dataset::Claim::take(folder_, "a", 10)) << "released";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto held = dataset::Claim::take(folder_, "a", 10);
+        ::_exit(held ? 0 : 1);  // no destructor: as if killed
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_EQ(WEXITSTATUS(status), 0);
+    ASSERT_TRUE(fs::exists(folder_ / "a.claim"));
+    EXPECT_TRUE(dataset::Claim::take(folder_, "a", 10));
+}
+
+TEST(DatasetRooms, DifferAndCanBeDrawnAgain) {
+    const dataset::RandomRoom a = dataset::random_room(1, 0), again = dataset::random_room(1, 0), b = dataset::random_room(1, 1);
+    EXPECT_EQ(a.prompt, again.prompt);
+    ASSERT_EQ(a.room.meshes.size(), again.room.meshes.size());
+    EXPECT_EQ(a.room.meshes[0].positions, again.room.meshes[0].positions);
+    EXPECT_NE(a.prompt, b.prompt);
+}
+
+TEST(DatasetClasses, OfOurPieces) {
+    for (const auto& [klass, id] : std::map<std::string, int>{{"bed_single", 4}, {"nightstand", 32}, {"bookshelf", 10}, {"armchair", 5}, {"sofa", 6}, {"dining_table_round", 7}, {"door", 8}, {"window", 9},
+                                                              {"kitchen_counter", 12}, {"rug", 20}, {"tv", 25}, {"tv_stand", 39}, {"washbasin", 34}, {"floor_lamp", 35}, {"grand piano", 39}, {"zebra", 40}})
+        EXPECT_EQ(dataset::nyu40_of(klass), id) << klass;
+}
+
+}  // namespace
+}  // namespace fastscene

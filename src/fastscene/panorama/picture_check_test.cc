@@ -1,0 +1,67 @@
+#include "fastscene/panorama/picture_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fastscene/geometry/sphere.h"
+
+namespace fastscene {
+namespace {
+
+// A smooth closed picture of a room's light: continuous on the sphere.
+ImageColor smooth() {
+    const EquirectSize size{256, 128};
+    ImageColor color(size.width, size.height);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, size);
+            const float v = 0.3f + 0.1f * std::sin(9 * d.x) * std::cos(7 * d.z) + 0.1f * d.y;
+            color.at(x, y) = {v, v, 0.9f * v};
+        }
+    return color;
+}
+
+bool says(const ImageColor& color, const std::string& word) {
+    for (const std::string& doubt : doubts_about_panorama(color))
+        if (doubt.find(word) != std::string::npos) return true;
+    return false;
+}
+
+TEST(PictureCheck, HasNothingAgainstAClosedPanorama) { EXPECT_TRUE(doubts_about_panorama(smooth()).empty()); }
+
+TEST(PictureCheck, SeesAnOpenSeam) {
+    ImageColor color = smooth();
+    for (int y = 0; y < color.height; ++y)
+        for (int x = 0; x < color.width; ++x) color.at(x, y) = color.at(x, y) * (0.6f + 0.8f * static_cast<float>(x) / 256.f);
+    EXPECT_TRUE(says(color, "do not meet"));
+}
+
+TEST(PictureCheck, SeesAnOrdinaryPhoto) {
+    ImageColor color = smooth();
+    for (int y = 0; y < color.height; ++y)
+        for (int x = 0; x < color.width; ++x) color.at(x, y) = (x / 40) % 2 ? Vec3f{0.8f, 0.8f, 0.8f} : Vec3f{0.1f, 0.1f, 0.1f};
+    EXPECT_TRUE(says(color, "not one color"));
+}
+
+TEST(PictureCheck, SeesBlackBorders) {
+    ImageColor color = smooth();
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < color.width; ++x) color.at(x, y) = color.at(x, color.height - 1 - y) = {};
+    EXPECT_TRUE(says(color, "12 rows at the top"));
+}
+
+TEST(PictureCheck, SeesATripod) {
+    ImageColor color = smooth();
+    for (int y = 122; y < color.height; ++y)
+        for (int x = 0; x < color.width; ++x) color.at(x, y) = {0.01f, 0.01f, 0.01f};
+    EXPECT_TRUE(says(color, "tripod") || says(color, "black borders"));
+    for (int y = 122; y < color.height; ++y)
+        for (int x = 0; x < color.width; ++x) color.at(x, y) = {0.9f, 0.9f, 0.9f};
+    EXPECT_TRUE(says(color, "tripod"));
+}
+
+TEST(PictureCheck, SeesDarkness) { EXPECT_TRUE(says(ImageColor(64, 32), "black")); }
+
+}  // namespace
+}  // namespace fastscene

@@ -1,0 +1,174 @@
+#include "fastscene/pipeline/capture_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/stage_cache.h"
+#include "fastscene/pipeline/stages.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+Capture load_capture(const CaptureRequest& request) {
+    CaptureFolders folders = request.folders;
+    folders.downscale = request.photos.downscale;
+    return request.kind == "colmap" ? load_colmap_capture(request.source, folders) : load_nerfstudio_capture(request.source, folders);
+}
+
+// The model's numbers, and of each picture its name, size and time: pictures are not read to know that nothing changed.
+std::string identity_of(const Capture& capture) {
+    Hash hash;
+    hash.add("capture");
+    for (const Photo& p : capture.photos) {
+        hash.add(p.name);
+        for (const fs::path& file : {p.file, p.mask}) {
+            std::error_code code;
+            const auto size = fs::file_size(file, code);
+            hash.add(code ? std::uint64_t{0} : static_cast<std::uint64_t>(size));
+            const auto time = fs::last_write_time(file, code);
+            hash.add(code ? std::int64_t{0} : static_cast<std::int64_t>(time.time_since_epoch().count()));
+        }
+        const Lens& l = p.lens;
+        for (const double v : {double(l.width), double(l.height), l.fx, l.fy, l.cx, l.cy, l.p1, l.p2}) hash.add(v);
+        for (const double v : l.k) hash.add(v);
+        const Mat3d& r = p.world_from_camera.rotation;
+        for (const Vec3d& v : {r.row0, r.row1, r.row2, p.world_from_camera.translation}) hash.add(v.x).add(v.y).add(v.z);
+    }
+    for (const CapturePoint& p : capture.points) hash.add(p.position.x).add(p.position.y).add(p.position.z).add(p.color.r).add(p.color.g).add(p.color.b);
+    return hash.hex();
+}
+
+Json run_json_of(const CaptureRequest& request, const std::string& identity, std::uint64_t seed) {
+    return {{"prompt", ""},
+            {"capture",
+             {{"kind", request.kind},
+              {"source", fs::absolute(request.source).lexically_normal().string()},
+              {"images", request.folders.images.empty() ? "" : fs::absolute(request.folders.images).string()},
+              {"masks", request.folders.masks.empty() ? "" : fs::absolute(request.folders.masks).string()},
+              {"photos", fields_json(request.photos)}}},
+            {"identity", identity},
+            {"seed", seed},
+            {"quality", request.quality},
+            {"params", {{"splat", fields_json(request.splat)}}},
+            {"versions", build_json()}};
+}
+
+void claim(const RunFolder& folder, const Json& wanted, bool start_over) {
+    if (start_over)
+        for (const std::string& name : RunFolder::owned()) fs::remove_all(folder.root / name);
+    if (fs::exists(folder.run_json())) {
+        const Json recorded = read_json(folder.run_json());
+        const auto source = [](const Json& run) { return run.contains("capture") ? run.at("capture").value("source", "") : "\"" + run.value("prompt", "") + "\""; };
+        if (source(recorded) != source(wanted))
+            throw UsageError("{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or --force to throw that run away",
+                             folder.root.string(), source(wanted), source(recorded));
+    } else {
+        for (const std::string& name : RunFolder::owned())
+            if (fs::exists(folder.root / name))
+                throw UsageError("{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or --force to replace what is there",
+                                 folder.root.string(), name);
+    }
+    write_json(folder.run_json(), wanted);
+}
+
+// The least turn that brings `up` to the world's up (-y).
+Mat3d upright_from(Vec3f up) {
+    const Vec3d from{up.x, up.y, up.z}, to{0, -1, 0};
+    const Vec3d axis = cross(from, to);
+    const double s = length(axis), c = dot(from, to);
+    if (s < 1e-6) return c > 0 ? Mat3d{} : Mat3d{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    return rotation_about(axis * (1 / s), std::atan2(s, c));
+}
+
+Json json_of(const Rigid& pose) {
+    const Vec3f forward = pose.rotation.column(2), p = pose.translation;
+    return {{"position_m", {p.x, p.y, p.z}}, {"forward", {forward.x, forward.y, forward.z}}};
+}
+
+// All files of the stage. viewer.json: where a visitor stands first, in the frame of viewer.compressed.ply.
+void make_capture_splat(const CaptureRequest& request, const Capture& capture, const fs::path& out, const Run& run) {
+    const PhotoViews photos = views_of_capture(capture, request.photos, run);
+    run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(), capture.photos.size(), photos.set.points.size()));
+    FittedSplats fitted = fit_splats(photos.set, request.splat, run);
+    Splats own = fitted.splats;
+    transform(own, inverse(photos.world_from_capture));
+    std::swap(own, fitted.splats);
+    save_fit(fitted, out);
+
+    const Mat3d upright = upright_from(photos.up);
+    transform(own, {upright, 1, {}});
+    save_compressed_ply(out / "viewer.compressed.ply", own);
+    const View& first = photos.set.views.front();
+    const Mat3f turn{{float(upright.row0.x), float(upright.row0.y), float(upright.row0.z)}, {float(upright.row1.x), float(upright.row1.y), float(upright.row1.z)},
+                     {float(upright.row2.x), float(upright.row2.y), float(upright.row2.z)}};
+    Json viewer = json_of({turn * first.world_from_camera.rotation, turn * first.world_from_camera.translation});
+    viewer["fov_deg"] = std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) * 57.29578f, 50.f, 90.f);
+    write_json(out / "viewer.json", viewer);
+}
+
+}  // namespace
+
+Json train_capture(const CaptureRequest& request, const RunFolder& folder, const Run& run) {
+    check_fields("splat", request.splat);
+    check_fields("", request.photos);
+    const Capture capture = load_capture(request);
+    const std::string identity = identity_of(capture);
+    make_directories(folder.root);
+    const FolderLock lock(folder.root);
+    claim(folder, run_json_of(request, identity, run.seed), request.start_over);
+
+    const Json params{{"splat", fields_json(request.splat)}, {"photos", fields_json(request.photos)}};
+    const StageRecord record = run_stage(folder.root, "splat", stage_key("splat", params, {identity}, run.seed), run,
+                                         [&](const fs::path& out) { make_capture_splat(request, capture, out, run); });
+    if (record.skipped) run.note("splat: already made");
+    run.check_stop();
+    share_capture(folder, request.source.filename().empty() ? request.source.parent_path().filename().string() : request.source.filename().string(), run);
+    Json report{{"capture", fs::absolute(request.source).lexically_normal().string()},
+                {"photographs", capture.photos.size()},
+                {"points", capture.points.size()},
+                {"seed", run.seed},
+                {"quality", request.quality},
+                {"versions", build_json()},
+                {"threads", thread_count()},
+                {"seconds", record.cost.seconds},
+                {"cpu_seconds", record.cost.cpu_seconds},
+                {"peak_memory_bytes", record.cost.peak_memory_bytes}};
+    report["stages"]["splat"] = {{"seconds", record.cost.seconds}, {"cpu_seconds", record.cost.cpu_seconds}, {"peak_memory_bytes", record.cost.peak_memory_bytes}, {"hash", record.result}};
+    Json made = Json::array();
+    for (const std::string& name : RunFolder::owned())
+        if (name == "report.json" || fs::exists(folder.root / name)) made.push_back(name);
+    report["made"] = made;
+    write_json(folder.report_json(), report);
+    return report;
+}
+
+std::optional<RecordedCapture> recorded_capture(const RunFolder& folder) {
+    if (!fs::exists(folder.run_json())) return {};
+    const Json json = read_json(folder.run_json());
+    if (!json.contains("capture")) return {};
+    try {
+        RecordedCapture out;
+        const Json& capture = json.at("capture");
+        out.request.kind = capture.at("kind");
+        out.request.source = capture.at("source").get<std::string>();
+        out.request.folders.images = capture.at("images").get<std::string>();
+        out.request.folders.masks = capture.at("masks").get<std::string>();
+        out.request.quality = json.at("quality");
+        out.seed = json.at("seed");
+        fields_from_json(capture.at("photos"), out.request.photos);
+        fields_from_json(json.at("params").at("splat"), out.request.splat);
+        return out;
+    } catch (const Json::exception& e) {
+        throw Error("{}: expected capture, quality, params and seed: {}", folder.run_json().string(), e.what());
+    }
+}
+
+}  // namespace fastscene

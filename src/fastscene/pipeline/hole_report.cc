@@ -1,0 +1,75 @@
+#include "fastscene/pipeline/hole_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/io/plot_svg.h"
+#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/stages.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+// The room maker changes from version to version; then a run's range map is that of another room.
+void check_same_room(const TracedRoom& room, const ImageF& range, const fs::path& run_dir) {
+    const EquirectSize size{range.width, range.height};
+    int looked = 0, other = 0;
+    for (int y = size.height / 16; y < size.height; y += std::max(1, size.height / 12))
+        for (int x = size.width / 32; x < size.width; x += std::max(1, size.width / 24)) {
+            const float true_range = room.distance({}, direction_of_pixel(x, y, size)), recorded = range.at(x, y);
+            ++looked;
+            other += std::isfinite(true_range) != std::isfinite(recorded) || (std::isfinite(recorded) && !(std::fabs(true_range - recorded) < 0.02f * recorded));
+        }
+    if (20 * other > looked)
+        throw Error("--truth: the room behind {} is not the one its range map shows ({} of {} rays differ): it was made by another version; make it anew",
+                    run_dir.string(), other, looked);
+}
+
+}  // namespace
+
+std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, const Run& run) {
+    const RunFolder folder{run_dir};
+    const RecordedRun recorded = recorded_run(folder);
+    if (!fs::exists(folder.depth_range()))
+        throw UsageError("{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene depth {}`", run_dir.string(),
+                         run_dir.string());
+    const ImageF range = load_float(folder.depth_range());
+    if (!truth) return hole_table(range, run);
+    const SceneSource& source = recorded.request.source;
+    if (!source.has_room())
+        throw UsageError("--truth: expected a scene from a prompt: behind the picture of {} there is no room to compare with", run_dir.string());
+    PromptSpec prompt = read_prompt(source.prompt, recorded.request.params.panorama);
+    const TracedRoom room(make_room(prompt, {recorded.seed, run.events, run.stop}));
+    check_same_room(room, range, run_dir);
+    return hole_table(range, run, [&](Vec3f from, Vec3f direction) { return room.distance(from, direction); });
+}
+
+std::vector<HoleRow> hole_table_of_picture(const fs::path& picture, const fs::path& range_map, const Run& run) {
+    return hole_table(range_from_file(range_map, panorama_from_image(picture).size()), run);
+}
+
+void save_hole_table(const fs::path& folder, const std::vector<HoleRow>& rows) {
+    make_directories(folder);
+    write_file(folder / "hole_table.txt", hole_table_text(rows));
+    write_json(folder / "hole_table.json", hole_table_json(rows));
+    std::vector<Plot> plots;
+    for (const char axis : {'x', 'y', 'z'}) {
+        Plot plot{fmt::format("along {}", axis), "step, share of the greatest range", "holes, % of the picture",
+                  {{"published", {}, false}, {"ours", {}, false}, {"paper's scenes", {}, true}, {"true disocclusion", {}, true}}};
+        for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+            if (row->axis != axis) continue;
+            plot.curves[0].points.push_back({row->share, 100 * row->published});
+            plot.curves[1].points.push_back({row->share, 100 * row->ours});
+            plot.curves[2].points.push_back({row->share, 100 * row->paper});
+            if (row->truth) plot.curves[3].points.push_back({row->share, 100 * row->truth->ratio});
+        }
+        std::erase_if(plot.curves, [](const PlotCurve& c) { return c.points.empty(); });
+        plots.push_back(plot);
+    }
+    save_plots_svg(folder / "hole_table.svg", plots);
+}
+
+}  // namespace fastscene

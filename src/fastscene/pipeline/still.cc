@@ -1,0 +1,60 @@
+#include "fastscene/pipeline/still.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/geometry/cubemap.h"
+#include "fastscene/image/color.h"
+#include "fastscene/splat/splat.h"
+
+namespace fastscene {
+namespace {
+
+Still still_from(const ImageColor& color, const ImageF& alpha, ImageF distance) {
+    Still out{ImageRgb8(color.width, color.height), ImageMask(color.width, color.height), std::move(distance)};
+    for (std::size_t i = 0; i < color.size(); ++i) {
+        const Vec3f c = color.pixels[i];
+        out.color.pixels[i] = {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)};
+        out.alpha.pixels[i] = byte_from_unit(alpha.pixels[i]);
+    }
+    return out;
+}
+
+}  // namespace
+
+Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background) {
+    SplatPicture picture = render_splats(splats, camera, world_from_camera, background);
+    return still_from(picture.color, picture.alpha, std::move(picture.depth_z));
+}
+
+Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background) {
+    const EquirectSize size{width, width / 2};
+    // As fine as the sphere at its middle; two degrees over the cube's edges, so that no bilinear sample falls outside.
+    constexpr float kFovDeg = 94.f;
+    const double side = width / std::numbers::pi * std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
+    const Pinhole camera = Pinhole::with_fov(std::max(8, static_cast<int>(std::ceil(side))), std::max(8, static_cast<int>(std::ceil(side))), kFovDeg);
+    std::array<ImageColor, 6> colors, others;  // the others: alpha and range
+    for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
+        const Rigid world_from_face{world_from_pano.rotation * pano_from_face(kCubeFaces[f]), world_from_pano.translation};
+        const SplatPicture picture = render_splats(splats, camera, world_from_face, background);
+        colors[f] = picture.color;
+        others[f] = ImageColor(camera.width, camera.height);
+        for (int y = 0; y < camera.height; ++y)
+            for (int x = 0; x < camera.width; ++x) {
+                const float slant = length(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+                const float alpha = picture.alpha.at(x, y);
+                others[f].at(x, y) = {alpha, picture.depth_z.at(x, y) * slant * alpha, 0};
+            }
+    }
+    const ImageColor color = equirect_from_faces(colors, camera, size), other = equirect_from_faces(others, camera, size);
+    ImageF alpha(size.width, size.height), range(size.width, size.height);
+    for (std::size_t i = 0; i < other.size(); ++i) {
+        alpha.pixels[i] = other.pixels[i].x;
+        range.pixels[i] = other.pixels[i].x > 0 ? other.pixels[i].y / other.pixels[i].x : 0.f;
+    }
+    return still_from(color, alpha, std::move(range));
+}
+
+}  // namespace fastscene

@@ -1,0 +1,29 @@
+// Silhouettes of the main pieces: what distinguishes a sofa of one style from that of another.
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "fastscene/rooms/furniture_kit.h"
+
+namespace fastscene::furniture {
+
+void frame_sofa(Kit& k, float width, int seats);
+void chesterfield(Kit& k, float width, int seats);
+void channel_seat(Kit& k, float width, int channels);   // a sofa, or a tub chair when narrow
+
+void wing_chair(Kit& k);
+void sling_chair(Kit& k);
+void rattan_chair(Kit& k);
+
+enum class BedForm { panels, tufted, slats, board, low, iron, posts };
+void headboard(Kit& k, BedForm form, float width, float length, int wood, int head);
+
+// The two forms that rooms of a style have of a piece: the first a little more often.
+struct StyleForms {
+    std::string_view style;
+    int first, second;
+};
+int form_for(Kit& k, std::initializer_list<StyleForms> table, int usual);
+
+}  // namespace fastscene::furniture

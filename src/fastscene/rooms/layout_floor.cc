@@ -1,0 +1,195 @@
+// What stands on the floor: at walls, before, beside and around other pieces, free.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "fastscene/rooms/layout.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kSlotStep = 0.07f;
+constexpr float kWallGap = 0.015f;
+constexpr float kPi = std::numbers::pi_v<float>;
+
+}  // namespace
+
+std::optional<int> Layout::against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    const Vec3f size = p.piece.size_m;
+    for (const bool clearance : {true, false}) {
+        std::optional<Placed> best;
+        float best_score = -std::numeric_limits<float>::infinity();
+        for (const WallFace& face : faces_) {
+            // A wall is also what stands before it: the chimney breast, the side of an L's corner.
+            if (wish.wall >= 0 && dot(face.inward, plan_.wall(wish.wall).inward) < 0.99f) continue;
+            p.yaw = yaw_of(face.inward);
+            for (float u = size.x / 2 + kWallGap; u <= face.length - size.x / 2 - kWallGap; u += kSlotStep) {
+                p.position = face.point(u, 0) + face.inward * (size.z / 2 + kWallGap);
+                if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
+                if (!fits(p, clearance)) continue;
+                if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y)) continue;
+                if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
+                        return o.wall == face.wall && o.kind == Opening::Kind::window && face.from + u + size.x / 2 > o.u0 && face.from + u - size.x / 2 < o.u1;
+                    }))
+                    continue;
+                const float off = std::abs(u - face.length / 2) / (face.length / 2), edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
+                float score = -wish.center_pull * off + 0.02f * dice_.uniform();
+                if (wish.corner) score += 2.f - edge;
+                if (wish.near) score -= 0.8f * length(flat(p.position) - *wish.near);
+                if (wish.near && length(flat(p.position) - *wish.near) > wish.at_most_from_near) continue;
+                if (wish.apart_pull > 0) {
+                    float apart = 2.f;
+                    for (const Placed& other : placed_)
+                        if (other.on < 0 && !other.flat && !other.overhead) apart = std::min(apart, distance_to(footprint_of(other), flat(p.position)));
+                    score += wish.apart_pull * apart;
+                }
+                if (face.wall == 2) score -= 0.25f;  // the wall with the door is the last choice
+                for (const Opening& o : plan_.openings)
+                    if (o.kind == Opening::Kind::window && o.wall == face.wall) {
+                        const float apart = std::max(0.f, std::abs(face.from + u - (o.u0 + o.u1) / 2) - (o.u1 - o.u0) / 2 - size.x / 2);
+                        score += wish.window_pull * std::max(0.f, 1.f - apart);
+                    }
+                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+            }
+        }
+        if (best) return keep(*best, from);
+    }
+    return {};
+}
+
+std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, float gap, bool facing, const PromptObject& from) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    p.yaw = facing ? a.yaw + kPi : a.yaw;
+    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+    for (const float extra : {0.f, 0.1f, -0.1f, 0.25f})
+        for (const float side : {0.f, 0.15f, -0.15f, 0.35f, -0.35f}) {
+            p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) + right * side;
+            p.position.y = 0;
+            if (fits(p, false) && leaves_way(p)) return keep(p, from);
+        }
+    return {};
+}
+
+std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int side, float gap, const PromptObject& from) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    p.yaw = a.yaw;
+    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+    for (const float extra : {0.f, 0.06f, 0.15f}) {
+        // Backs in line.
+        p.position = a.position + right * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap + extra)) +
+                     front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
+        p.position.y = 0;
+        if (fits(p, false) && leaves_way(p)) return keep(p, from);
+    }
+    return {};
+}
+
+std::optional<int> Layout::free_standing(const PieceRequest& request, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    std::optional<Placed> best;
+    float best_score = -1e9f;
+    for (const float yaw : {0.f, kPi / 2, kPi, -kPi / 2})
+        for (float x = -plan_.width / 2; x < plan_.width / 2; x += 0.2f)
+            for (float z = -plan_.depth / 2; z < plan_.depth / 2; z += 0.2f) {
+                p.position = {x, 0, z};
+                p.yaw = yaw;
+                if (!fits(p, false)) continue;
+                Footprint wide = footprint_of(p, 0.5f);
+                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform();
+                for (const Placed& other : placed_)
+                    if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other))) score -= 0.5f;
+                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+            }
+    return best ? keep(*best, from) : std::nullopt;
+}
+
+std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    std::optional<Placed> best;
+    float best_score = -1e9f;
+    for (float x = -plan_.width / 2 + 0.4f; x < plan_.width / 2 - 0.3f; x += 0.12f)
+        for (float z = -plan_.depth / 2 + 0.4f; z < plan_.depth / 2 - 0.3f; z += 0.12f) {
+            const Vec2f to = target - Vec2f{x, z};
+            const float far = length(to);
+            if (!(far > 1.1f && far < 3.2f)) continue;
+            p.position = {x, 0, z};
+            // Turned towards the target by steps of 15 degrees.
+            p.yaw = std::round(std::atan2(to.x, to.y) / (kPi / 12)) * (kPi / 12);
+            if (!fits(p, false)) continue;
+            const float wall = plan_.wall_distance({x, z});
+            const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * dice_.uniform();
+            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+        }
+    return best ? keep(*best, from) : std::nullopt;
+}
+
+int Layout::around(int table, const PieceRequest& request, int count, const PromptObject& from) {
+    const Placed a = placed_[static_cast<std::size_t>(table)];
+    const float w = a.piece.size_m.x, d = a.piece.size_m.z;
+    // Along the long sides first, then the heads.
+    struct Seat {
+        float x, z, yaw;
+    };
+    std::vector<Seat> seats;
+    const int along = std::max(1, static_cast<int>(w / 0.62f));
+    for (int i = 0; i < along; ++i) {
+        const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(along) * w - w / 2;
+        seats.push_back({x, d / 2, kPi});
+        seats.push_back({x, -d / 2, 0});
+    }
+    seats.push_back({w / 2, 0, -kPi / 2});
+    seats.push_back({-w / 2, 0, kPi / 2});
+    int placed = 0;
+    for (const Seat& seat : seats) {
+        if (placed >= count) break;
+        PieceRequest r = request;
+        r.seed = request.seed;  // chairs of one table are alike
+        Placed p;
+        p.piece = make_piece(r);
+        const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+        // A chair is pushed in by a third of its depth, where the table lets it.
+        const Vec3f out = normalize(right * (seat.yaw == kPi || seat.yaw == 0 ? 0.f : seat.x) + front * (seat.yaw == kPi || seat.yaw == 0 ? seat.z : 0.f));
+        p.yaw = a.yaw + seat.yaw;
+        for (const float pull : {0.02f, 0.12f}) {
+            p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);
+            p.position.y = 0;
+            if (fits(p, false) && leaves_way(p)) {
+                keep(p, from);
+                ++placed;
+                break;
+            }
+        }
+    }
+    return placed;
+}
+
+std::optional<int> Layout::under(int anchor, const PieceRequest& request, float shift, const PromptObject& from) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    p.flat = true;
+    p.yaw = a.yaw;
+    p.position = a.position + front_of(a.yaw) * shift;
+    p.position.y = 0;
+    // Into the room, not into the wall.
+    Footprint f = footprint_of(p);
+    const float over_x = std::abs(f.center.x) + extent(f, {1, 0}) - plan_.width / 2 + 0.12f, over_z = std::abs(f.center.y) + extent(f, {0, 1}) - plan_.depth / 2 + 0.12f;
+    if (over_x > 0) p.position.x -= std::copysign(over_x, p.position.x);
+    if (over_z > 0) p.position.z -= std::copysign(over_z, p.position.z);
+    if (!plan_.holds(footprint_of(p))) return {};
+    for (const Placed& other : placed_)
+        if (other.flat && overlap(footprint_of(p), footprint_of(other))) return {};
+    return keep(p, from);
+}
+
+}  // namespace fastscene

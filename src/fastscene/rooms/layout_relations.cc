@@ -1,0 +1,109 @@
+#include "fastscene/rooms/layout_relations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fastscene {
+namespace {
+
+// What a relation refers to: a piece, or an opening of the wall as a thin box that faces the room.
+struct Place {
+    Footprint box;
+    Vec2f front;     // unit, into the room
+    int index = -1;  // of the piece; -1: an opening
+};
+
+Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
+// To the right of someone who looks at a thing with this front.
+Vec2f right_of_viewer(Vec2f front) { return {-front.y, front.x}; }
+
+bool is_opening(const Opening& o, const std::string& klass) { return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window" : klass == "door" || klass == "doorway"; }
+
+std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass, const Placed& piece) {
+    std::vector<Place> out;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass)) out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i)});
+    for (const Opening& o : plan.openings) {
+        if (!is_opening(o, klass)) continue;
+        const WallFace face = plan.wall(o.wall);
+        const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
+        out.push_back({{flat(middle), {(o.u1 - o.u0) / 2, 0.01f}, std::atan2(face.inward.x, face.inward.z), o.y0, o.y1}, flat(face.inward), -1});
+    }
+    return out;
+}
+
+// Of two boxes on the floor, by their corners and middles: exact enough to say "beside".
+float gap(const Footprint& a, const Footprint& b) {
+    float least = 1e9f;
+    for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
+        const Vec2f front = heading_of(one->yaw), right{front.y, -front.x};
+        for (const float i : {-1.f, 0.f, 1.f})
+            for (const float j : {-1.f, 0.f, 1.f}) least = std::min(least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
+    }
+    return least;
+}
+
+float to_wall(const Plan& plan, const Footprint& box) {
+    const float reach = std::min(box.half.x, box.half.y);
+    return std::min(plan.width / 2 - std::abs(box.center.x), plan.depth / 2 - std::abs(box.center.y)) - reach;
+}
+
+bool in_corner(const Plan& plan, const Footprint& box) {
+    const float reach = std::max(box.half.x, box.half.y);
+    return plan.width / 2 - std::abs(box.center.x) - reach < 0.6f && plan.depth / 2 - std::abs(box.center.y) - reach < 0.6f;
+}
+
+// The relation to one place.
+bool holds(const std::string& relation, const Footprint& box, Vec2f front, const Placed& piece, const Place& at) {
+    const Vec2f from = box.center - at.box.center;
+    const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)), far = gap(box, at.box);
+    const bool opening = at.index < 0;
+    if (relation == "on") return piece.on == at.index || (at.box.y1 < 0.08f && far < 0.05f);
+    if (relation == "under") return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
+    if (relation == "above") return std::abs(aside) < at.box.half.x + 0.25f && box.y0 >= at.box.y1 - 0.08f && far < 0.5f;
+    if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.5f && far < 1.6f;
+    if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
+    if (relation == "facing") return dot(front, at.box.center - box.center) > 0.7f * length(at.box.center - box.center);
+    if (relation == "opposite") return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f;
+    if (relation == "left of") return aside < -0.1f && far < 1.8f;
+    if (relation == "right of") return aside > 0.1f && far < 1.8f;
+    if (relation == "around") return far < 0.9f;
+    return far < (opening ? 1.f : 0.75f);  // next to
+}
+
+bool is_between(const Footprint& box, const Place& a, const Place& b) {
+    const Vec2f along = b.box.center - a.box.center;
+    const float l = length(along);
+    if (!(l > 0.2f)) return false;
+    const Vec2f d = box.center - a.box.center;
+    const float t = dot(d, along) / (l * l), off = std::abs(d.x * along.y - d.y * along.x) / l;
+    return t > 0.12f && t < 0.88f && off < 0.9f;
+}
+
+}  // namespace
+
+std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish) {
+    if (wish.relation.empty()) return {};
+    const Footprint box = footprint_of(piece);
+    const Vec2f front = heading_of(piece.yaw);
+    if (wish.relation == "in the corner") return in_corner(plan, box);
+    if (wish.relation == "in the middle") return std::abs(box.center.x) < 0.22f * plan.width && std::abs(box.center.y) < 0.22f * plan.depth;
+    if (wish.relation == "far wall") return box.center.y > plan.depth / 2 - box.half.y - box.half.x - 0.4f;
+    if (wish.relation == "against" && (wish.relation_to.empty() || wish.relation_to == "wall")) return to_wall(plan, box) < 0.2f;
+    if (wish.relation_to == "wall") return piece.piece.mount == Mount::wall || to_wall(plan, box) < 0.25f;
+    if (wish.relation_to == "floor") return box.y0 < 0.05f;
+    if (wish.relation_to == "ceiling") return piece.piece.mount == Mount::ceiling || wish.relation == "under";
+    const std::vector<Place> places = places_of(plan, placed, wish.relation_to, piece);
+    if (wish.relation == "between") {
+        const std::vector<Place> others = places_of(plan, placed, wish.relation_and, piece);
+        if (places.empty() || others.empty() || (wish.relation_and == wish.relation_to && places.size() < 2)) return {};
+        for (const Place& a : places)
+            for (const Place& b : others)
+                if (is_between(box, a, b)) return true;
+        return false;
+    }
+    if (places.empty()) return {};
+    return std::any_of(places.begin(), places.end(), [&](const Place& place) { return holds(wish.relation, box, front, piece, place); });
+}
+
+}  // namespace fastscene

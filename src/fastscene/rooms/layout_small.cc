@@ -1,0 +1,188 @@
+// What stands on tops, hangs on walls, at windows and from the ceiling.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/shapes.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kSlotStep = 0.07f;
+constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
+constexpr float kPi = std::numbers::pi_v<float>;
+
+}  // namespace
+
+std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const PromptObject& from) {
+    const Placed a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    p.on = anchor;
+    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+    for (const Surface& s : a.piece.surfaces) {
+        const float slack_x = s.half.x - p.piece.size_m.x / 2 - 0.01f, slack_z = s.half.y - p.piece.size_m.z / 2 - 0.005f;
+        if (slack_x < 0 || slack_z < 0) continue;
+        // Out of reach only vases and baskets are kept.
+        if (s.center.y > 1.5f && p.piece.klass != "vase" && p.piece.klass != "basket") continue;
+        for (int tries = 0; tries < 14; ++tries) {
+            // Televisions and the like stand in the middle, small things anywhere.
+            const bool middle = p.piece.size_m.x > 0.55f && tries == 0;
+            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = middle ? 0.f : dice_.uniform(-slack_z, slack_z);
+            p.position = a.position + right * (s.center.x + x) + front * (s.center.z + z) + Vec3f{0, s.center.y, 0};
+            p.yaw = a.yaw + (p.piece.size_m.x > 0.3f ? 0.f : dice_.uniform(-0.3f, 0.3f));
+            if (!plan_.holds(footprint_of(p))) continue;
+            bool free = true;
+            for (const Placed& other : placed_) free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
+            if (free && leaves_way(p)) return keep(p, from);
+        }
+    }
+    return {};
+}
+
+std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    if (a.piece.surfaces.empty()) return {};
+    Placed p;
+    p.piece = make_piece(request);
+    p.on = anchor;
+    p.yaw = yaw;
+    p.position = {at.x, a.position.y + a.piece.surfaces.front().center.y, at.y};
+    const Footprint box = footprint_of(p), table = footprint_of(a);
+    // All of it on the top.
+    for (const Vec2f corner : corners_of(box))
+        if (distance_to(table, corner) > 0.005f) return {};
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+        if (static_cast<int>(i) != anchor && !placed_[i].flat && overlap(box, footprint_of(placed_[i]))) return {};
+    return keep(p, {});
+}
+
+std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request) {
+    Placed p;
+    p.piece = make_piece(request);
+    p.piece.mount = Mount::floor;
+    for (int tries = 0; tries < 12; ++tries) {
+        p.position = {at.x + dice_.uniform(-0.7f, 0.7f), 0.013f, at.y + dice_.uniform(-0.7f, 0.7f)};  // it may lie on a rug
+        p.yaw = dice_.uniform(-kPi, kPi);
+        if (fits(p, false) && leaves_way(p)) return keep(p, {});
+    }
+    return {};
+}
+
+std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptObject& from) {
+    const int first = placed_.empty() ? 0 : dice_.index(static_cast<int>(placed_.size()));
+    for (std::size_t k = 0; k < placed_.size(); ++k) {
+        const int i = static_cast<int>((static_cast<std::size_t>(first) + k) % placed_.size());
+        const Placed& p = placed_[static_cast<std::size_t>(i)];
+        static constexpr std::array<const char*, 7> kSeats{"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair"};
+        if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
+        if (request.klass != "cat" && request.klass != "cushion" && std::find(kSeats.begin(), kSeats.end(), p.piece.klass) != kSeats.end()) continue;
+        // Three bowls in a row are a shop.
+        const auto alike = std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
+        if (from.klass.empty() && alike > (request.klass == "candle" || request.klass == "book_stack" ? 1 : 0)) continue;
+        if (const auto index = on_top(i, request, from)) return index;
+    }
+    return {};
+}
+
+bool Layout::wall_is_free(const WallFace& face, float u0, float u1, float y0, float y1) const {
+    for (const Opening& o : plan_.openings)
+        if (o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f && y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f) return false;
+    return true;
+}
+
+std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    if (p.piece.mount == Mount::floor) return against_wall(request, {}, from);
+    if (p.piece.mount == Mount::ceiling) return {};
+    if (p.piece.mount == Mount::surface) {
+        // A television hangs as well as it stands; other small things need a top.
+        if (p.piece.klass != "tv") return {};
+        p.piece.mount = Mount::wall;
+        p.piece.hang_height_m = 0.95f;
+        for (Mesh& m : p.piece.meshes) shapes::move(m, {0, 0, p.piece.size_m.z / 2});
+    }
+    const Vec3f size = p.piece.size_m;
+    std::optional<Placed> best;
+    float best_score = -1e9f;
+    for (const WallFace& face : faces_) {
+        p.yaw = yaw_of(face.inward);
+        float y = p.piece.hang_height_m > 0 ? p.piece.hang_height_m : 1.5f - size.y / 2;
+        std::optional<float> wanted_u;
+        if (above) {
+            const Placed& a = placed_[static_cast<std::size_t>(*above)];
+            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f || std::abs(dot(a.position - face.origin, face.inward) - a.piece.size_m.z / 2) > 0.2f) continue;
+            wanted_u = dot(a.position - face.origin, face.along);
+            y = std::max(y, a.piece.size_m.y + 0.15f);
+        }
+        if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
+        if (y < 0) continue;
+        for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
+            if (!wall_is_free(face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
+            p.position = face.point(u, y) + face.inward * 0.002f;
+            const Footprint box = footprint_of(p, 0.03f);
+            bool free = plan_.holds(footprint_of(p));
+            for (const Placed& other : placed_) free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f));
+            if (!free) continue;
+            float score = wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (face.wall == 2 ? 0.4f : 0.f);
+            if (!wanted_u) {
+                // Where the wall is barest.
+                float bare = 2.f;
+                for (const Placed& other : placed_)
+                    if (!other.flat && !other.overhead && footprint_of(other).y1 > 1.2f) bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
+                score += 0.8f * bare;
+            }
+            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+        }
+    }
+    if (above && best_score < -0.5f) return {};
+    return best ? keep(*best, from) : std::nullopt;
+}
+
+std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    p.overhead = true;
+    p.position = {at.x, plan_.height, at.y};
+    if (!plan_.holds(footprint_of(p))) return {};
+    for (const Placed& other : placed_)
+        if (!other.flat && overlap(footprint_of(p, 0.05f), footprint_of(other))) return {};
+    if (!leaves_way(p)) return {};
+    return keep(p, from);
+}
+
+int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
+    int hung = 0;
+    for (const Opening& o : plan_.openings) {
+        if (o.kind != Opening::Kind::window) continue;
+        const WallFace face = plan_.wall(o.wall);
+        const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
+        const auto hang = [&](float margin, float low) {
+            PieceRequest r = request;
+            r.size_m = {std::min(o.u1 - o.u0 + 2 * margin, face.length - 0.04f), top - low, 0};
+            Placed p;
+            p.piece = make_piece(r);
+            p.yaw = yaw_of(face.inward);
+            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) + face.inward * 0.045f;
+            if (p.piece.mount != Mount::wall) p.position = p.position + face.inward * (p.piece.size_m.z / 2);
+            const Footprint box = footprint_of(p);
+            bool free = plan_.holds(box);
+            for (const Placed& other : placed_) free = free && (other.flat || !overlap(box, footprint_of(other)));
+            free = free && leaves_way(p);
+            if (free) keep(p, from);
+            return free;
+        };
+        // To the floor; else to the sill, or to what stands below; at last narrower.
+        bool done = hang(kCurtainMargin, 0.02f);
+        for (const float margin : {kCurtainMargin, 0.18f, 0.08f})
+            for (const float low : {0.02f, o.y0 - 0.12f, o.y0 - 0.02f, o.y0 + 0.15f, o.y0 + 0.4f}) done = done || hang(margin, std::max(0.02f, low));
+        hung += done;
+    }
+    return hung;
+}
+
+}  // namespace fastscene

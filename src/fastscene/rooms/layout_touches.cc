@@ -1,0 +1,173 @@
+// What makes a room lived in: small things on tops, a laid table, radiators, and more on walls and floors that are bare.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "fastscene/rooms/layout.h"
+
+namespace fastscene {
+namespace {
+
+// What stands on what: likelihood of each thing in a room of usual clutter.
+struct Habit {
+    std::string_view on, thing;
+    float probability;
+};
+constexpr Habit kHabits[] = {
+    {"coffee_table", "tray", 0.45f},      {"coffee_table", "magazines", 0.5f},     {"coffee_table", "cup", 0.4f},         {"coffee_table", "cup", 0.3f},           {"coffee_table", "candle", 0.3f},
+    {"side_table", "cup", 0.5f},          {"side_table", "photo_frame", 0.35f},    {"side_table", "book_stack", 0.3f},    {"nightstand", "alarm_clock", 0.6f},     {"nightstand", "cup", 0.4f},
+    {"nightstand", "photo_frame", 0.35f}, {"nightstand", "book_stack", 0.4f},      {"dresser", "photo_frame", 0.7f},      {"dresser", "photo_frame", 0.5f},        {"dresser", "bottles", 0.4f},
+    {"dresser", "storage_box", 0.4f},     {"dresser", "tray", 0.3f},               {"dresser", "table_lamp", 0.4f},       {"dresser", "vase", 0.5f},               {"sideboard", "sculpture", 0.55f},
+    {"sideboard", "photo_frame", 0.6f},   {"sideboard", "photo_frame", 0.45f},     {"sideboard", "tray", 0.45f},          {"sideboard", "table_lamp", 0.4f},       {"sideboard", "book_stack", 0.5f},
+    {"sideboard", "bottles", 0.3f},       {"sideboard", "plant_small", 0.5f},      {"sideboard", "vase", 0.4f},           {"console_table", "vase", 0.6f},         {"console_table", "photo_frame", 0.5f},
+    {"console_table", "bowl", 0.5f},      {"console_table", "table_lamp", 0.5f},   {"cabinet", "storage_box", 0.5f},      {"cabinet", "vase", 0.6f},               {"cabinet", "sculpture", 0.4f},
+    {"bookshelf", "storage_box", 0.5f},   {"tv_stand", "storage_box", 0.35f},      {"tv_stand", "sculpture", 0.35f},      {"tv_stand", "plant_small", 0.4f},       {"desk", "cup", 0.4f},
+    {"desk", "photo_frame", 0.4f},        {"desk", "globe", 0.25f},                {"fireplace", "photo_frame", 0.6f},    {"fireplace", "candle", 0.7f},           {"fireplace", "candle", 0.5f},
+    {"fireplace", "vase", 0.5f},          {"fireplace", "sculpture", 0.4f},        {"fireplace", "clock", 0.f},           {"piano", "photo_frame", 0.6f},          {"piano", "vase", 0.4f},
+    {"kitchen_counter", "kettle", 0.8f},  {"kitchen_counter", "toaster", 0.65f},   {"kitchen_counter", "utensils", 0.8f}, {"kitchen_counter", "cutting_board", 0.7f}, {"kitchen_counter", "bottles", 0.7f},
+    {"kitchen_counter", "bowl", 0.6f},    {"kitchen_counter", "pot", 0.6f},        {"kitchen_counter", "plant_small", 0.5f}, {"kitchen_counter", "storage_box", 0.4f}, {"kitchen_island", "bowl", 0.8f},
+    {"kitchen_island", "cutting_board", 0.6f}, {"kitchen_island", "bottles", 0.5f}, {"kitchen_island", "plant_small", 0.5f}, {"washbasin", "toiletries", 0.9f},     {"washbasin", "candle", 0.3f},
+    {"washing_machine", "towel_stack", 0.7f}, {"washing_machine", "bottles", 0.7f}, {"washing_machine", "storage_box", 0.5f}, {"bathtub", "toiletries", 0.5f},       {"bench", "towel_stack", 0.25f},
+    {"bench", "magazines", 0.3f},         {"bench", "storage_box", 0.3f},          {"shoe_rack", "storage_box", 0.6f},    {"shoe_rack", "bowl", 0.4f},             {"toy_box", "teddy_bear", 0.9f},
+    {"ottoman", "tray", 0.6f},            {"ottoman", "magazines", 0.4f},          {"stool", "plant_small", 0.3f},
+};
+
+// What else a room of a type takes where its walls are bare, in order.
+struct Filling {
+    std::string_view room;
+    std::array<std::string_view, 8> pieces;
+};
+constexpr Filling kFillings[] = {
+    {"living", {"bookshelf", "console_table", "plant_tree", "cabinet", "ladder_shelf", "pouf", "bench", "basket"}},
+    {"bedroom", {"dresser", "bench", "plant_tree", "ladder_shelf", "console_table", "pouf", "basket", "cabinet"}},
+    {"kids", {"bookshelf", "toy_box", "dresser", "pouf", "basket", "bench", "rocking_horse", "plant"}},
+    {"kitchen", {"cabinet", "sideboard", "plant", "console_table", "ladder_shelf", "basket", "bench", "stool"}},
+    {"dining", {"cabinet", "console_table", "plant_tree", "bookshelf", "bench", "ladder_shelf", "plant", "basket"}},
+    {"bathroom", {"cabinet", "stool", "plant", "towel_rail", "basket", "bench", "", ""}},
+    {"study", {"bookshelf", "cabinet", "console_table", "plant_tree", "ladder_shelf", "bookshelf", "pouf", "basket"}},
+    {"hallway", {"console_table", "bench", "cabinet", "plant", "stool", "basket", "bookshelf", ""}},
+    {"loft", {"bookshelf", "console_table", "plant_tree", "cabinet", "bookshelf", "bench", "ladder_shelf", "pouf"}},
+    {"laundry", {"cabinet", "ladder_shelf", "towel_rail", "basket", "stool", "plant", "", ""}},
+    {"sunroom", {"plant_tree", "plant", "stool", "basket", "plant_tree", "pouf", "bench", "plant"}},
+    {"attic", {"dresser", "bookshelf", "bench", "pouf", "plant", "basket", "console_table", "toy_box"}},
+};
+
+class Touches {
+  public:
+    Touches(Layout& layout, float clutter) : l_(layout), clutter_(clutter) {}
+
+    void run() {
+        radiators();
+        fill_floor();
+        walls();
+        lay_tables();
+        small_things();
+        toys();
+    }
+
+  private:
+    bool forbidden(std::string_view klass) const {
+        return std::any_of(l_.spec().objects.begin(), l_.spec().objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+    }
+    bool wants(std::string_view klass, float probability) { return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !forbidden(klass); }
+    const std::string& room() const { return l_.spec().room; }
+
+    // Below windows whose sill is high enough, where nothing else stands.
+    void radiators() {
+        if (forbidden("radiator") || l_.plan().style.name == "mediterranean") return;
+        for (const Opening& o : l_.plan().openings) {
+            if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.dice().chance(0.6f)) continue;
+            PieceRequest r = l_.request("radiator");
+            const WallFace face = l_.plan().wall(o.wall);
+            const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
+            l_.against_wall(r, {.wall = o.wall, .near = flat(middle), .center_pull = 0, .at_most_from_near = 0.4f});
+        }
+    }
+
+    // Rooms larger than their groups get more: about one piece on the floor for every two square metres, with clutter more.
+    void fill_floor() {
+        const Filling* filling = nullptr;
+        for (const Filling& f : kFillings)
+            if (f.room == room()) filling = &f;
+        if (!filling) return;
+        const float area = l_.plan().width * l_.plan().depth;
+        const int wanted = static_cast<int>(area * (0.36f + 0.24f * clutter_));
+        for (const std::string_view klass : filling->pieces) {
+            const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.klass != "curtain"; });
+            if (standing >= wanted) return;
+            if (klass.empty() || forbidden(klass)) continue;
+            const bool tall = klass == "bookshelf" || klass == "cabinet" || klass == "ladder_shelf";
+            l_.against_wall(l_.request(std::string(klass)), {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
+        }
+    }
+
+    void walls() {
+        const bool wet = room() == "bathroom" || room() == "laundry";
+        if (!wet && wants("picture_ledge", 0.4f)) l_.on_wall(l_.request("picture_ledge"), {});
+        for (int i = 0; i < 2; ++i)
+            if (!wet && wants("shelf", room() == "kitchen" ? 0.7f : 0.35f)) l_.on_wall(l_.request("shelf"), {});
+        if (!wet && wants("mirror", room() == "hallway" || room() == "bedroom" ? 0.6f : 0.25f) && l_.count("mirror") == 0) l_.on_wall(l_.request("mirror"), {});
+        if (wants("clock", room() == "kitchen" || room() == "hallway" ? 0.6f : 0.2f) && l_.count("clock") == 0) l_.on_wall(l_.request("clock"), {});
+        // What is still bare gets pictures, with the size of the gap in mind.
+        const float around = 2 * (l_.plan().width + l_.plan().depth);
+        const int wanted = static_cast<int>(around * (wet ? 0.1f : 0.16f + 0.16f * clutter_));
+        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge"); i < wanted && !forbidden("picture"); ++i) {
+            PieceRequest r = l_.request("picture");
+            const float w = l_.dice().uniform(0.35f, 0.95f);
+            r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
+            if (!l_.on_wall(r, {})) return;
+        }
+    }
+
+    // A mat, a plate and cutlery before every chair, where the table is laid.
+    void lay_tables() {
+        if (!wants("place_setting", 0.6f)) return;
+        const auto table = l_.find("dining_table");
+        if (!table) return;
+        const PieceRequest r = l_.request("place_setting");
+        const std::size_t count = l_.placed().size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Placed chair = l_.placed()[i];
+            if (chair.piece.klass != "chair") continue;
+            const Footprint top = footprint_of(l_.placed()[static_cast<std::size_t>(*table)]);
+            if (distance_to(top, flat(chair.position)) > 0.45f) continue;
+            // From the chair towards the table, a hand inside its edge.
+            const float reach = distance_to(top, flat(chair.position)) + 0.2f;
+            l_.on_top_at(*table, r, flat(chair.position + front_of(chair.yaw) * reach), chair.yaw + 3.14159265f);
+        }
+    }
+
+    void small_things() {
+        const std::size_t count = l_.placed().size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (l_.placed()[i].on >= 0) continue;
+            const std::string klass = l_.placed()[i].piece.klass;
+            int put = 0;
+            // One bowl, one vase, one lamp on a top; frames and candles come in groups.
+            const auto there = [&](std::string_view thing) {
+                return thing != "photo_frame" && thing != "candle" && thing != "cup" &&
+                       std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == static_cast<int>(i) && p.piece.klass == thing; });
+            };
+            for (const Habit& h : kHabits)
+                if (h.on == klass && !there(h.thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(h.thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(h.thing))).has_value();
+        }
+    }
+
+    void toys() {
+        if (room() != "kids") return;
+        const auto rug = l_.find("rug");
+        const Vec2f at = rug ? flat(l_.placed()[static_cast<std::size_t>(*rug)].position) : Vec2f{0, 0};
+        for (const char* klass : {"toy_blocks", "teddy_bear", "toy_blocks", "book_stack"})
+            if (wants(klass, 0.8f)) l_.on_floor_near(at, l_.request(klass));
+    }
+
+    Layout& l_;
+    float clutter_;
+};
+
+}  // namespace
+
+void add_touches(Layout& layout, float clutter) { Touches(layout, clutter).run(); }
+
+}  // namespace fastscene

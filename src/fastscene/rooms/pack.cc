@@ -1,0 +1,174 @@
+#include "fastscene/rooms/pack.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/base/random.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/pack_parts.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+std::string class_of(const std::string& name) {
+    std::string klass = folded(name);
+    for (char& c : klass)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return klass;
+}
+
+using Properties = std::map<std::string, std::string>;
+
+float number(const Properties& p, const std::string& key, float otherwise) {
+    const auto at = p.find(key);
+    if (at == p.end()) return otherwise;
+    char* end = nullptr;
+    const float value = std::strtof(at->second.c_str(), &end);
+    return end != at->second.c_str() && std::isfinite(value) ? value : otherwise;
+}
+std::string text(const Properties& p, const std::string& key) {
+    const auto at = p.find(key);
+    return at == p.end() ? std::string{} : at->second;
+}
+
+// Nine numbers, row by row.
+std::optional<Mat3f> rotation_from(const std::string& words) {
+    if (words.empty()) return {};
+    std::istringstream in(words);
+    std::array<float, 9> v{};
+    for (float& x : v)
+        if (!(in >> x)) return {};
+    return Mat3f{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+}
+
+std::string license_of(const std::string& header) {
+    if (header.find("Public domain") != std::string::npos) return "CC0 1.0";
+    return header.find("United States") != std::string::npos ? "CC BY 3.0 US" : "CC BY 3.0";
+}
+
+std::optional<PackModel> model_from(const Properties& p, const std::string& number_sign, const std::string& pack, const std::string& license) {
+    constexpr float kMetresPerUnit = 0.01f;  // catalogues are in centimetres
+    const auto key = [&](const char* name) { return std::string(name) + number_sign; };
+    PackModel m;
+    m.name = text(p, key("name"));
+    m.path = text(p, key("model"));
+    m.size_m = Vec3f{number(p, key("width"), 0), number(p, key("height"), 0), number(p, key("depth"), 0)} * kMetresPerUnit;
+    if (m.name.empty() || m.path.empty() || !(m.size_m.x > 0 && m.size_m.y > 0 && m.size_m.z > 0)) return {};
+    if (m.path.front() == '/') m.path.erase(0, 1);
+    m.klass = class_of(m.name);
+    m.category = text(p, key("category"));
+    m.elevation_m = number(p, key("elevation"), 0) * kMetresPerUnit;
+    if (const float top = number(p, key("dropOnTopElevation"), -1); top > 0) m.top_m = top * kMetresPerUnit;
+    m.rotation = rotation_from(text(p, key("modelRotation")));
+    m.opening = text(p, key("doorOrWindow")) == "true" || p.contains(key("staircaseCutOutShape"));
+    m.credit = m.name + " by " + text(p, key("creator")) + ", " + pack + " (" + license + ")";
+    m.free = license.starts_with("CC0");
+    return m;
+}
+
+}  // namespace
+
+Assets assets_named(const std::string& name) {
+    if (name == "none") return Assets::none;
+    if (name == "cc0") return Assets::cc0;
+    if (name == "all") return Assets::all;
+    throw UsageError("assets: expected none, cc0 or all, found '{}'", name);
+}
+
+fs::path FurniturePack::default_folder() {
+    if (const char* place = std::getenv("FASTSCENE_FURNITURE_DIR"); place && *place) return place;
+    return "/usr/share/sweethome3d/furniture";
+}
+
+void FurniturePack::read_archive(std::size_t archive, bool free_only) {
+    const ZipFile& zip = archives_[archive];
+    const Properties english = packs::read_properties(zip.read("PluginFurnitureCatalog.properties"));
+    const std::string pack = text(english, "name"), license = license_of(text(english, "license"));
+    std::map<std::string, std::size_t> model_at;  // "#12" -> index
+    for (const auto& [key, value] : english) {
+        if (!key.starts_with("name#")) continue;
+        auto model = model_from(english, key.substr(4), pack, license);
+        if (!model) continue;
+        if (free_only && !model->free) {
+            if (!model->opening) excluded_.emplace(model->klass, model->credit);
+            continue;
+        }
+        model->archive = archive;
+        model_at[key.substr(4)] = models_.size();
+        by_class_.emplace(model->klass, models_.size());
+        by_name_.emplace(folded(model->name), models_.size());
+        models_.push_back(std::move(*model));
+    }
+    for (const std::string& name : zip.names()) {
+        if (!name.starts_with("PluginFurnitureCatalog_") || !name.ends_with(".properties") || model_at.empty()) continue;
+        for (const auto& [key, value] : packs::read_properties(zip.read(name)))
+            if (key.starts_with("name#"))
+                if (const auto at = model_at.find(key.substr(4)); at != model_at.end()) by_name_.emplace(folded(value), at->second);
+    }
+}
+
+std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, Assets assets, std::vector<std::string>& complaints) {
+    if (assets == Assets::none) return nullptr;
+    const std::string remedy = "install it with: apt-get install --no-install-recommends sweethome3d-furniture";
+    std::error_code code;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, code))
+        if (entry.path().extension() == ".sh3f") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    if (files.empty()) {
+        complaints.push_back("no furniture pack in " + folder.string() + ": only the built-in pieces are used; " + remedy);
+        return nullptr;
+    }
+    auto pack = std::make_shared<FurniturePack>();
+    Hash hash;
+    for (const fs::path& file : files) try {
+            pack->archives_.emplace_back(file);
+            pack->read_archive(pack->archives_.size() - 1, assets == Assets::cc0);
+            hash.add(file.filename().string()).add(std::to_string(fs::file_size(file, code)));
+        } catch (const Error& error) {
+            complaints.push_back("furniture pack: " + std::string(error.what()) + "; it goes on without this one");
+        }
+    if (pack->models_.empty()) return nullptr;
+    pack->fingerprint_ = hash.add(assets == Assets::all ? "all" : "cc0").hex();
+    return pack;
+}
+
+std::optional<std::string> FurniturePack::class_named(const std::string& term) const {
+    const auto find = [&](const std::string& name) -> std::optional<std::string> {
+        const auto at = by_name_.find(name);
+        return at == by_name_.end() ? std::nullopt : std::optional(models_[at->second].klass);
+    };
+    if (auto found = find(term)) return found;
+    for (const Language language : {"", "de", "fr", "es", "it"})
+        for (const std::string& form : base_forms(term, language))
+            if (auto found = find(form)) return found;
+    return {};
+}
+
+const PackModel* FurniturePack::choose(const std::string& klass, std::uint64_t seed) const {
+    if (packs::keeps_builder(klass)) return nullptr;
+    for (const std::string& name : packs::catalogue_classes(klass)) {
+        std::vector<std::size_t> found;
+        const auto [begin, end] = by_class_.equal_range(name);
+        for (auto at = begin; at != end; ++at)
+            if (packs::fits_a_room(models_[at->second])) found.push_back(at->second);
+        if (found.empty()) continue;
+        std::sort(found.begin(), found.end());
+        return &models_[found[mix64(seed) % found.size()]];
+    }
+    return nullptr;
+}
+
+bool FurniturePack::only_with_attribution(const std::string& klass) const {
+    const auto classes = packs::catalogue_classes(klass);
+    return std::any_of(classes.begin(), classes.end(), [&](const std::string& name) { return excluded_.contains(name); });
+}
+
+}  // namespace fastscene

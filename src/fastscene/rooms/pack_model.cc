@@ -1,0 +1,189 @@
+// A model of the pack as a Piece: axes, size, materials.
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/io/obj.h"
+#include "fastscene/rooms/pack_parts.h"
+
+namespace fastscene {
+namespace {
+
+// "Some folder/texture%20a.jpg" beside the model.
+std::string sibling(const std::string& path, std::string name) {
+    for (auto at = name.find("%20"); at != std::string::npos; at = name.find("%20")) name.replace(at, 3, " ");
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.starts_with("./")) name.erase(0, 2);
+    const auto slash = path.rfind('/');
+    return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
+}
+
+ImageRgb8 halved(const ImageRgb8& image) {
+    ImageRgb8 out(std::max(1, image.width / 2), std::max(1, image.height / 2));
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            Vec3f sum{};
+            for (const int j : {0, 1})
+                for (const int i : {0, 1}) sum += linear_from_srgb8(image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
+            out.at(x, y) = srgb8_from_linear(sum / 4.f);
+        }
+    return out;
+}
+
+// Nothing in these rooms is seen so close that more than 512 texels across a model's picture would show.
+std::shared_ptr<const TextureImage> texture_from(ImageRgb8 image) {
+    constexpr int kLargest = 512;
+    while (std::max(image.width, image.height) > kLargest) image = halved(image);
+    TextureImage texture;
+    texture.levels.push_back(std::move(image));
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) texture.levels.push_back(halved(texture.levels.back()));
+    return std::make_shared<const TextureImage>(std::move(texture));
+}
+
+// What an old MTL says, as our materials say it: colors are sRGB, Phong's exponent becomes a roughness.
+Material material_from(const ObjMaterial& m) {
+    Material out;
+    out.name = m.name;
+    for (std::size_t k = 0; k < 3; ++k) out.color_a[k] = std::clamp(linear_from_srgb(std::clamp(m.diffuse[k], 0.f, 1.f)), 0.02f, 0.82f);
+    const float shine = std::max({m.specular.x, m.specular.y, m.specular.z}), bright = std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z});
+    out.roughness = std::clamp(std::sqrt(2.f / (std::max(m.shininess, 0.f) + 2.f)), 0.12f, 0.8f);
+    if (shine < 0.05f) out.roughness = std::max(out.roughness, 0.55f);
+    if (shine > 0.6f && bright < 0.35f && bright > 0.02f && m.diffuse_map.empty() && m.opacity > 0.9f && m.shininess > 90.f) {
+        out.metal = 1.f;
+        out.color_a = out.color_a + Vec3f{0.25f, 0.25f, 0.25f};
+    }
+    if (m.opacity < 0.6f && m.diffuse_map.empty()) {  // glass
+        out.color_a = {0.6f, 0.68f, 0.66f};
+        out.roughness = 0.05f;
+        out.specular = 0.08f;
+        out.transmission = 0.8f;
+    }
+    out.color_b = out.color_c = out.color_a;
+    return out;
+}
+
+// Metres that u = 1 spans, from the areas of the triangles in space and in the picture.
+float metres_per_uv(const ObjGroup& g, const std::vector<Vec3f>& positions) {
+    double space = 0, picture = 0;
+    for (std::size_t t = 0; t + 2 < g.triangles.size(); t += 3) {
+        const std::size_t a = g.triangles[t], b = g.triangles[t + 1], c = g.triangles[t + 2];
+        space += length(cross(positions[b] - positions[a], positions[c] - positions[a]));
+        const Vec2f p = g.uvs[b] - g.uvs[a], q = g.uvs[c] - g.uvs[a];
+        picture += std::abs(p.x * q.y - p.y * q.x);
+    }
+    return picture > 1e-9 ? std::clamp(static_cast<float>(std::sqrt(space / picture)), 0.005f, 20.f) : 1.f;
+}
+
+float area_of(const Mesh& m) {
+    double sum = 0;
+    for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3)
+        sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
+    return static_cast<float>(sum / 2);
+}
+
+bool is_table_like(const PackModel& model) {
+    for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel", "oven", "drawers", "dresser", "workbench", "trunck", "trunk", "fridge", "box"})
+        if (model.klass.find(word) != std::string::npos && model.klass.find("lamp") == std::string::npos && model.klass.find("pool") == std::string::npos && model.klass.find("football") == std::string::npos &&
+            model.klass.find("tennis") == std::string::npos)
+            return true;
+    return false;
+}
+
+}  // namespace
+
+namespace packs {
+
+Piece load_model(const ZipFile& zip, const PackModel& model) {
+    const auto read_sibling = [&](const std::string& name) -> std::optional<std::string> {
+        const std::string path = sibling(model.path, name);
+        return zip.contains(path) ? std::optional(zip.read(path)) : std::nullopt;
+    };
+    ObjModel obj = parse_obj(zip.read(model.path), zip.path().string() + ": " + model.path, read_sibling);
+    // Models look along +z with y up, like our pieces; their own size is arbitrary.
+    const Mat3f turn = model.rotation.value_or(Mat3f{});
+    Vec3f low{1e9f, 1e9f, 1e9f}, high = -low;
+    for (ObjGroup& g : obj.groups)
+        for (Vec3f& p : g.positions) {
+            p = turn * p;
+            for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+        }
+    Vec3f scale;
+    for (std::size_t k = 0; k < 3; ++k) scale[k] = model.size_m[k] / std::max(high[k] - low[k], 1e-6f);
+
+    Piece piece;
+    piece.klass = model.klass;
+    piece.source = model.credit;
+    piece.size_m = model.size_m;
+    piece.mount = mount_of(model);
+    piece.against_wall = piece.mount == Mount::floor && model.size_m.y > 0.5f;
+    if (piece.mount == Mount::wall) piece.hang_height_m = model.elevation_m;
+    const Vec3f center = (low + high) * 0.5f;
+    // The origin: center of the base; on the wall, of the back's lower edge; at the ceiling, of the top.
+    const Vec3f origin{center.x, piece.mount == Mount::ceiling ? high.y : low.y, piece.mount == Mount::wall ? low.z : center.z};
+    float largest = -1;
+    for (ObjGroup& g : obj.groups) {
+        Mesh mesh;
+        mesh.triangles = std::move(g.triangles);
+        for (std::size_t i = 0; i < g.positions.size(); ++i) {
+            const Vec3f p = (g.positions[i] - origin) * scale, n = turn * g.normals[i];
+            mesh.positions.push_back(p);
+            mesh.normals.push_back(normalize(Vec3f{n.x / scale.x, n.y / scale.y, n.z / scale.z}));
+            mesh.coords.push_back(p);
+        }
+        Material material = material_from(obj.materials[g.material]);
+        if (const std::string& map = obj.materials[g.material].diffuse_map; !map.empty())
+            if (const auto bytes = read_sibling(map)) {
+                g.triangles = mesh.triangles;
+                material.pattern = Pattern::image;
+                material.image = texture_from(decode_rgb8(*bytes, zip.path().string() + ": " + map));
+                material.scale_m = metres_per_uv(g, mesh.positions);
+                material.color_a = {1, 1, 1};
+                for (std::size_t i = 0; i < mesh.coords.size(); ++i) mesh.coords[i] = {g.uvs[i].x, g.uvs[i].y, 0};
+            }
+        mesh.material = static_cast<int>(piece.materials.size());
+        if (const float area = area_of(mesh); area > largest) largest = area, piece.main_material = mesh.material;
+        piece.materials.push_back(std::move(material));
+        piece.meshes.push_back(std::move(mesh));
+    }
+    if (model.top_m && is_table_like(model) && piece.mount == Mount::floor)
+        piece.surfaces.push_back({{0, std::min(*model.top_m, model.size_m.y), 0}, {0.42f * model.size_m.x, 0.4f * model.size_m.z}});
+    return piece;
+}
+
+}  // namespace packs
+
+Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) const {
+    std::shared_ptr<const Piece> loaded;
+    {
+        const std::lock_guard lock(mutex_);
+        auto& entry = loaded_[&model];
+        if (!entry) entry = std::make_shared<const Piece>(packs::load_model(archives_[model.archive], model));
+        loaded = entry;
+    }
+    Piece piece = *loaded;
+    piece.klass = request.klass;
+    Material& main = piece.materials[static_cast<std::size_t>(piece.main_material)];
+    if (request.color) {
+        if (main.image) {
+            // The picture keeps its drawing and takes the color on the mean.
+            const Vec3f mean = linear_from_srgb8(main.image->levels.back().pixels.front());
+            for (std::size_t k = 0; k < 3; ++k) main.color_a[k] = std::clamp((*request.color)[k] / std::max(mean[k], 0.02f), 0.02f, 6.f);
+        } else {
+            main.color_a = main.color_b = main.color_c = *request.color;
+            main.metal = 0;
+        }
+    } else if (!request.material.empty() && !main.image) {
+        if (const auto material = material_named(request.material)) main = *material;
+    }
+    if (request.size_factor != 1.f) {
+        piece.size_m = piece.size_m * request.size_factor;
+        for (Mesh& mesh : piece.meshes)
+            for (Vec3f& p : mesh.positions) p = p * request.size_factor;
+        for (Surface& s : piece.surfaces) s.center = s.center * request.size_factor, s.half = s.half * request.size_factor;
+    }
+    return piece;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,208 @@
+// Adjectives to nouns: "a brown leather sofa and two green armchairs", "sofa in dark blue", "walls painted sage green".
+#include <algorithm>
+#include <array>
+
+#include "fastscene/rooms/prompt_parts.h"
+
+namespace fastscene::reading {
+namespace {
+
+// Words for brightness that are shades of color before a noun ("dark wooden floor", "light curtains").
+bool is_shade(const Match& m) {
+    return (m.is(WordKind::light) || m.is(WordKind::mood)) && (m.words == "dark" || m.words == "bright" || m.words == "light" || m.words == "dim" || m.words == "dunkel" || m.words == "hell" || m.words == "sombre" || m.words == "clair" || m.words == "claire" || m.words == "oscuro" || m.words == "scuro");
+}
+bool is_and(const Match& m) { return m.is(WordKind::function) && (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" || m.words == "e" || m.words == "or"); }
+// What may stand between an article and its noun.
+bool modifies(const Match& m) { return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || is_shade(m) || (!m.word && !m.comma); }
+bool is_article(const Match& m) { return m.is(WordKind::count) && m.word->meaning == "1"; }
+
+// "in", "of", "painted in" … lead an adjective that follows its noun.
+bool leads_back(const Match& m) {
+    static constexpr std::array<std::string_view, 34> kLeads{"in", "of", "with", "painted", "painted in", "made of", "made from", "made out of", "upholstered in", "covered with", "covered in", "finished in", "clad in", "done in", "is", "are", "built from", "crafted from",
+        "carved from", "decorated in", "from", "wrapped in", "lined with", "dressed in", "aus", "mit", "en", "de", "di", "con", "in the", "decorated with", "as", "was"};
+    return m.is(WordKind::function) && std::find(kLeads.begin(), kLeads.end(), m.words) != kLeads.end();
+}
+
+bool is_brown(std::string_view material) {
+    static constexpr std::array<std::string_view, 12> kBrown{"wood", "oak", "walnut", "pine", "leather", "planks", "parquet", "rattan", "teak", "mahogany", "maple", "birch"};
+    return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
+}
+
+// What "dark" and "light" mean for a thing of this material.
+std::string shade_of(std::string_view word, const PromptObject& object) {
+    const bool light = word == "bright" || word == "light" || word == "hell" || word == "clair" || word == "claire";
+    if (is_brown(object.material)) return light ? "light brown" : "dark brown";
+    return light ? (object.klass == "wall" || object.klass == "ceiling" ? "white" : "cream") : "charcoal";
+}
+
+bool can_be_counted(const Match& noun) {
+    static constexpr std::array<std::string_view, 6> kCounted{"window", "door", "bay_window", "skylight", "column", "alcove"};
+    return noun.is(WordKind::object) || std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
+}
+
+// One adjective comes home.
+void give(Reading& r, std::size_t at, std::size_t noun) {
+    Match& a = r.m[at];
+    const Match& n = r.m[noun];
+    if (a.noun >= 0 || !a.word) return;
+    a.noun = static_cast<int>(noun);
+    if (n.is(WordKind::detail)) {
+        if (!a.is(WordKind::count) && !is_article(a)) r.tell_near(at, "of the " + n.words + ", which are as the piece has them");
+        return;
+    }
+    PromptObject& object = r.object_of(noun);
+    const std::string whose = " of " + object.klass;
+    const auto take = [&](std::string PromptObject::* field, const char* name) {
+        if ((object.*field).empty() || object.*field == a.word->meaning) {
+            object.*field = a.word->meaning;
+            r.tell(at, std::string(name) + " " + a.word->meaning + whose, object.id);
+        } else {
+            r.tell_near(at, std::string(name) + whose + " stays " + object.*field, object.id);
+        }
+        if (!a.word->exact) r.tell_near(at, std::string(name) + " " + object.*field + whose, object.id);
+    };
+    if (a.is(WordKind::color)) {
+        if (!object.color.empty() && object.color2.empty() && object.color != a.word->meaning) {
+            object.color2 = a.word->meaning;
+            r.tell(at, "second color " + a.word->meaning + whose, object.id);
+        } else {
+            take(&PromptObject::color, "color");
+        }
+    } else if (a.is(WordKind::material)) {
+        take(&PromptObject::material, "material");
+        if (a.word->adds.starts_with("color=") && object.color.empty()) object.color = a.word->adds.substr(6);
+    } else if (a.is(WordKind::pattern)) {
+        take(&PromptObject::pattern, "pattern");
+    } else if (a.is(WordKind::size)) {
+        if (object.size.empty()) object.size = a.word->meaning == "small" ? "small" : "large";
+        r.tell(at, "size " + object.size + whose, object.id);
+    } else if (a.is(WordKind::style)) {
+        object.style = a.word->meaning;
+        if (a.word->exact) r.tell(at, "style " + object.style + whose, object.id);
+        else r.tell_near(at, "style " + object.style + whose, object.id);
+    } else if (is_shade(a)) {
+        if (object.color.empty()) object.color = shade_of(a.words, object), r.tell(at, "color " + object.color + whose, object.id);
+        else r.tell_near(at, "the color" + whose + " stays " + object.color, object.id);
+    } else if (a.is(WordKind::count)) {
+        if (is_article(a) && (a.words == "a" || a.words == "an")) {
+            if (!object.counted) object.count = 1;
+        } else if (can_be_counted(n)) {
+            object.count = std::stoi(a.word->meaning);
+            object.counted = true;
+            r.tell(at, "count " + a.word->meaning + whose, object.id);
+        }
+    }
+}
+
+// Whether the adjectives before `connector` (a comma or "and") belong to the phrase behind it.
+bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
+    if (connector == 0 || connector + 1 >= r.m.size()) return false;
+    const Match &left = r.m[connector - 1], &right = r.m[connector + 1];
+    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left) || !left.word) || right.is(WordKind::count) || right.is(WordKind::function)) return false;
+    if (left.comma) return false;
+    // "with white linen, blue walls": a material ends its own phrase.
+    if (left.is(WordKind::material) && !right.is(WordKind::material) && connector + 1 != noun) return false;
+    if (connector + 1 == noun) return false;
+    // "in red and blue curtains": what "in" leads belongs to the noun before.
+    std::size_t k = connector;
+    while (k > 0 && (is_adjective(r.m[k - 1]) || r.m[k - 1].is(WordKind::nuance) || is_shade(r.m[k - 1]))) --k;
+    if (k > 0 && leads_back(r.m[k - 1]) && r.m[k - 1].words != "with" && r.m[k - 1].words != "mit" && r.m[k - 1].words != "avec" && r.m[k - 1].words != "con") {
+        for (std::size_t j = k - 1; j-- > 0;)
+            if (is_noun(r.m[j])) return false;
+            else if (r.m[j].comma || r.m[j].is(WordKind::room)) break;
+    }
+    return true;
+}
+
+// Everything before the noun that describes it, back to its article.
+std::size_t phrase_start(const Reading& r, std::size_t noun) {
+    std::size_t i = noun;
+    while (i > 0) {
+        const Match& before = r.m[i - 1];
+        if (before.negated != r.m[noun].negated && before.is(WordKind::negation)) break;
+        if (before.comma || is_and(before)) {
+            if (!crosses(r, i - 1, noun)) break;
+            --i;
+            continue;
+        }
+        if (!modifies(before)) break;
+        --i;
+        if (before.is(WordKind::count)) {
+            // "a pair of two": one count is enough; "a large set of three red vases" goes on.
+            if (is_article(before) || i == 0 || !modifies(r.m[i - 1]) || r.m[i - 1].is(WordKind::count)) break;
+        }
+    }
+    return i;
+}
+
+void bind_before(Reading& r, std::size_t noun) {
+    const std::size_t begin = phrase_start(r, noun);
+    // The material first: what "dark" means depends on it.
+    for (std::size_t i = begin; i < noun; ++i)
+        if (r.m[i].is(WordKind::material)) give(r, i, noun);
+    for (std::size_t i = begin; i < noun; ++i)
+        if (is_adjective(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::style) || is_shade(r.m[i])) give(r, i, noun);
+    // "two windows and a door": an article alone says one.
+    if (begin > 0 && r.m[begin - 1].is(WordKind::count) && is_noun(r.m[noun])) give(r, begin - 1, noun);
+}
+
+// French, Spanish, Italian: the adjectives behind the noun.
+void bind_after(Reading& r, std::size_t noun) {
+    for (std::size_t i = noun + 1; i < r.m.size(); ++i) {
+        if (r.m[i].comma || is_noun(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::relation)) break;
+        if (r.m[i].is(WordKind::function) && !(leads_back(r.m[i]) && i + 1 < r.m.size() && r.m[i + 1].is(WordKind::material))) break;
+        if (is_adjective(r.m[i]) || is_shade(r.m[i])) give(r, i, noun);
+    }
+}
+
+// The noun that an adjective nobody took looks back at: "sofa in dark blue", "the walls are white", "bed with white linen".
+std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
+    std::size_t i = at;
+    bool led = false;
+    while (i > 0) {
+        const Match& before = r.m[i - 1];
+        if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
+        if (leads_back(before)) led = true;
+        else if (!(is_adjective(before) || before.is(WordKind::nuance) || before.is(WordKind::style) || is_shade(before) || is_and(before) || is_article(before) || before.is_function("the") ||
+                   (before.comma && !led && i < at && is_adjective(r.m[i]))))
+            return {};
+        --i;
+    }
+    return {};
+}
+
+// "bedding in white", "bed with white sheets": the cloth of a piece takes color for the piece itself.
+void pass_on_cloth(Reading& r) {
+    for (std::size_t i = 0; i < r.m.size(); ++i) {
+        if (!r.m[i].is(WordKind::detail) || r.m[i].word->meaning != "textile" || r.m[i].negated) continue;
+        std::optional<std::size_t> owner;
+        for (std::size_t k = i; k-- > 0 && !owner;)
+            if (has_object(r.m[k]) && r.m[k].is(WordKind::object)) owner = k;
+        for (std::size_t k = i + 1; k < r.m.size() && !owner; ++k)
+            if (has_object(r.m[k]) && r.m[k].is(WordKind::object)) owner = k;
+        if (!owner) continue;
+        for (std::size_t k = 0; k < r.m.size(); ++k)
+            if (r.m[k].noun == static_cast<int>(i) && !r.m[k].is(WordKind::count)) {
+                r.m[k].noun = -1;
+                give(r, k, *owner);
+            }
+        r.tell(i, "cloth of " + r.object_of(*owner).klass, r.m[*owner].object);
+    }
+}
+
+}  // namespace
+
+void bind_adjectives(Reading& r) {
+    const bool follow = adjectives_follow(r.language);
+    for (std::size_t i = 0; i < r.m.size(); ++i)
+        if (is_noun(r.m[i])) {
+            if (follow) bind_after(r, i);
+            bind_before(r, i);
+        }
+    for (std::size_t i = 0; i < r.m.size(); ++i)
+        if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])))
+            if (const auto noun = noun_behind(r, i); noun && r.m[*noun].negated == r.m[i].negated) give(r, i, *noun);
+    pass_on_cloth(r);
+}
+
+}  // namespace fastscene::reading

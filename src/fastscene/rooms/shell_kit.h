@@ -1,0 +1,48 @@
+// What the shell_*.cc files share: boxes in wall coordinates and the materials of the shell.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fastscene/rooms/plan.h"
+#include "fastscene/scene/box.h"
+
+namespace fastscene::shell {
+
+// Builds boxes in wall coordinates: u along, y up, w into the room (negative: into the wall).
+class WallBuilder {
+  public:
+    WallBuilder(const WallFace& face, Room& room) : face_(face), room_(room) {}
+    void box(float u0, float u1, float y0, float y1, float w0, float w1, int material, int object = -1) const {
+        if (!(u1 > u0 && y1 > y0 && w1 > w0)) return;
+        const Vec3f a = face_.point(u0, y0) + face_.inward * w0, b = face_.point(u1, y1) + face_.inward * w1;
+        room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}, {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material, object));
+    }
+
+  private:
+    const WallFace& face_;
+    Room& room_;
+};
+
+// Indices of the shell's materials in room.materials.
+struct Materials {
+    int wall, accent, trim, floor, ceiling;
+};
+
+inline int add_material(Room& room, Material m) {
+    room.materials.push_back(std::move(m));
+    return static_cast<int>(room.materials.size()) - 1;
+}
+
+inline constexpr float kCasing = 0.08f;   // width of the frame about doors and windows
+
+// The parts of a face that no opening of these kinds takes between heights y0 and y1, with `margin` beside openings.
+std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1, float margin);
+
+void build_openings(const Plan& plan, const Materials& materials, Room& room);    // windows, doors, doorways
+void build_skylights(const Plan& plan, const Materials& materials, Room& room);   // with the slopes they are in
+void build_trim(const Plan& plan, const Materials& materials, Room& room);        // skirting, mouldings, panelling, beams, coffers
+
+}  // namespace fastscene::shell

@@ -1,0 +1,145 @@
+#include "fastscene/rooms/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/rooms/lexicon.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kTolerance = 0.01f;
+constexpr float kEyeAir = 0.45f;   // free ball about the camera
+
+class Checker {
+  public:
+    Checker(const Plan& plan, const std::vector<Placed>& placed) : plan_(plan), placed_(placed) {}
+
+    std::vector<Fault> faults(Vec3f camera) {
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            inside(i);
+            supported(i);
+            if (placed_[i].flat) continue;
+            for (std::size_t k = i + 1; k < placed_.size(); ++k) apart(i, k);
+            openings(i);
+        }
+        way(camera);
+        return std::move(faults_);
+    }
+
+  private:
+    std::string name(std::size_t i) const { return placed_[i].piece.klass + " #" + std::to_string(i); }
+    void add(const char* kind, std::string text) { faults_.push_back({kind, std::move(text)}); }
+
+    void inside(std::size_t i) {
+        if (!plan_.holds(shrunk(footprint_of(placed_[i]), kTolerance))) add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
+    }
+
+    // On the floor, on the top of what carries it, at a wall, at the ceiling.
+    void supported(std::size_t i) {
+        const Placed& p = placed_[i];
+        if (p.on >= 0) {
+            const Placed& below = placed_[static_cast<std::size_t>(p.on)];
+            const bool on_top = std::any_of(below.piece.surfaces.begin(), below.piece.surfaces.end(),
+                                            [&](const Surface& s) { return std::abs(below.position.y + s.center.y - p.position.y) < kTolerance; });
+            if (!on_top || distance_to(footprint_of(below), footprint_of(p).center) > 0.f) add("unsupported", name(i) + " floats above " + name(static_cast<std::size_t>(p.on)));
+            return;
+        }
+        switch (p.piece.mount) {
+            case Mount::floor:
+                if (std::abs(p.position.y) > 0.02f && p.piece.klass != "curtain") add("unsupported", name(i) + " does not stand on the floor");
+                break;
+            case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;
+            case Mount::ceiling:
+                if (std::abs(p.position.y - plan_.ceiling_at(flat(p.position))) > 0.3f) add("unsupported", name(i) + " does not hang from the ceiling");
+                break;
+            case Mount::wall: {
+                const Vec3f back{std::sin(p.yaw), 0, std::cos(p.yaw)};
+                bool at_wall = false;
+                for (const WallFace& face : plan_.faces()) {
+                    const Vec3f to = p.position - face.origin;
+                    const float u = dot(to, face.along), off = dot(to, face.inward);
+                    at_wall = at_wall || (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f && u > -kTolerance && u < face.length + kTolerance);
+                }
+                if (!at_wall) add("unsupported", name(i) + " hangs on no wall");
+            }
+        }
+    }
+
+    void apart(std::size_t i, std::size_t k) {
+        const Placed &a = placed_[i], &b = placed_[k];
+        if (b.flat || b.on == static_cast<int>(i) || a.on == static_cast<int>(k)) return;
+        if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2))) add("overlap", name(i) + " and " + name(k) + " stand in each other");
+    }
+
+    void openings(std::size_t i) {
+        const Placed& p = placed_[i];
+        const Footprint box = footprint_of(p);
+        for (const Opening& o : plan_.openings) {
+            const WallFace face = plan_.wall(o.wall);
+            const float yaw = std::atan2(face.inward.x, face.inward.z);
+            const bool window = o.kind == Opening::Kind::window;
+            const float deep = window ? 0.12f : 0.7f;   // before a window things may stand, but not touch it above its sill
+            const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
+            Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
+            if (window) zone.y0 = o.y0 + 0.25f, zone.y1 = o.y1 - 0.02f;
+            if (window && (p.piece.klass == "curtain" || p.piece.klass == "blind" || p.on >= 0)) continue;
+            if (overlap(box, zone)) add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
+        }
+    }
+
+    void way(Vec3f camera) {
+        Ways ways(plan_);
+        for (const Placed& p : placed_) ways.add(p);
+        if (!ways.open()) add("way", "no way leads from the door to a place for the camera");
+        else if (!ways.reaches(flat(camera))) add("way", "no way leads from the door to the camera");
+        float nearest = plan_.air_around(camera);
+        std::string what = "a wall";
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            if (placed_[i].flat) continue;
+            const Footprint box = footprint_of(placed_[i]);
+            const float far = std::hypot(distance_to(box, flat(camera)), std::max({0.f, box.y0 - camera.y, camera.y - box.y1}));
+            if (far < nearest) nearest = far, what = name(i);
+        }
+        if (!(nearest >= kEyeAir)) add("camera", what + " is " + std::to_string(nearest).substr(0, 4) + " m from the camera");
+    }
+
+    const Plan& plan_;
+    const std::vector<Placed>& placed_;
+    std::vector<Fault> faults_;
+};
+
+}  // namespace
+
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera) { return Checker(plan, placed).faults(camera); }
+
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, const Run& run) {
+    CheckReport report;
+    const auto total = static_cast<std::int64_t>(rooms.size() * styles.size()) * count;
+    std::vector<CheckedRoom> checked(static_cast<std::size_t>(total));
+    std::vector<int> pieces(checked.size(), 0);
+    Progress progress(run, "rooms", total);
+    parallel_for(total, 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            run.check_stop();
+            const auto pair = static_cast<std::size_t>(i / count);
+            CheckedRoom& c = checked[static_cast<std::size_t>(i)];
+            c.prompt = "a " + styles[pair % styles.size()] + " " + room_title(rooms[pair / styles.size()]);
+            c.seed = run.seed + static_cast<std::uint64_t>(i % count);
+            PromptSpec spec = understand_prompt(c.prompt, false);
+            const FurnishedRoom room = furnish_room(spec, {c.seed, nullptr, {}});
+            c.faults = room_faults(room.plan, room.placed, room.camera);
+            pieces[static_cast<std::size_t>(i)] = static_cast<int>(room.placed.size());
+            progress.advance();
+        }
+    });
+    report.rooms = static_cast<int>(total);
+    for (std::size_t i = 0; i < checked.size(); ++i) {
+        report.pieces += pieces[i];
+        if (!checked[i].faults.empty()) report.faulty.push_back(std::move(checked[i]));
+    }
+    return report;
+}
+
+}  // namespace fastscene

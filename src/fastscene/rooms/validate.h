@@ -1,0 +1,32 @@
+// Validator: what is wrong with a furnished room, found from the layout alone (milliseconds, nothing is rendered).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fastscene/rooms/layout.h"
+
+namespace fastscene {
+
+struct Fault {
+    std::string kind;   // "overlap", "outside", "unsupported", "door", "window", "way", "camera"
+    std::string text;   // which piece, and what of it
+};
+
+// Boxes may share 1 cm before it counts. `camera` is where panorama 0 stands, in the room frame.
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera);
+
+// One room of a check over many.
+struct CheckedRoom {
+    std::string prompt;
+    std::uint64_t seed = 0;
+    std::vector<Fault> faults;
+};
+struct CheckReport {
+    int rooms = 0, pieces = 0;
+    std::vector<CheckedRoom> faulty;
+};
+// Furnishes "a <style> <room>" for every pair and for `count` seeds from `run.seed` on, and looks for faults.
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, const Run& run);
+
+}  // namespace fastscene

@@ -1,0 +1,137 @@
+// Which cells there are.
+#include "fastscene/trace/irradiance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
+#include "fastscene/trace/irradiance_cells.h"
+#include "fastscene/trace/response.h"
+#include "fastscene/trace/surface.h"
+
+namespace fastscene {
+
+using namespace irradiance;
+
+namespace {
+
+constexpr int kMaxSamples = 12;      // places kept in a cell
+
+}  // namespace
+
+// Spreads points over every triangle, half a cell apart or closer, and sorts them into cells.
+void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) {
+    struct Entry {
+        std::uint64_t key;
+        std::uint32_t order;  // random: which points a full cell keeps
+        Sample sample;
+        float area;
+        int material;
+    };
+    std::vector<Entry> entries;
+    float area = 0;    // what each point of the triangle at hand stands for
+    int material = 0;
+    const float step = 0.5f * cell_m_;
+    const auto add = [&](Vec3f p, Vec3f n) {
+        const Vec3f q = (p - origin_) / cell_m_;
+        const std::uint64_t key = key_of(cell_index(q.x), cell_index(q.y), cell_index(q.z), facing_of(n));
+        entries.push_back({key, static_cast<std::uint32_t>(mix64(entries.size())), {p, n}, area, material});
+    };
+    for (const Mesh& mesh : room.meshes) {
+        // Sheets are lit from both sides.
+        const bool both = !is_closed(mesh);
+        material = mesh.material;
+        for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
+            const std::size_t i[3] = {mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2]};
+            const Vec3f a = mesh.positions[i[0]], ab = mesh.positions[i[1]] - a, ac = mesh.positions[i[2]] - a;
+            const Vec3f flat = normalize(cross(ab, ac));
+            const int nu = std::max(1, static_cast<int>(std::ceil(length(ab) / step))), nv = std::max(1, static_cast<int>(std::ceil(length(ac) / step)));
+            const int points = nu == 1 && nv == 1 ? 1 : std::max(1, nu * nv / 2);
+            area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points);
+            for (int ui = 0; ui < nu; ++ui)
+                for (int vi = 0; vi < nv; ++vi) {
+                    float u = (static_cast<float>(ui) + 0.5f) / static_cast<float>(nu), v = (static_cast<float>(vi) + 0.5f) / static_cast<float>(nv);
+                    if (u + v > 1.f) {
+                        if (nu > 1 || nv > 1) continue;
+                        u = v = 1.f / 3;
+                    } else if (nu == 1 && nv == 1) {
+                        u = v = 1.f / 3;
+                    }
+                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u + mesh.normals[i[2]] * v);
+                    if (!(dot(n, flat) > 0.1f)) n = flat;
+                    add(a + ab * u + ac * v, n);
+                    if (both) add(a + ab * u + ac * v, -n);
+                }
+            area = 0;
+            // The rim, where a neighbouring cell may be touched by a hair.
+            if (nu > 1 || nv > 1)
+                for (const auto& [u, v] : {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f}, std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
+                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u + mesh.normals[i[2]] * v);
+                    if (!(dot(n, flat) > 0.1f)) n = flat;
+                    add(a + ab * u + ac * v, n);
+                    if (both) add(a + ab * u + ac * v, -n);
+                }
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+    for (std::size_t i = 0; i < entries.size();) {
+        std::size_t end = i;
+        Vec3f center{}, normal{};
+        keys_.push_back(entries[i].key);
+        first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
+        int kept = 0;
+        float whole = 0;
+        const Vec3f color = albedo[static_cast<std::size_t>(entries[i].material)];
+        for (; end < entries.size() && entries[end].key == entries[i].key; ++end) {
+            whole += entries[end].area;
+            if (kept < kMaxSamples) {
+                samples_.push_back(entries[end].sample);
+                center += entries[end].sample.position;
+                normal += entries[end].sample.normal;
+                ++kept;
+            }
+        }
+        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole,
+                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission});
+        i = end;
+    }
+    first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
+}
+
+// Cells that nobody in the room can see are no cells: the outside of the walls (every ray leaves), and what is buried in
+// something solid (every ray meets a back face). They would only darken their neighbours and draw samples to themselves.
+void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed) {
+    constexpr int kRays = 24;
+    std::vector<std::uint8_t> seen(cells_.size(), 0);
+    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto c = static_cast<std::size_t>(i);
+            const std::uint32_t first = first_sample_[c], n = first_sample_[c + 1] - first;
+            for (int s = 0; s < kRays && !seen[c]; ++s) {
+                const Sample& at = samples_[first + static_cast<std::uint32_t>(s) % n];
+                const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), {0.5f, 0.5f});
+                const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), cosine_direction(at.normal, uv));
+                seen[c] = hit && !(hit.back && closed[static_cast<std::size_t>(hit.mesh)]);
+            }
+        }
+    });
+    std::vector<Cell> cells;
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> first_sample;
+    std::vector<Sample> samples;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        if (!seen[c]) continue;
+        cells.push_back(cells_[c]);
+        keys.push_back(keys_[c]);
+        first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
+        samples.insert(samples.end(), samples_.begin() + first_sample_[c], samples_.begin() + first_sample_[c + 1]);
+    }
+    first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
+    cells_ = std::move(cells);
+    keys_ = std::move(keys);
+    first_sample_ = std::move(first_sample);
+    samples_ = std::move(samples);
+}
+
+}  // namespace fastscene

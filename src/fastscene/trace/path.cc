@@ -1,0 +1,160 @@
+#include "fastscene/trace/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/trace/response.h"
+#include "fastscene/trace/sky.h"
+#include "fastscene/trace/surface.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr int kMaxBounces = 48;
+constexpr int kSureBounces = 3;   // no path ends before by chance
+
+// Veach's power heuristic for one sample of each kind.
+float weight_of(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
+
+// What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
+struct Arrival {
+    float density = 0;       // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
+    bool lights = false;     // whether that surface also asked the lights
+    Vec3f from, normal;
+    Lights::Choice choice;
+};
+
+// A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the density of sampling `out`.
+struct Scatter {
+    Vec3f value;
+    float density = 0;
+};
+struct Local {
+    const SurfacePointInfo& s;
+    const Response& r;
+    Vec3f direction;
+    float relief;             // darkens or brightens what falls on the slopes of the pattern's relief
+    float p_shine, p_behind;  // chances of the three ways on; the rest is diffuse
+
+    Scatter towards(Vec3f out) const {
+        Scatter e;
+        const float cosine = dot(s.normal, out);
+        if (cosine > 0) {
+            e.value = r.diffuse * (relief * cosine / kPi);
+            e.density = (1 - p_shine - p_behind) * cosine / kPi;
+            if (r.alpha > 0) {
+                const float d = ggx_density(s.bumped, r.alpha, direction, out);
+                e.value += r.shine * d;
+                e.density += p_shine * d;
+            }
+        } else {
+            e.value = r.behind * (-cosine / kPi);
+            e.density = p_behind * -cosine / kPi;
+        }
+        return e;
+    }
+};
+
+// The direct light of one lamp or window, and of the sun.
+Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, Sampler& sampler) {
+    const SurfacePointInfo& s = local.s;
+    const Vec3f normal = behind ? -s.normal : s.normal;
+    Vec3f sum{};
+    const Vec2f which = sampler.next2(), uv = sampler.next2();
+    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, normal, which, uv);
+    if (light.density > 0) {
+        const Scatter scatter = local.towards(light.direction);
+        const Vec3f value = scatter.value * light.radiance;
+        if (luminance(value) > 0 && !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
+            sum += value * (weight_of(light.density, scatter.density) / light.density);
+    }
+    // The sun is met by chance by nobody: its disc is not in the sky.
+    const Vec2f disc = sampler.next2();
+    const Vec3f facing = behind ? normal : s.bumped;
+    const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc);
+    if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse * local.relief) * sun * (1.f / kPi);
+    return sum;
+}
+
+}  // namespace
+
+Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler) {
+    Vec3f sum{}, throughput{1, 1, 1};
+    Arrival arrival;
+    float width = pixel_angle, travelled = 0;
+    for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
+        const RayHit hit = scene.bvh.first_hit(origin, direction);
+        float by_chance = 1;
+        if (arrival.lights) by_chance = weight_of(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
+        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * by_chance;
+        travelled += hit.distance;
+        const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
+        const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), bounce == 0);
+        const Material& m = *s.material;
+        sum += throughput * m.emission * by_chance;
+
+        const Response r = response_of(s, direction);
+        const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
+        const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), shine = luminance(r.shine), all = diffuse + behind + shine;
+        if (!(all > 0)) return sum;
+        const Local local{s, r, direction, std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f), shine / all, behind / all};
+
+        Arrival next;
+        next.lights = diffuse + behind > 0 || r.alpha > 0;
+        const float kind = sampler.next();
+        const bool backwards = kind >= local.p_shine && kind < local.p_shine + local.p_behind;
+        if (next.lights) {
+            next.from = s.position;
+            // One side of a thin sheet is asked, by how much it lets through.
+            const float ask_behind = local.p_behind > 0 ? local.p_behind / std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_shine)) : 0.f;
+            const bool side = ask_behind > 0 && sampler.next() < ask_behind;
+            next.normal = side ? -s.normal : s.normal;
+            next.choice = scene.lights.choice_at(s.position, next.normal);
+            sum += throughput * asked_light(scene, local, next.choice, side, sampler) * (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
+        }
+        const Vec2f u = sampler.next2();
+        Vec3f out;
+        if (kind < local.p_shine) {
+            const Vec3f half = ggx_half(s.bumped, r.alpha, u);
+            out = direction - half * (2 * dot(direction, half));
+            if (!(dot(out, s.normal) > 0.01f)) {
+                if (r.alpha > 0) return sum;
+                out = direction - s.normal * (2 * dot(direction, s.normal));
+            }
+            width = std::max(width, 0.3f * r.alpha);
+        } else {
+            out = cosine_direction(backwards ? -s.normal : s.normal, u);
+            width = std::max(width, 0.2f);
+        }
+        out = normalize(out);
+        if (kind < local.p_shine && r.alpha == 0) {
+            throughput = throughput * r.shine / local.p_shine;
+            next.lights = false;
+        } else {
+            const Scatter scatter = local.towards(out);
+            if (!(scatter.density > 0)) return sum;
+            throughput = throughput * scatter.value / scatter.density;
+            next.density = scatter.density;
+            // The lights that were asked stood on one side; what is found on the other side by chance counts in full
+            // only if that side could not have been asked.
+            if (next.lights && local.p_behind > 0) {
+                const bool other = dot(out, s.normal) < 0;
+                next.normal = other ? -s.normal : s.normal;
+                next.choice = scene.lights.choice_at(s.position, next.normal);
+            }
+        }
+        origin = offset_from(s.position, dot(out, s.normal) > 0 ? s.normal : -s.normal);
+        direction = out;
+        arrival = next;
+        if (bounce >= kSureBounces) {
+            const float survive = std::clamp(max_component(throughput), 0.05f, 0.95f);
+            if (sampler.next() > survive) break;
+            throughput = throughput / survive;
+        }
+    }
+    return sum;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,139 @@
+#include "fastscene/trace/path.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/scene/box.h"
+#include "fastscene/trace/response.h"
+#include "fastscene/trace/sky.h"
+#include "fastscene/trace/trace.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+const Vec3f kLow{-2, -1.1f, -2.5f}, kHigh{2, 1.5f, 2.5f};
+
+Material diffuse(Vec3f albedo, Vec3f emission = {}) {
+    Material m;
+    m.color_a = m.color_b = m.color_c = albedo;
+    m.emission = emission;
+    m.specular = 0;
+    m.roughness = 1;
+    return m;
+}
+
+float mean_radiance(const Room& room, Vec3f direction, int paths) {
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    double sum = 0;
+    for (int i = 0; i < paths; ++i) {
+        Sampler sampler(99, static_cast<std::uint32_t>(i));
+        sum += static_cast<double>(luminance(path_radiance({room, bvh, lights}, {}, direction, 0.01f, sampler)));
+    }
+    return static_cast<float>(sum / paths);
+}
+
+Room box_room(const Material& walls) {
+    Room room;
+    room.min_corner = kLow;
+    room.max_corner = kHigh;
+    room.materials = {walls};
+    room.meshes = {box_mesh(kLow, kHigh, 0, -1, true)};
+    return room;
+}
+
+// Closed room, albedo 1/2, emission 1/2: radiance 1 everywhere.
+TEST(Path, Furnace) { EXPECT_NEAR(mean_radiance(box_room(diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})), normalize(Vec3f{0.3f, 0.2f, 1}), 4096), 1.f, 0.01f); }
+
+// A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed form of a
+// parallel rectangle (Howell, B-3).
+TEST(Path, LightAskedAndFoundIsCountedOnce) {
+    Room room = box_room(diffuse({0, 0, 0}));
+    room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
+    room.materials.push_back(diffuse({0.6f, 0.6f, 0.6f}));
+    const float half = 0.2f, height = 1.3f;
+    room.meshes.push_back(box_mesh({-half, 1.48f - height, -half}, {half, 1.49f - height, half}, 1, -1, false));
+    room.meshes.push_back(box_mesh({-2, 1.49f, -2}, {2, 1.5f, 2}, 2, -1, false));
+    // Seen past the lamp's edge: the floor beside the point below its middle.
+    const float x = half / height, s = std::sqrt(1 + x * x);
+    const float form = 4 * (x / s * std::atan(x / s) * 2) / (2 * kPi);
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    double sum = 0;
+    constexpr int kPaths = 8192;
+    for (int i = 0; i < kPaths; ++i) {
+        Sampler sampler(5, static_cast<std::uint32_t>(i));
+        sum += static_cast<double>(path_radiance({room, bvh, lights}, {0, 1.3f, 0}, {0, 1, 0}, 0.01f, sampler).x);
+    }
+    // The lamp's lower face stands 1.49 - (1.49 - height) above the floor's top.
+    EXPECT_NEAR(sum / kPaths / (10 * 0.6 * static_cast<double>(form)), 1.0, 0.02);
+}
+
+// Nothing gives back more than it gets: a white, shining room lit evenly stays below the furnace's limit.
+TEST(Path, SurfacesLoseEnergy) {
+    for (const float roughness : {0.1f, 0.4f, 0.8f})
+        for (const float metal : {0.f, 1.f}) {
+            Material m = diffuse({0.8f, 0.8f, 0.8f});
+            m.roughness = roughness;
+            m.metal = metal;
+            m.specular = 0.04f;
+            m.emission = {0.1f, 0.1f, 0.1f};
+            EXPECT_LT(mean_radiance(box_room(m), normalize(Vec3f{1, 0.1f, 0.4f}), 1024), 1.2f) << roughness << " " << metal;
+        }
+}
+
+TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
+    const Vec3f n{0, -1, 0}, in = normalize(Vec3f{0.5f, 1, 0.2f});
+    // The density over all directions above and below integrates to one.
+    for (const float alpha : {0.1f, 0.25f}) {
+        double sum = 0;
+        const int nt = 400, np = 800;
+        for (int i = 0; i < nt; ++i)
+            for (int k = 0; k < np; ++k) {
+                const float t = kPi * (static_cast<float>(i) + 0.5f) / nt, p = 2 * kPi * (static_cast<float>(k) + 0.5f) / np;
+                const Vec3f out{std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)};
+                sum += static_cast<double>(ggx_density(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
+            }
+        EXPECT_NEAR(sum, 1.0, 0.03) << alpha;
+    }
+}
+
+TEST(Sampler, SixteenConsecutivePathsHitEveryCellOfFourByFour) {
+    for (std::uint64_t key = 0; key < 20; ++key) {
+        std::array<int, 16> hits{};
+        for (std::uint32_t i = 16; i < 32; ++i) {
+            Sampler sampler(key, i);
+            sampler.next2();
+            const Vec2f p = sampler.next2();
+            ++hits[static_cast<std::size_t>(static_cast<int>(p.x * 4) + 4 * static_cast<int>(p.y * 4))];
+        }
+        for (const int h : hits) EXPECT_EQ(h, 1) << key;
+    }
+}
+
+// The cached picture is the path traced one, apart from the cache's own error.
+TEST(Path, CachedPicturesAgree) {
+    Room room = box_room(diffuse({0.7f, 0.6f, 0.5f}));
+    room.materials.push_back(diffuse({0.5f, 0.5f, 0.5f}, {9, 8, 7}));
+    room.materials.push_back(diffuse({0.2f, 0.4f, 0.7f}));
+    room.meshes.push_back(box_mesh({-0.2f, -1.05f, 0.8f}, {0.2f, -1.f, 1.2f}, 1, -1, false));
+    room.meshes.push_back(box_mesh({0.7f, 0.5f, 1.2f}, {1.5f, 1.5f, 1.8f}, 2, -1, false));
+    TracedRoom traced(std::move(room));
+    traced.gather_light({.cell_m = 0.12f, .cell_samples = 128, .pixel_samples = 16}, {});
+    const auto mean = [&](const ShotParts& parts) {
+        const ImageColor image = traced.panorama({}, {32, 16}, parts, {}).color;
+        double sum = 0;
+        for (const Vec3f c : image.pixels) sum += static_cast<double>(std::min(4.f, luminance(c)));
+        return sum / static_cast<double>(image.size());
+    };
+    const double cached = mean({.color = true, .range = false, .pixel_samples = 16, .radiance = true});
+    const double paths = mean({.color = true, .range = false, .pixel_samples = 64, .paths = true, .radiance = true});
+    EXPECT_NEAR(cached / paths, 1.0, 0.05);
+}
+
+}  // namespace
+}  // namespace fastscene

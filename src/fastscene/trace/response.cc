@@ -1,0 +1,71 @@
+#include "fastscene/trace/response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fastscene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+// Rougher dielectrics mirror so little and so widely that the light around stands for it.
+constexpr float kMirrorRoughness = 0.5f;
+
+}  // namespace
+
+Response response_of(const SurfacePointInfo& s, Vec3f direction) {
+    const Material& m = *s.material;
+    const float facing = std::clamp(-dot(s.bumped, direction), 0.02f, 1.f);
+    const float grazing = std::pow(1.f - facing, 5.f), smoothness = 1.f - s.texture.roughness;
+    // Schlick; rough surfaces gain less at grazing angles.
+    const Vec3f f0 = lerp(Vec3f{m.specular, m.specular, m.specular}, s.texture.albedo, m.metal);
+    const Vec3f edge{std::max(smoothness, f0.x), std::max(smoothness, f0.y), std::max(smoothness, f0.z)};
+    Vec3f fresnel = f0 + (edge - f0) * grazing;
+    if (m.mirror > 0) fresnel = lerp(fresnel, Vec3f{0.92f, 0.93f, 0.92f}, m.mirror);
+
+    Response r;
+    Vec3f base = s.texture.albedo * (1.f - m.metal);
+    if (m.mirror > 0.5f) {
+        r.shine = fresnel;
+        return r;
+    }
+    if (m.metal < 0.5f && s.texture.roughness > kMirrorRoughness) {
+        base = base * (1.f - max_component(fresnel) * 0.5f);
+        r.diffuse = base * (1.f - m.transmission) + fresnel * 0.8f;
+        r.behind = base * m.transmission;
+        return r;
+    }
+    base = base * (1.f - max_component(fresnel));
+    r.diffuse = base * (1.f - m.transmission);
+    r.behind = base * m.transmission;
+    r.shine = fresnel;
+    r.alpha = s.texture.roughness * s.texture.roughness;
+    if (r.alpha <= 1e-3f) r.alpha = 0;
+    return r;
+}
+
+Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
+    if (!(alpha > 0)) return n;
+    const float phi = 2 * kPi * u.y;
+    const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x)), sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
+    Vec3f s, t;
+    make_frame(n, s, t);
+    return s * (sine * std::cos(phi)) + t * (sine * std::sin(phi)) + n * cosine;
+}
+
+float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
+    const Vec3f half = normalize(out - direction);
+    const float c = dot(n, half), o = dot(out, half);
+    if (!(c > 0 && o > 1e-4f) || !(alpha > 0)) return 0;
+    const float a2 = alpha * alpha, k = c * c * (a2 - 1) + 1;
+    return a2 / (kPi * k * k) * c / (4 * o);
+}
+
+Vec3f cosine_direction(Vec3f n, Vec2f u) {
+    Vec3f s, t;
+    make_frame(n, s, t);
+    const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
+    return s * (r * std::cos(phi)) + t * (r * std::sin(phi)) + n * std::sqrt(std::max(0.f, 1 - u.x));
+}
+
+}  // namespace fastscene

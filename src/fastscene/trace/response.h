@@ -1,0 +1,24 @@
+// Response: how a bit of surface sends light back, the same for cached and for path traced pictures.
+#pragma once
+
+#include "fastscene/math/vec.h"
+#include "fastscene/trace/surface.h"
+
+namespace fastscene {
+
+// Radiance = (diffuse * E_front + behind * E_back) / pi + shine * (what lies in the mirror, spread by GGX of width alpha).
+struct Response {
+    Vec3f diffuse, behind;
+    Vec3f shine;
+    float alpha = 0;
+};
+Response response_of(const SurfacePointInfo& surface, Vec3f direction);
+
+// A half vector of the GGX distribution about n; u in [0, 1)^2.
+Vec3f ggx_half(Vec3f n, float alpha, Vec2f u);
+// Density per solid angle of the direction that mirroring `direction` in such a half vector gives.
+float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out);
+// Cosine-weighted direction about n; u in [0, 1)^2.
+Vec3f cosine_direction(Vec3f n, Vec2f u);
+
+}  // namespace fastscene

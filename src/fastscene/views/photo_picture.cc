@@ -1,0 +1,143 @@
+#include "fastscene/views/photo_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/geometry/cubemap.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace {
+
+// Faces see 5 degrees beyond the cube's edges: a loss over windows needs what lies beside.
+constexpr float kFaceFovDeg = 100.f;
+
+struct Picture {
+    ImageRgb8 color;
+    ImageMask weight;  // empty: all count
+};
+
+void combine(ImageMask& weight, const ImageMask& other) {
+    if (weight.empty()) weight = ImageMask(other.width, other.height, 255);
+    for (std::size_t i = 0; i < weight.size(); ++i) weight.pixels[i] = static_cast<std::uint8_t>(weight.pixels[i] * other.pixels[i] / 255);
+}
+
+// A mask of another size is read at the nearest pixel.
+ImageMask resized(const ImageMask& mask, int width, int height) {
+    ImageMask out(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            out.at(x, y) = mask.at(static_cast<int>((static_cast<std::int64_t>(x) * 2 + 1) * mask.width / (2 * width)), static_cast<int>((static_cast<std::int64_t>(y) * 2 + 1) * mask.height / (2 * height)));
+    return out;
+}
+
+Picture load(const Photo& photo, const PhotosParams& params) {
+    Picture picture{load_rgb8(photo.file), {}};
+    const double shape = static_cast<double>(picture.color.width) / picture.color.height, expected = static_cast<double>(photo.lens.width) / photo.lens.height;
+    // A pixel of rounding on either side, and a little.
+    if (!(std::fabs(shape / expected - 1) < 0.02 + 1.0 / std::min(picture.color.width, picture.color.height)))
+        throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height, picture.color.width,
+                    picture.color.height);
+    if (params.alpha == "mask")
+        if (ImageMask alpha = load_alpha(photo.file); !alpha.empty()) picture.weight = std::move(alpha);
+    if (!photo.mask.empty()) {
+        ImageMask mask = load_mask_png(photo.mask);
+        if (params.invert_masks)
+            for (std::uint8_t& v : mask.pixels) v = static_cast<std::uint8_t>(255 - v);
+        combine(picture.weight, mask.same_size(picture.color) ? mask : resized(mask, picture.color.width, picture.color.height));
+    }
+    return picture;
+}
+
+// Bilinear, in the picture's own (sRGB) values, as splats are trained in them.
+Vec3f sample(const ImageRgb8& image, Vec2d at) {
+    const double px = std::clamp(at.x - 0.5, 0.0, image.width - 1.0), py = std::clamp(at.y - 0.5, 0.0, image.height - 1.0);
+    const int x = static_cast<int>(px), y = static_cast<int>(py), x1 = std::min(x + 1, image.width - 1), y1 = std::min(y + 1, image.height - 1);
+    const auto u = static_cast<float>(px - x), v = static_cast<float>(py - y);
+    const auto value = [&](int i, int j) { return unit_from_srgb8(image.at(i, j)); };
+    return lerp(lerp(value(x, y), value(x1, y), u), lerp(value(x, y1), value(x1, y1), u), v);
+}
+
+// The picture through the ideal camera; samples lie no farther apart than the source's pixels.
+void straighten(const Picture& source, const Lens& lens, View& view) {
+    const Pinhole& camera = view.camera;
+    const double reach = lens.reach();
+    const int n = std::clamp(static_cast<int>(std::ceil(lens.fx / static_cast<double>(camera.fx) - 0.05)), 1, 32);
+    view.color = ImageRgb8(camera.width, camera.height);
+    ImageMask weight(camera.width, camera.height);
+    bool all_count = true;
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            Vec3f sum;
+            float seen = 0, counts = 0;
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    const double px = x + (i + 0.5) / n, py = y + (j + 0.5) / n;
+                    const auto at = lens.pixel_of({(px - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx), (py - static_cast<double>(camera.cy)) / static_cast<double>(camera.fy), 1}, reach);
+                    if (!at || !(at->x >= 0 && at->y >= 0 && at->x <= lens.width && at->y <= lens.height)) continue;
+                    sum += sample(source.color, *at);
+                    ++seen;
+                    counts += source.weight.empty() ? 255.f : static_cast<float>(source.weight.at(std::min(static_cast<int>(at->x), lens.width - 1), std::min(static_cast<int>(at->y), lens.height - 1)));
+                }
+            if (seen > 0) sum = sum * (1 / seen);
+            view.color.at(x, y) = {byte_from_unit(sum.x), byte_from_unit(sum.y), byte_from_unit(sum.z)};
+            weight.at(x, y) = static_cast<std::uint8_t>(counts / static_cast<float>(n * n) + 0.5f);
+            all_count = all_count && weight.at(x, y) == 255;
+        }
+    if (!all_count) view.weight = std::move(weight);
+}
+
+std::vector<View> cut_sphere(const Picture& source, const std::string& name, const Rigid& world_from_camera, int longest) {
+    const ImageColor color = linear_from_srgb8(source.color);
+    const EquirectSize size{color.width, color.height};
+    // As fine as the sphere's own picture at its middle.
+    const double side = 2 * size.width / (2 * std::numbers::pi) * std::tan(static_cast<double>(kFaceFovDeg) * std::numbers::pi / 360);
+    const int pixels = std::clamp(static_cast<int>(side), 16, longest);
+    const Pinhole camera = Pinhole::with_fov(pixels, pixels, kFaceFovDeg);
+    std::vector<View> out;
+    for (const CubeFace face : kCubeFaces) {
+        View view;
+        const Mat3f turn = pano_from_face(face);
+        view.name = fmt::format("{}.{}.png", name, name_of(face));
+        view.camera = camera;
+        view.world_from_camera = {world_from_camera.rotation * turn, world_from_camera.translation};
+        view.color = srgb8_from_linear(pinhole_from_equirect(color, camera, turn));
+        if (!source.weight.empty()) {
+            view.weight = ImageMask(pixels, pixels);
+            for (int y = 0; y < pixels; ++y)
+                for (int x = 0; x < pixels; ++x) {
+                    const Vec2f at = pixel_of_direction(turn * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+                    view.weight.at(x, y) = source.weight.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1));
+                }
+        }
+        out.push_back(std::move(view));
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<View> views_of_photo(const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
+    Picture picture = load(photo, params);
+    if (photo.lens.kind == LensKind::equirectangular) return cut_sphere(picture, photo.name, world_from_camera, params.max_size);
+    const Lens lens = photo.lens.resized(picture.color.width, picture.color.height);
+    // Smaller copies on disk count towards the downscale that was asked for.
+    const double wanted = std::min({static_cast<double>(params.max_size) / std::max(lens.width, lens.height),
+                                    static_cast<double>(photo.lens.width) / params.downscale / lens.width, 1.0});
+    const int width = std::max(1, static_cast<int>(std::lround(lens.width * wanted))), height = std::max(1, static_cast<int>(std::lround(lens.height * wanted)));
+    View view;
+    view.name = photo.name;
+    view.camera = lens.resized(width, height).pinhole();
+    view.world_from_camera = world_from_camera;
+    if (lens.is_pinhole() && width == lens.width && height == lens.height) {
+        view.color = std::move(picture.color);
+        view.weight = std::move(picture.weight);
+    } else {
+        straighten(picture, lens, view);
+    }
+    return {std::move(view)};
+}
+
+}  // namespace fastscene

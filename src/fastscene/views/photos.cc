@@ -1,0 +1,145 @@
+#include "fastscene/views/photos.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
+#include "fastscene/views/photo_picture.h"
+#include "fastscene/views/spacing.h"
+
+namespace fastscene {
+namespace {
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Vec3d median_place(const std::vector<Photo>& photos) {
+    Vec3d out;
+    for (std::size_t a = 0; a < 3; ++a) {
+        std::vector<double> values;
+        for (const Photo& p : photos) values.push_back(p.world_from_camera.translation[a]);
+        out[a] = median(std::move(values));
+    }
+    return out;
+}
+
+// Half of what is seen lies nearer than this to the middle of the cameras; medians, so that single cameras and points far off do not
+// matter. Without points the cameras' own spread must do.
+double radius_of(const Capture& capture, Vec3d middle) {
+    std::vector<double> distances;
+    for (const CapturePoint& p : capture.points)
+        if (const double d = length(p.position - middle); std::isfinite(d)) distances.push_back(d);
+    if (!distances.empty()) return median(std::move(distances));
+    for (const Photo& p : capture.photos) distances.push_back(length(p.world_from_camera.translation - middle));
+    return 1.5 * median(std::move(distances));
+}
+
+// The trainer's first steps and its grid are made for rooms in metres.
+constexpr double kRoom_m = 3, kSmallest_m = 0.8, kLargest_m = 12, kFarOff_m = 100;
+
+Similarity world_from_capture(const Capture& capture) {
+    const Vec3d middle = median_place(capture.photos);
+    const double radius = radius_of(capture, middle);
+    const bool is_room = radius >= kSmallest_m && radius <= kLargest_m && length(middle) < kFarOff_m;
+    if (is_room) return {};
+    const double scale = radius > 1e-9 ? kRoom_m / radius : 1;
+    return {{}, scale, middle * -scale};
+}
+
+Vec3f to_float(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+Vec3d place_of(const Similarity& s, Vec3d p) { return (s.new_from_old * p) * s.scale + s.translation; }
+Rigid pose_of(const Similarity& s, const Rigidd& world_from_camera) {
+    const Mat3d r = s.new_from_old * world_from_camera.rotation;
+    return {{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(place_of(s, world_from_camera.translation))};
+}
+
+std::vector<const Photo*> present_photos(const Capture& capture, const Run& run) {
+    std::vector<const Photo*> present;
+    std::string first_missing;
+    for (const Photo& photo : capture.photos)
+        if (std::filesystem::is_regular_file(photo.file))
+            present.push_back(&photo);
+        else if (first_missing.empty())
+            first_missing = photo.file.string();
+    if (capture.photos.empty()) throw Error("{}: expected photographs with cameras, found none", capture.source);
+    if (present.empty()) throw Error("{}: expected the pictures of {} cameras, found none; {} is missing", capture.source, capture.photos.size(), first_missing);
+    if (present.size() < capture.photos.size())
+        run.warn(fmt::format("{}: {} of {} pictures are missing and left out, {} first", capture.source, capture.photos.size() - present.size(), capture.photos.size(), first_missing));
+    return present;
+}
+
+// What a splat may start from: nearer than this many times the place's radius.
+constexpr float kFarthest = 300 * static_cast<float>(kRoom_m);
+
+std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity& world, const Run& run) {
+    std::vector<SurfacePoint> out;
+    std::vector<Vec3f> places;
+    for (const CapturePoint& p : capture.points) {
+        const Vec3f place = to_float(place_of(world, p.position));
+        if (!(length(place) < kFarthest)) continue;
+        places.push_back(place);
+        out.push_back({place, {}, p.color, 0});
+    }
+    if (const std::size_t dropped = capture.points.size() - out.size()) run.note(fmt::format("{} points lie too far off to be used", dropped));
+    const std::vector<float> sizes = spacings(places);
+    // A point alone in the distance must not become a fog over everything.
+    const float typical = sizes.empty() ? 0 : static_cast<float>(median({sizes.begin(), sizes.end()}));
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].radius_m = std::clamp(sizes[i], std::max(0.05f * typical, 1e-4f), std::max(20 * typical, 1e-3f));
+    return out;
+}
+
+// In front of random cameras, evenly in the logarithm of the distance, in the color seen there.
+std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double distance_m, const Run& run) {
+    std::vector<SurfacePoint> out;
+    Random random(run.seed, "views/random-points");
+    for (int i = 0; i < count; ++i) {
+        const View& view = set.views[static_cast<std::size_t>(random.index(static_cast<int>(set.views.size())))];
+        const int x = random.index(view.camera.width), y = random.index(view.camera.height);
+        const float distance = static_cast<float>(distance_m) * std::exp(random.uniform(-1.6f, 1.6f));
+        const Vec3f ray = normalize(view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+        out.push_back({view.world_from_camera * (ray * distance), {}, view.color.at(x, y), 0});
+    }
+    std::vector<Vec3f> places;
+    for (const SurfacePoint& p : out) places.push_back(p.position_m);
+    const std::vector<float> sizes = spacings(places);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].radius_m = std::max(sizes[i], 1e-4f);
+    return out;
+}
+
+}  // namespace
+
+PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run) {
+    check_fields("", params);
+    const std::vector<const Photo*> photos = present_photos(capture, run);
+    PhotoViews out;
+    out.world_from_capture = world_from_capture(capture);
+    std::vector<std::vector<View>> cut(photos.size());
+    Progress progress(run, "pictures", static_cast<std::int64_t>(photos.size()));
+    parallel_for(static_cast<std::int64_t>(photos.size()), 1, [&](std::int64_t begin, std::int64_t) {
+        run.check_stop();
+        const Photo& photo = *photos[static_cast<std::size_t>(begin)];
+        cut[static_cast<std::size_t>(begin)] = views_of_photo(photo, pose_of(out.world_from_capture, photo.world_from_camera), params);
+        progress.advance();
+    });
+    Vec3f up;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        up -= pose_of(out.world_from_capture, photos[i]->world_from_camera).rotation.column(1);
+        for (View& view : cut[i]) out.set.views.push_back(std::move(view));
+    }
+    out.up = length(up) > 0.1f * static_cast<float>(photos.size()) ? normalize(up) : Vec3f{0, -1, 0};
+    out.set.points = sized_points(capture, out.world_from_capture, run);
+    if (out.set.points.empty()) {
+        const double spread = radius_of({capture.source, capture.photos, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
+        out.set.points = made_up_points(out.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
+        run.warn(fmt::format("{}: has no points to start from; {} random ones are used, which takes more steps for less", capture.source, out.set.points.size()));
+    }
+    return out;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,258 @@
+// Captures on disk become views: a textured wall seen through every kind of lens must be the same wall.
+#include "fastscene/views/photos.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/base/random.h"
+#include "fastscene/geometry/sphere.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/capture_io.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/views/spacing.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scratch(const std::string& name) {
+    const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_photos_test" / name;
+    fs::remove_all(dir);
+    fs::create_directories(dir);
+    return dir;
+}
+
+// A smooth color for each direction, sRGB-encoded.
+Rgb8 color_of(Vec3d d) {
+    d = normalize(d);
+    const auto wave = [](double v) { return static_cast<std::uint8_t>(std::lround(127.5 + 100 * std::sin(v))); };
+    return {wave(3 * d.x + 1), wave(4 * d.y + d.z), wave(2 * d.z - 3 * d.x)};
+}
+
+// What a lens sees of it, pixel by pixel: the direction is found by inverting the lens with Newton's steps, independent of the code under test.
+ImageRgb8 photograph(const Lens& lens) {
+    ImageRgb8 out(lens.width, lens.height);
+    const double reach = lens.reach();
+    for (int y = 0; y < lens.height; ++y)
+        for (int x = 0; x < lens.width; ++x) {
+            const Vec2d wanted{x + 0.5, y + 0.5};
+            Vec2d at{(wanted.x - lens.cx) / lens.fx, (wanted.y - lens.cy) / lens.fy};
+            for (int n = 0; n < 60; ++n) {
+                const auto found = lens.pixel_of({at.x, at.y, 1}, reach);
+                if (!found) break;
+                at = at - Vec2d{(found->x - wanted.x) / lens.fx, (found->y - wanted.y) / lens.fy} * 0.8;
+            }
+            out.at(x, y) = color_of({at.x, at.y, 1});
+        }
+    return out;
+}
+
+struct Model {
+    std::string name, parameters;
+};
+const std::vector<Model> kModels{{"SIMPLE_PINHOLE", "80 48 36"},
+                                 {"PINHOLE", "80 82 47 37"},
+                                 {"SIMPLE_RADIAL", "80 48 36 -0.12"},
+                                 {"RADIAL", "80 48 36 -0.1 0.02"},
+                                 {"OPENCV", "80 81 48.5 35 -0.1 0.02 0.002 -0.003"},
+                                 {"OPENCV_FISHEYE", "80 81 48 36 0.02 -0.01 0.002 0"},
+                                 {"FULL_OPENCV", "80 81 48 36 -0.1 0.02 0.001 0.002 0.001 0.01 0 0"},
+                                 {"FOV", "80 81 48 36 0.6"},
+                                 {"SIMPLE_RADIAL_FISHEYE", "80 48 36 0.01"},
+                                 {"RADIAL_FISHEYE", "80 48 36 0.01 0.005"}};
+
+void write_colmap(const fs::path& dir, const Model& model, int width, int height, const ImageRgb8& picture) {
+    fs::create_directories(dir / "sparse" / "0");
+    fs::create_directories(dir / "images" / "sub");
+    write_file(dir / "sparse/0/cameras.txt", fmt::format("# comment\n7 {} {} {} {}\n", model.name, width, height, model.parameters));
+    write_file(dir / "sparse/0/images.txt", fmt::format("# comment\n3 0.70710678 0 0.70710678 0 1 2 3 7 sub/a b.png\n10.5 11.5 -1 3.5 2 4\n"));
+    write_file(dir / "sparse/0/points3D.txt", std::string_view("# comment\n1 1 2 3 10 20 30 0.5 3 0\n2 1.1 2 3 10 20 30 0.5\n3 1 2.2 3 10 20 30 0.5\n4 1 2 3.3 40 50 60 0.5 3 1 3 2\n"));
+    save_png(dir / "images/sub/a b.png", picture);
+}
+
+// Largest mean difference of a color, over the pixels that count.
+double difference_to_truth(const View& view) {
+    double sum = 0, count = 0;
+    for (int y = 0; y < view.camera.height; ++y)
+        for (int x = 0; x < view.camera.width; ++x) {
+            if (!view.weight.empty() && view.weight.at(x, y) < 255) continue;
+            const Vec3f d = view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+            const Rgb8 a = view.color.at(x, y), b = color_of({d.x, d.y, d.z});
+            sum += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+            count += 3;
+        }
+    return count > 0 ? sum / count : 1e9;
+}
+
+TEST(Photos, EveryLensIsStraightened) {
+    for (const Model& model : kModels) {
+        const fs::path dir = scratch("lens");
+        write_colmap(dir, model, 96, 72, ImageRgb8(96, 72));
+        Capture capture = load_colmap_capture(dir, {});
+        ASSERT_EQ(capture.photos.size(), 1u);
+        save_png(dir / "images/sub/a b.png", photograph(capture.photos[0].lens));
+        const PhotoViews views = views_of_capture(capture, {}, fastscene::Run{});
+        ASSERT_EQ(views.set.views.size(), 1u);
+        const View& view = views.set.views[0];
+        EXPECT_EQ(view.camera.width, 96);
+        EXPECT_LT(difference_to_truth(view), 1.0) << model.name;
+        if (!view.weight.empty()) {
+            EXPECT_EQ(view.weight.at(48, 36), 255) << model.name;
+        }
+        EXPECT_EQ(views.set.points.size(), 4u);
+        EXPECT_EQ(views.set.points[3].color, (Rgb8{40, 50, 60}));
+    }
+}
+
+TEST(Photos, ColmapPosesAreWorldToCamera) {
+    const fs::path dir = scratch("pose");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
+    const Rigidd pose = load_colmap_capture(dir, {}).photos[0].world_from_camera;
+    // A quarter turn about y: camera x is world -z; t = (1, 2, 3) is where the world's origin lies for the camera.
+    const Vec3d back = inverse(pose) * Vec3d{0, 0, 0};
+    EXPECT_NEAR(back.x, 1, 1e-6);
+    EXPECT_NEAR(back.z, 3, 1e-6);
+    EXPECT_NEAR(length(pose.rotation * Vec3d{0, 0, 1} - Vec3d{-1, 0, 0}), 0, 1e-6);
+}
+
+TEST(Photos, OtherSizesScaleTheCamera) {
+    const fs::path dir = scratch("size");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(48, 36, {1, 2, 3}));
+    const View small = views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0];
+    EXPECT_EQ(small.camera.width, 48);
+    EXPECT_FLOAT_EQ(small.camera.fx, 40);
+    EXPECT_FLOAT_EQ(small.camera.cy, 18.5);
+    save_png(dir / "images/sub/a b.png", ImageRgb8(96, 72, {1, 2, 3}));
+    PhotosParams params;
+    params.max_size = 24;
+    const View smaller = views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{}).set.views[0];
+    EXPECT_EQ(smaller.camera.width, 24);
+    EXPECT_FLOAT_EQ(smaller.camera.fx, 20);
+    EXPECT_EQ(smaller.color.at(3, 3), (Rgb8{1, 2, 3}));
+    params = {};
+    params.downscale = 4;
+    fs::create_directories(dir / "images_4/sub");
+    save_png(dir / "images_4/sub/a b.png", ImageRgb8(24, 18, {9, 9, 9}));
+    CaptureFolders folders;
+    folders.downscale = 4;
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, folders), params, fastscene::Run{}).set.views[0].color.at(0, 0), (Rgb8{9, 9, 9}));
+    save_png(dir / "images/sub/a b.png", ImageRgb8(72, 96));
+    EXPECT_THROW(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}), Error);
+}
+
+TEST(Photos, MasksAndMissingPictures) {
+    const fs::path dir = scratch("mask");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72, {1, 2, 3}));
+    ImageMask mask(96, 72, 255);
+    mask.at(5, 6) = 0;
+    fs::create_directories(dir / "masks/sub");
+    save_png(dir / "masks/sub/a b.png.png", mask);
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0].weight.at(5, 6), 0);
+    PhotosParams params;
+    params.invert_masks = true;
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{}).set.views[0].weight.at(5, 6), 255);
+    fs::remove(dir / "images/sub/a b.png");
+    EXPECT_THROW(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}), Error);
+}
+
+TEST(Photos, ScenesFarOffAndWithStrayCamerasComeClose) {
+    Capture capture;
+    const fs::path dir = scratch("far");
+    save_png(dir / "p.png", ImageRgb8(8, 8, {1, 2, 3}));
+    Random random(1, "far");
+    for (int i = 0; i < 11; ++i) {
+        Photo photo;
+        photo.name = photo.file = dir / "p.png";
+        photo.lens = lens_of(*lens_model("SIMPLE_PINHOLE"), 8, 8, {8, 4, 4});
+        photo.world_from_camera.translation = Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 50;
+        if (i == 10) photo.world_from_camera.translation = {-1e9, 0, 0};
+        capture.photos.push_back(photo);
+    }
+    for (int i = 0; i < 500; ++i) capture.points.push_back({Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 100, {}});
+    const PhotoViews views = views_of_capture(capture, {}, fastscene::Run{});
+    int near = 0;
+    for (const SurfacePoint& p : views.set.points) near += length(p.position_m) < 10;
+    EXPECT_GT(near, 480);
+    const Similarity back = inverse(views.world_from_capture);
+    EXPECT_NEAR(back.translation.x, 500000, 200);
+    for (const SurfacePoint& p : views.set.points) EXPECT_TRUE(p.radius_m > 0 && p.radius_m < 5);
+}
+
+TEST(Photos, OneCameraWithoutPoints) {
+    const fs::path dir = scratch("one");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72, {1, 2, 3}));
+    fs::remove(dir / "sparse/0/points3D.txt");
+    PhotosParams params;
+    params.random_points = 300;
+    const PhotoViews views = views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{});
+    ASSERT_EQ(views.set.points.size(), 300u);
+    for (const SurfacePoint& p : views.set.points) {
+        EXPECT_TRUE((inverse(views.set.views[0].world_from_camera) * p.position_m).z > 0);
+        EXPECT_GT(p.radius_m, 0);
+    }
+}
+
+TEST(Photos, NerfstudioCamerasLookAlongMinusZ) {
+    const fs::path dir = scratch("nerf");
+    save_png(dir / "r_0.png", ImageRgb8(40, 30, {1, 2, 3}));
+    write_file(dir / "transforms.json", std::string_view(R"({"camera_angle_x": 1.5707963, "frames": [{"file_path": "./r_0",
+        "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}]})"));
+    const Capture capture = load_nerfstudio_capture(dir, {});
+    ASSERT_EQ(capture.photos.size(), 1u);
+    EXPECT_NEAR(capture.photos[0].lens.fx, 20, 1e-4);
+    const Rigidd pose = capture.photos[0].world_from_camera;
+    EXPECT_NEAR(length(pose.rotation * Vec3d{0, 0, 1} - Vec3d{0, 0, -1}), 0, 1e-9);  // forward
+    EXPECT_NEAR(length(pose.rotation * Vec3d{0, 1, 0} - Vec3d{0, -1, 0}), 0, 1e-9);  // down
+    EXPECT_NEAR(length(pose.translation - Vec3d{5, 6, 7}), 0, 1e-9);
+    // Its up is +y: the viewer must know.
+    EXPECT_GT(views_of_capture(capture, {}, fastscene::Run{}).up.y, 0.99f);
+}
+
+TEST(Photos, SpheresAreCutAllAround) {
+    const fs::path dir = scratch("sphere");
+    ImageRgb8 sphere(128, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, {128, 64});
+            sphere.at(x, y) = color_of({d.x, d.y, d.z});
+        }
+    save_png(dir / "s.png", sphere);
+    write_file(dir / "transforms.json", std::string_view(R"({"camera_model": "EQUIRECTANGULAR", "w": 128, "h": 64, "frames": [{"file_path": "s.png",
+        "transform_matrix": [[1,0,0,0],[0,-1,0,0],[0,0,-1,0],[0,0,0,1]]}]})"));
+    const PhotoViews views = views_of_capture(load_nerfstudio_capture(dir, {}), {}, fastscene::Run{});
+    ASSERT_EQ(views.set.views.size(), 6u);
+    for (View view : views.set.views) {
+        double sum = 0;
+        for (int y = 0; y < view.camera.height; ++y)
+            for (int x = 0; x < view.camera.width; ++x) {
+                const Vec3f d = view.world_from_camera.rotation * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+                sum += std::abs(view.color.at(x, y).g - color_of({d.x, d.y, d.z}).g);
+            }
+        EXPECT_LT(sum / static_cast<double>(view.color.size()), 2.0) << view.name;
+    }
+}
+
+TEST(Spacing, IsThatOfTheNearestThree) {
+    Random random(5, "spacing");
+    std::vector<Vec3f> points;
+    for (int i = 0; i < 400; ++i) points.push_back({random.normal(), random.normal(), random.normal()});
+    points.push_back(points[7]);
+    const std::vector<float> found = spacings(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::vector<float> squares;
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (k != i) squares.push_back(dot(points[k] - points[i], points[k] - points[i]));
+        std::sort(squares.begin(), squares.end());
+        EXPECT_NEAR(found[i], std::sqrt((squares[0] + squares[1] + squares[2]) / 3), 1e-5);
+    }
+    EXPECT_EQ(spacings({{1, 2, 3}})[0], 0.f);
+    EXPECT_TRUE(spacings({}).empty());
+}
+
+}  // namespace
+}  // namespace fastscene

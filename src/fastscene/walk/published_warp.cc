@@ -1,0 +1,89 @@
+#include "fastscene/walk/published_warp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/parallel.h"
+
+namespace fastscene {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Sines and cosines of the rows' latitudes and the columns' longitudes.
+struct Angles {
+    std::vector<double> sine, cosine;
+    template <class AngleOf>
+    Angles(int n, AngleOf angle_of) : sine(static_cast<std::size_t>(n)), cosine(static_cast<std::size_t>(n)) {
+        for (int i = 0; i < n; ++i) {
+            sine[static_cast<std::size_t>(i)] = std::sin(angle_of(i));
+            cosine[static_cast<std::size_t>(i)] = std::cos(angle_of(i));
+        }
+    }
+};
+
+// Where a source pixel lands, and how far it is from there.
+struct Landing {
+    std::int32_t target = kNoSource;
+    double range = 0;
+};
+
+}  // namespace
+
+double PublishedWarp::hole_ratio() const {
+    return static_cast<double>(std::count(source.pixels.begin(), source.pixels.end(), kNoSource)) / static_cast<double>(source.size());
+}
+
+Image<Vec3d> published_directions(int width, int height) {
+    const Angles row(height, [&](int y) { return (1 - 2.0 * y / height) * kPi / 2; });
+    const Angles column(width, [&](int x) { return 2 * kPi * (0.5 - static_cast<double>(x) / width); });
+    Image<Vec3d> out(width, height);
+    for (std::size_t y = 0, i = 0; y < static_cast<std::size_t>(height); ++y)
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, ++i)
+            out.pixels[i] = {row.cosine[y] * column.cosine[x], row.sine[y], -(row.cosine[y] * column.sine[x])};
+    return out;
+}
+
+PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range, Vec3d move) {
+    FASTSCENE_CHECK(color.same_size(range));
+    const int w = color.width, h = color.height;
+    const Image<Vec3d> direction = published_directions(w, h);
+    Image<Landing> landing(w, h);
+    parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y)
+            for (std::size_t x = 0; x < static_cast<std::size_t>(w); ++x) {
+                const std::size_t i = y * static_cast<std::size_t>(w) + x;
+                const Vec3d p = direction.pixels[i] * range.pixels[i] - move;
+                const double far = length(p);
+                const Vec3d to = p / far;
+                const double theta = std::atan2(to.y, std::sqrt(to.x * to.x + to.z * to.z)), phi = std::atan2(-to.z, to.x);
+                const double ty = std::floor((0.5 - theta / kPi) * h), tx = std::floor((0.5 - phi / (2 * kPi)) * w);
+                if (far > 0 && ty > 0 && ty < h && tx > 0 && tx < w)
+                    landing.pixels[i] = {static_cast<std::int32_t>(ty) * w + static_cast<std::int32_t>(tx), far};
+            }
+    });
+    PublishedWarp out{ImageRgb8(w, h, Rgb8{255, 255, 255}), Image<double>(w, h), Image<std::int32_t>(w, h, kNoSource)};
+    for (std::size_t i = 0; i < landing.size(); ++i) {
+        if (landing.pixels[i].target == kNoSource) continue;
+        const auto target = static_cast<std::size_t>(landing.pixels[i].target);
+        if (out.source.pixels[target] != kNoSource && !(landing.pixels[i].range < out.range.pixels[target])) continue;
+        out.source.pixels[target] = static_cast<std::int32_t>(i);
+        out.range.pixels[target] = landing.pixels[i].range;
+        out.color.pixels[target] = color.pixels[i];
+    }
+    return out;
+}
+
+Image<double> published_units(const Image<double>& range) {
+    double most = 0;
+    for (const double r : range.pixels)
+        if (std::isfinite(r)) most = std::max(most, r);
+    if (!(most > 0)) throw Error("walk: expected a range map with at least one range > 0, found none");
+    Image<double> out = range;
+    for (double& r : out.pixels) r = r > 0 && std::isfinite(r) ? r / most : 1.0;
+    return out;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,59 @@
+#include "fastscene/walk/ready.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fastscene/geometry/range_edges.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kNoRoom_m = 0.1f;       // half of all surfaces nearer: inside a thing, or other units
+constexpr float kTooFar_m = 1000.f;     // no room is so wide: other units
+
+// Half of the sphere's directions with a range see farther.
+float median_range(const ImageF& range) {
+    const EquirectSize size{range.width, range.height};
+    std::vector<std::pair<float, double>> seen;
+    double all = 0;
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x)
+            if (std::isfinite(range.at(x, y))) {
+                seen.push_back({range.at(x, y), pixel_solid_angle(y, size)});
+                all += seen.back().second;
+            }
+    std::sort(seen.begin(), seen.end());
+    double sum = 0;
+    for (const auto& [r, angle] : seen)
+        if ((sum += angle) >= 0.5 * all) return r;
+    return seen.back().first;
+}
+
+}  // namespace
+
+Panorama ready_to_walk(Panorama first, const Run& run) {
+    const int w = first.color.width, h = first.color.height;
+    if (first.range.empty() || !first.range.same_size(first.color))
+        throw Error("walk: expected a range map of the panorama's size {} x {}, found {} x {}", w, h, first.range.width, first.range.height);
+    if (w != 2 * h || h < 8) throw Error("walk: expected a panorama twice as wide as high, found {} x {}", w, h);
+    std::int64_t without = 0, sky = 0;
+    for (float& r : first.range.pixels) {
+        if (r > 0.f && r < kFarthestRange) continue;
+        ++sky;
+        without += !(r > 0.f);   // true for NaN
+        r = std::numeric_limits<float>::infinity();
+    }
+    if (sky == static_cast<std::int64_t>(first.range.size())) throw Error("walk: expected a range map in metres, found no range in any of its {} x {} pixels", w, h);
+    if (without > 0) run.warn(fmt::format("walk: {} pixels of the range map have no range (0, negative or NaN); they are kept as far background", without));
+    const float median = median_range(first.range);
+    if (!(median >= kNoRoom_m))
+        throw Error("walk: expected free space around the first viewpoint, found half of all surfaces nearer than {:.3g} m; it stands inside a thing, "
+                    "or the range map is not in metres", median);
+    if (median > kTooFar_m)
+        run.warn(fmt::format("walk: half of all surfaces lie farther than {:.0f} m; is the range map in metres?", median));
+    if (first.known.empty()) first.known = Image<Known>(w, h, Known::original);
+    return first;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,131 @@
+// The prompts of tests/data/prompts.txt, as people write them: read, furnished and looked at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/prompt_text.h"
+#include "fastscene/rooms/rooms.h"
+#include "fastscene/rooms/validate.h"
+#include "fastscene/trace/trace.h"
+
+namespace fastscene {
+namespace {
+
+std::vector<std::string> prompts() {
+    std::ifstream file(std::string(FASTSCENE_SOURCE_DIR) + "/tests/data/prompts.txt");
+    std::vector<std::string> out;
+    for (std::string line; std::getline(file, line);)
+        if (!line.empty() && line[0] != '#') out.push_back(line);
+    return out;
+}
+
+// Where Debian's pack is not installed the built-in pieces must do.
+std::shared_ptr<const FurniturePack> pack(Assets assets) {
+    std::vector<std::string> complaints;
+    return FurniturePack::open(FurniturePack::default_folder(), assets, complaints);
+}
+
+TEST(Prompts, NineteenOfTwentyWordsAreUnderstoodAndNoneIsLost) {
+    std::size_t known = 0, all = 0;
+    ASSERT_GE(prompts().size(), 120u);
+    for (const std::string& text : prompts()) {
+        const PromptSpec spec = understand_prompt(text, false, pack(Assets::cc0));
+        for (const PromptWord& word : spec.words) {
+            ++all;
+            known += word.fate != PromptWord::Fate::not_understood;
+            EXPECT_TRUE(word.fate == PromptWord::Fate::not_understood || !word.meaning.empty()) << text << ": " << word.words;
+        }
+    }
+    EXPECT_GE(static_cast<double>(known), 0.95 * static_cast<double>(all)) << known << " of " << all;
+}
+
+TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
+    constexpr std::int64_t kSeen = 8;  // pixels of 512 x 256: a mug on a table four metres away
+    std::size_t asked = 0, hidden = 0;
+    std::string list;
+    for (const std::string& text : prompts()) {
+        SCOPED_TRACE(text);
+        PromptSpec spec = understand_prompt(text, false, pack(Assets::cc0));
+        fastscene::Run run;
+        run.seed = 1;
+        const FurnishedRoom furnished = furnish_room(spec, run);
+        for (const Fault& fault : room_faults(furnished.plan, furnished.placed, furnished.camera)) ADD_FAILURE() << fault.text;
+        PromptSpec again = understand_prompt(text, false, pack(Assets::cc0));
+        const TracedRoom room(make_room(again, run));
+        for (const PromptObject& wish : again.objects)
+            EXPECT_TRUE(wish.forbidden || wish.placed > 0 || std::any_of(again.not_placed.begin(), again.not_placed.end(), [&](const std::string& line) { return line.starts_with(wish.words + ": "); }))
+                << wish.words << " is neither there nor reported";
+        // Every word stands in exactly one list.
+        const Json report = to_json(again);
+        std::size_t listed = report["not_understood"].size();
+        for (const char* name : {"understood", "approximated", "not_placed"}) listed += report[name].size();
+        EXPECT_EQ(listed, again.words.size());
+        const Shot shot = room.panorama({}, {512, 256}, {.color = false, .range = false, .object = true}, run);
+        const Json objects = room_json(room.room(), shot.object)["objects"];
+        for (const Json& object : objects) {
+            if (!object["requested"].get<bool>()) continue;
+            ++asked;
+            if (object["visible_pixels"].get<std::int64_t>() < kSeen) ++hidden, list += "\n  " + object["name"].get<std::string>() + ": " + text;
+        }
+    }
+    EXPECT_GE(asked, 350u);
+    EXPECT_LE(static_cast<double>(hidden), 0.01 * static_cast<double>(asked)) << list;
+}
+
+TEST(Pack, UnexpectedNounsComeFromItInManyLanguages) {
+    const auto all = pack(Assets::all);
+    if (!all) GTEST_SKIP() << "sweethome3d-furniture is not installed";
+    EXPECT_GE(all->size(), 800u);
+    for (const auto& [term, klass] : {std::pair{"rocking horses", "rocking_horse"}, {"chien", "dog"}, {"katze", "cat"}, {"aquarium", "aquarium"}})
+        EXPECT_EQ(all->class_named(term), klass) << term;
+    EXPECT_FALSE(all->class_named("volcano"));
+    PromptSpec spec = understand_prompt("a living room with a grand piano and a dog", false, all);
+    const Room room = make_room(spec, {});
+    for (const char* klass : {"grand_piano", "dog"}) {
+        const auto at = std::find_if(room.objects.begin(), room.objects.end(), [&](const RoomObject& o) { return o.klass == klass; });
+        ASSERT_NE(at, room.objects.end()) << klass;
+        EXPECT_NE(at->source.find(" by "), std::string::npos) << at->source;
+    }
+}
+
+TEST(Pack, ModelsStandUprightInTheirCatalogueSize) {
+    const auto free = pack(Assets::cc0);
+    if (!free) GTEST_SKIP() << "sweethome3d-furniture is not installed";
+    const Style& style = style_named("modern");
+    for (const PackModel& model : free->models()) {
+        EXPECT_TRUE(model.free) << model.credit;
+        if (model.klass != "grand_piano" && model.klass != "barrel" && model.klass != "electric_guitar" && model.klass != "crate") continue;
+        PieceRequest request;
+        request.klass = model.klass;
+        request.style = &style;
+        const Piece piece = free->piece(model, request);
+        Vec3f low{1e9f, 1e9f, 1e9f}, high = -low;
+        for (const Mesh& mesh : piece.meshes)
+            for (const Vec3f p : mesh.positions)
+                for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+        EXPECT_NEAR(low.y, 0.f, 1e-3f) << model.name;
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(high[k] - low[k], model.size_m[k], 1e-3f) << model.name;
+    }
+}
+
+TEST(Pack, AMissingOrDamagedPackIsToldAndDoneWithout) {
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "fastscene_pack_test";
+    std::filesystem::create_directories(folder);
+    std::vector<std::string> complaints;
+    EXPECT_EQ(FurniturePack::open(folder, Assets::all, complaints), nullptr);
+    EXPECT_EQ(complaints.size(), 1u);
+    std::ofstream(folder / "broken.sh3f") << "PK and then nothing";
+    EXPECT_EQ(FurniturePack::open(folder, Assets::all, complaints), nullptr);
+    EXPECT_EQ(complaints.size(), 2u);
+    EXPECT_EQ(FurniturePack::open(folder, Assets::none, complaints), nullptr);
+    EXPECT_EQ(complaints.size(), 2u);
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace fastscene
