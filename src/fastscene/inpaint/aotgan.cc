@@ -65,48 +65,60 @@ struct Canvas {
     }
 };
 
-}  // namespace
-
-ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole, const Run& run) const {
-    FASTSCENE_CHECK(color.same_size(hole));
-    std::vector<Crop> crops = crops_around(hole, kContext, Aotgan::kMultiple, Aotgan::kSmallest, kLargestCrop);
-    if (crops.empty()) return color;
+// The known pixels as the network wants them: sRGB in 0..1.
+ImageColor encoded(const ImageColor& color, const ImageMask& hole) {
     ImageColor srgb(color.width, color.height);
     for (std::size_t i = 0; i < color.size(); ++i)
         if (!hole.pixels[i])
             for (std::size_t c = 0; c < 3; ++c) srgb.pixels[i][c] = std::clamp(srgb_from_linear(color.pixels[i][c]), 0.f, 1.f);
+    return srgb;
+}
 
-    // Crops of one size go through the network together.
+// What the network makes of the surroundings of all holes; crops of one size go through it together.
+Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageMask& hole, const std::vector<Crop>& crops, const Run& run) {
     std::map<std::pair<int, int>, std::vector<Crop>> by_size;
     for (const Crop& crop : crops) by_size[{crop.width, crop.height}].push_back(crop);
-    Canvas canvas{ImageColor(color.width, color.height), ImageF(color.width, color.height)};
+    Canvas canvas{ImageColor(srgb.width, srgb.height), ImageF(srgb.width, srgb.height)};
     for (const auto& [size, group] : by_size) {
         const auto together = static_cast<std::size_t>(std::max<std::int64_t>(1, kMostPixels / (std::int64_t{size.first} * size.second)));
         for (std::size_t begin = 0; begin < group.size(); begin += together) {
             const std::vector<Crop> some(group.begin() + static_cast<std::ptrdiff_t>(begin), group.begin() + static_cast<std::ptrdiff_t>(std::min(group.size(), begin + together)));
             std::vector<Aotgan::Picture> pictures;
             for (const Crop& crop : some) pictures.push_back(cut(srgb, hole, crop));
-            const std::vector<ImageColor> painted = network_.paint(pictures, run);
+            const std::vector<ImageColor> painted = network.paint(pictures, run);
             for (std::size_t i = 0; i < some.size(); ++i) canvas.lay(painted[i], some[i]);
         }
     }
-
-    // How much too dark the network painted what is known goes on, smoothly, into the hole.
-    ImageColor error(color.width, color.height);
-    ImageMask unknown = hole;
-    for (std::size_t i = 0; i < error.size(); ++i) {
+    for (std::size_t i = 0; i < canvas.sum.size(); ++i)
         if (canvas.weight.pixels[i] > 0) canvas.sum.pixels[i] = canvas.sum.pixels[i] * (1 / canvas.weight.pixels[i]);
+    return canvas;
+}
+
+// How much too dark the network painted what is known goes on, smoothly, into the hole.
+void meet_the_known(Canvas& canvas, const ImageColor& srgb, const ImageMask& hole, const Run& run) {
+    ImageColor error(srgb.width, srgb.height);
+    for (std::size_t i = 0; i < error.size(); ++i)
         if (!hole.pixels[i] && canvas.weight.pixels[i] > 0) error.pixels[i] = srgb.pixels[i] - canvas.sum.pixels[i];
-    }
-    const ImageColor correction = HarmonicInpainter{}.fill(error, unknown, run);
+    const ImageColor correction = HarmonicInpainter{}.fill(error, hole, run);
     const ImageF distance = distance_to_known(hole);
+    for (std::size_t i = 0; i < error.size(); ++i)
+        if (hole.pixels[i]) canvas.sum.pixels[i] += correction.pixels[i] * std::exp(-distance.pixels[i] / kFeather_px);
+}
+
+}  // namespace
+
+ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole, const Run& run) const {
+    FASTSCENE_CHECK(color.same_size(hole));
+    const std::vector<Crop> crops = crops_around(hole, kContext, Aotgan::kMultiple, Aotgan::kSmallest, kLargestCrop);
+    if (crops.empty()) return color;
+    ImageColor srgb = encoded(color, hole);
+    if (network_.adds_to_fill()) srgb = HarmonicInpainter{}.fill(srgb, hole, run);
+    Canvas canvas = painted_crops(network_, srgb, hole, crops, run);
+    if (!network_.adds_to_fill()) meet_the_known(canvas, srgb, hole, run);   // the fill meets it by itself
     ImageColor out = color;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        if (!hole.pixels[i]) continue;
-        const float share = std::exp(-distance.pixels[i] / kFeather_px);
-        const Vec3f painted = canvas.sum.pixels[i] + correction.pixels[i] * share;
-        for (std::size_t c = 0; c < 3; ++c) out.pixels[i][c] = linear_from_srgb(std::clamp(painted[c], 0.f, 1.f));
-    }
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (hole.pixels[i])
+            for (std::size_t c = 0; c < 3; ++c) out.pixels[i][c] = linear_from_srgb(std::clamp(canvas.sum.pixels[i][c], 0.f, 1.f));
     return out;
 }
 

@@ -13,6 +13,7 @@ namespace fastscene {
 
 struct Aotgan::State {
     nn::AotganShape shape;
+    bool adds_to_fill = false;
     nn::LoadedWeights weights;
     std::mutex one_at_a_time;  // parameters are made when first asked for
 };
@@ -25,11 +26,15 @@ Aotgan::~Aotgan() = default;
 Aotgan Aotgan::load(const std::filesystem::path& path) {
     Weights weights = unwrapped(load_weights(path), "encoder.1.weight");
     const nn::AotganShape shape = nn::aotgan_shape(weights);
-    Aotgan out(std::unique_ptr<State>(new State{shape, nn::LoadedWeights(std::move(weights)), {}}));
+    const std::string holes = weights.metadata.contains("holes") ? weights.metadata.at("holes") : "white";
+    if (holes != "white" && holes != "harmonic") throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", path.string(), holes);
+    Aotgan out(std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
     // Once through the smallest picture: whatever does not fit is told now, not in the middle of a walk.
     (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});
     return out;
 }
+
+bool Aotgan::adds_to_fill() const { return state_->adds_to_fill; }
 
 std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, const Run& run) const {
     if (pictures.empty()) return {};
@@ -49,10 +54,12 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
             for (int x = 0; x < w; ++x) {
                 const bool open = picture.hole.at(x, y) != 0;
                 hole[i][0][y][x] = open ? 1.f : 0.f;
-                for (int c = 0; c < 3; ++c) in[i][c][y][x] = open ? 1.f : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
+                for (int c = 0; c < 3; ++c) in[i][c][y][x] = open && !adds_to_fill() ? 1.f : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
             }
     }
-    const at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask).contiguous();
+    at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask);
+    if (adds_to_fill()) out = (input + out).clamp(-1, 1);
+    out = out.contiguous();
     const auto painted = out.accessor<float, 4>();
     std::vector<ImageColor> result;
     for (std::int64_t i = 0; i < n; ++i) {

@@ -1,0 +1,61 @@
+#include "fastscene/nn/precision.h"
+
+#include <ATen/autocast_mode.h>
+#include <torch/version.h>
+
+#include "fastscene/base/error.h"
+
+namespace fastscene::nn {
+namespace {
+
+#if TORCH_VERSION_MAJOR > 2 || (TORCH_VERSION_MAJOR == 2 && TORCH_VERSION_MINOR >= 4)
+bool is_on(at::DeviceType device) { return at::autocast::is_autocast_enabled(device); }
+void turn(at::DeviceType device, bool on) {
+    at::autocast::set_autocast_dtype(device, at::kBFloat16);
+    at::autocast::set_autocast_enabled(device, on);
+}
+#else
+bool is_on(at::DeviceType device) { return device == at::kCUDA ? at::autocast::is_enabled() : at::autocast::is_cpu_enabled(); }
+void turn(at::DeviceType device, bool on) {
+    if (device == at::kCUDA) {
+        at::autocast::set_autocast_gpu_dtype(at::kBFloat16);
+        at::autocast::set_enabled(on);
+    } else {
+        at::autocast::set_autocast_cpu_dtype(at::kBFloat16);
+        at::autocast::set_cpu_enabled(on);
+    }
+}
+#endif
+
+bool cpu_has_bf16() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx512bf16");
+#else
+    return false;
+#endif
+}
+
+}  // namespace
+
+at::Device training_device(const TrainingParams& params) {
+    if (params.device == "cuda" && !at::hasCUDA()) throw UsageError("--device: expected cpu, since this libtorch has no CUDA, found cuda");
+    return params.device == "cuda" || (params.device == "auto" && at::hasCUDA()) ? at::Device(at::kCUDA) : at::Device(at::kCPU);
+}
+
+bool trains_in_bf16(const TrainingParams& params) {
+    if (params.precision != "auto") return params.precision == "bf16";
+    return training_device(params).is_cuda() || cpu_has_bf16();
+}
+
+Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on) {
+    if (!on_) return;
+    before_ = is_on(device_);
+    turn(device_, true);
+}
+Autocast::~Autocast() {
+    if (!on_) return;
+    at::autocast::clear_cache();   // it holds parameters as they were in this step
+    turn(device_, before_);
+}
+
+}  // namespace fastscene::nn

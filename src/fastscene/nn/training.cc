@@ -1,0 +1,192 @@
+#include "fastscene/nn/training.h"
+
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <numbers>
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/safetensors.h"
+#include "fastscene/nn/training_log.h"
+
+namespace fastscene::nn {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::string_view kHeldOut = "held-out ";
+constexpr int kShares = 1000;   // units of the progress shown
+
+double minutes_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count() / 60; }
+
+fs::path checkpoint_of(const fs::path& folder) { return folder / "checkpoint.safetensors"; }
+
+NamedTensors whole_state(const TrainingTask& task) {
+    NamedTensors all;
+    for (const Learner* learner : task.learners)
+        for (auto& item : learner->state()) all.push_back(std::move(item));
+    return all;
+}
+
+void save_checkpoint(const TrainingTask& task, std::int64_t step, const fs::path& folder) {
+    Weights out{checkpoint_of(folder), {}, {{"step", std::to_string(step)}}, {}};
+    for (const auto& [name, tensor] : whole_state(task)) out.tensors[name] = weight_of(tensor);
+    for (const Learner* learner : task.learners) out.metadata[learner->name() + ".steps"] = std::to_string(learner->steps());
+    save_safetensors(checkpoint_of(folder), out);
+}
+
+std::int64_t metadata_number(const Weights& checkpoint, const std::string& name) {
+    const auto found = checkpoint.metadata.find(name);
+    if (found == checkpoint.metadata.end() || found->second.find_first_not_of("0123456789") != std::string::npos || found->second.empty())
+        throw Error("{}: expected a number as {} in its metadata, found {}", checkpoint.path.string(), name, found == checkpoint.metadata.end() ? "none" : found->second);
+    return std::stoll(found->second);
+}
+
+// The number of steps done; 0 when the folder is new.
+std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
+    if (!fs::exists(checkpoint_of(folder))) return 0;
+    const Weights checkpoint = load_weights(checkpoint_of(folder));
+    load_into(whole_state(task), checkpoint);
+    for (Learner* learner : task.learners) learner->set_steps(metadata_number(checkpoint, learner->name() + ".steps"));
+    return metadata_number(checkpoint, "step");
+}
+
+// One folder, one training.
+void settle_settings(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
+    Json wanted = lasting_settings(params);
+    wanted["seed"] = run.seed;
+    wanted.update(task.settings);
+    const fs::path path = folder / "training.json";
+    if (!fs::exists(path)) return write_json(path, wanted);
+    const Json found = read_json(path);
+    for (const auto& [name, value] : wanted.items())
+        if (!found.contains(name) || found[name] != value)
+            throw UsageError("{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name, value.dump(),
+                             found.contains(name) ? found[name].dump() : "none");
+}
+
+// Means of the numbers of several steps.
+class Means {
+  public:
+    void add(const Numbers& numbers) {
+        if (sum_.empty()) {
+            sum_ = numbers;
+        } else {
+            FASTSCENE_CHECK(sum_.size() == numbers.size());
+            for (std::size_t i = 0; i < numbers.size(); ++i) sum_[i].second += numbers[i].second;
+        }
+        ++count_;
+    }
+    // And begins again.
+    Numbers take() {
+        for (auto& [name, value] : sum_) value /= count_;
+        count_ = 0;
+        return std::exchange(sum_, {});
+    }
+    bool empty() const { return count_ == 0; }
+
+  private:
+    Numbers sum_;
+    int count_ = 0;
+};
+
+// The examples of each step, drawn one step ahead.
+class Drawer {
+  public:
+    Drawer(const TrainingTask& task, std::uint64_t seed) : task_(task), seed_(seed) {}
+    Batch at(std::int64_t step, bool another_follows) {
+        Batch now = next_.valid() ? next_.get() : draw(step);
+        if (another_follows) next_ = std::async(std::launch::async, [this, step] { return draw(step + 1); });
+        return now;
+    }
+
+  private:
+    Batch draw(std::int64_t step) const {
+        Random dice(seed_, "training step", static_cast<std::uint64_t>(step));
+        return task_.draw(dice);
+    }
+    const TrainingTask& task_;
+    std::uint64_t seed_;
+    std::future<Batch> next_;
+};
+
+std::string text_of(const Numbers& numbers) {
+    std::string out;
+    for (const auto& [name, value] : numbers) out += fmt::format("{}{} {:.4g}", out.empty() ? "" : ", ", name, value);
+    return out;
+}
+
+}  // namespace
+
+double rate_at(const TrainingParams& params, std::int64_t step) {
+    const double warm = params.warmup > 0 ? std::min(1.0, static_cast<double>(step + 1) / params.warmup) : 1.0;
+    const double share = std::min(1.0, static_cast<double>(step) / params.steps);
+    return warm * (params.last_rate + (params.rate - params.last_rate) * 0.5 * (1 + std::cos(std::numbers::pi * share)));
+}
+
+TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
+    use_our_threads();
+    make_directories(folder / "sheets");
+    settle_settings(task, params, folder, run);
+    const std::int64_t first = load_checkpoint(task, folder);
+    TrainingLog log(folder, first);
+    const double minutes_before = log.minutes();
+    const Clock::time_point begin = Clock::now();
+    if (first > 0) run.note(fmt::format("training: goes on after step {}", first));
+
+    TrainingOutcome outcome{first, first >= params.steps, {}};
+    Means means;
+    const auto log_now = [&](const Numbers& more = {}) {
+        if (!means.empty()) log.add(outcome.steps, minutes_before + minutes_since(begin), means.take());
+        log.add(outcome.steps, minutes_before + minutes_since(begin), more);
+        log.save();
+    };
+    const auto look_now = [&] {
+        const Look look = task.look();
+        outcome.held_out = look.held_out;
+        Numbers named;
+        for (const auto& [name, value] : look.held_out) named.emplace_back(std::string(kHeldOut) + name, value);
+        log_now(named);
+        if (!look.sheet.empty()) save_png(folder / "sheets" / fmt::format("{:08}.png", outcome.steps), look.sheet);
+        run.note(fmt::format("training: step {}, held out: {}", outcome.steps, text_of(look.held_out)));
+    };
+    const auto keep = [&] { save_checkpoint(task, outcome.steps, folder); };
+
+    Progress progress(run, "training", kShares);
+    Drawer drawer(task, run.seed);
+    Clock::time_point kept = begin;
+    if (first == 0 || outcome.finished) look_now();
+    for (int shown = 0; outcome.steps < params.steps;) {
+        if (run.stop.stop_requested()) {
+            log_now();
+            keep();
+            throw Stopped();
+        }
+        if (params.minutes > 0 && minutes_since(begin) >= params.minutes) break;
+        means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps, rate_at(params, outcome.steps)));
+        ++outcome.steps;
+        outcome.finished = outcome.steps == params.steps;
+        if (outcome.steps % params.look_steps == 0 && !outcome.finished)
+            look_now();
+        else if (outcome.steps % params.log_steps == 0)
+            log_now();
+        if (minutes_since(kept) >= params.checkpoint_minutes && !outcome.finished) {
+            keep();
+            kept = Clock::now();
+        }
+        const double share = std::max(static_cast<double>(outcome.steps - first) / static_cast<double>(params.steps - first), params.minutes > 0 ? minutes_since(begin) / params.minutes : 0.0);
+        const int now = std::min(kShares, static_cast<int>(share * kShares));
+        if (now > shown) progress.advance(now - shown);
+        shown = std::max(shown, now);
+    }
+    if (outcome.steps > first) {
+        keep();
+        look_now();
+    }
+    return outcome;
+}
+
+}  // namespace fastscene::nn

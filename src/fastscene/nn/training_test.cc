@@ -1,0 +1,178 @@
+// The loop around a step: what it learns, that a break leaves no trace, that a full disk costs no checkpoint.
+#include "fastscene/nn/training.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/nn/layers.h"
+#include "fastscene/nn/precision.h"
+
+namespace fastscene::nn {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+    fs::path path;
+    explicit Folder(const std::string& name) : path(fs::temp_directory_path() / (name + std::to_string(::getpid()))) { fs::remove_all(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+at::Tensor small_network(const Scope& s, const at::Tensor& x) { return linear(s / "out", at::relu(linear(s / "in", x, 16)), 1); }
+
+// Learns y = x0 x1 from examples.
+struct Lesson {
+    Learner learner;
+    TrainingTask task;
+    explicit Lesson(std::uint64_t seed = 3)
+        : learner("net", start_he(seed), at::kFloat, [](const Scope& s) { small_network(s, at::zeros({1, 2})); }, {{.rate = 1e-2, .beta1 = 0.9}, 0.98, 10}) {
+        task.learners = {&learner};
+        task.draw = [](Random& dice) -> Batch {
+            at::Tensor x = at::empty({32, 2});
+            for (std::int64_t i = 0; i < x.numel(); ++i) x.data_ptr<float>()[i] = dice.uniform(-1, 1);
+            return {x};
+        };
+        task.step = [this](const Batch& batch, std::int64_t, double rate) -> Numbers {
+            const at::Tensor loss = at::mse_loss(small_network(learner.scope(), batch[0]).squeeze(1), batch[0].prod(1));
+            loss.backward();
+            const double length = learner.update(rate);
+            return {{"loss", loss.item<double>()}, {"gradient", length}};
+        };
+        task.look = [this]() -> Look {
+            Random dice(99, "held out");
+            const Batch batch = task.draw(dice);
+            return {{{"loss", at::mse_loss(small_network(learner.average(), batch[0]).squeeze(1), batch[0].prod(1)).item<double>()}}, {}};
+        };
+        task.settings = {{"what", "a product"}};
+    }
+};
+
+TrainingParams quick(int steps) {
+    TrainingParams params;
+    params.steps = steps;
+    params.rate = 1e-2;
+    params.last_rate = 1e-2;
+    params.warmup = 5;
+    params.average = 0.98;
+    params.log_steps = 10;
+    params.look_steps = 50;
+    params.precision = "f32";
+    return params;
+}
+
+std::vector<float> all_numbers(const Learner& learner) {
+    std::vector<float> out;
+    for (const auto& [name, tensor] : learner.state())
+        for (const float v : weight_of(tensor).floats()) out.push_back(v);
+    return out;
+}
+
+TEST(Training, Learns) {
+    const Folder folder("fastscene-training-learns");
+    Lesson lesson;
+    const double before = lesson.task.look().held_out[0].second;
+    const TrainingOutcome outcome = train(lesson.task, quick(400), folder.path, fastscene::Run{7});
+    EXPECT_TRUE(outcome.finished);
+    EXPECT_LT(outcome.held_out[0].second, 0.2 * before);
+    EXPECT_TRUE(fs::exists(folder.path / "curve-loss.svg"));
+    EXPECT_TRUE(read_file(folder.path / "curves.csv").starts_with("step,minutes,held-out loss"));
+    EXPECT_EQ(lesson.learner.kept().tensors.size(), 4u);
+}
+
+TEST(Training, ABreakLeavesNoTrace) {
+    set_threads(1);
+    const Folder whole("fastscene-training-whole"), broken("fastscene-training-broken");
+    Lesson at_once;
+    train(at_once.task, quick(60), whole.path, fastscene::Run{7});
+    {
+        Lesson first;
+        const TrainingOutcome outcome = train(first.task, quick(30), broken.path, fastscene::Run{7});
+        EXPECT_EQ(outcome.steps, 30);
+    }
+    Lesson second(/*another beginning, which the checkpoint replaces*/ 4);
+    EXPECT_EQ(train(second.task, quick(60), broken.path, fastscene::Run{7}).steps, 60);
+    EXPECT_EQ(all_numbers(at_once.learner), all_numbers(second.learner));
+    EXPECT_EQ(second.learner.steps(), 60);
+    set_threads(0);
+}
+
+TEST(Training, StopsWithACheckpoint) {
+    const Folder folder("fastscene-training-stop");
+    std::stop_source stop;
+    Lesson lesson;
+    const auto step = lesson.task.step;
+    lesson.task.step = [&](const Batch& batch, std::int64_t i, double rate) {
+        if (i == 12) stop.request_stop();
+        return step(batch, i, rate);
+    };
+    EXPECT_THROW(train(lesson.task, quick(1000), folder.path, fastscene::Run{7, nullptr, stop.get_token()}), Stopped);
+    Lesson again;
+    EXPECT_EQ(train(again.task, quick(20), folder.path, fastscene::Run{7}).steps, 20);
+    EXPECT_EQ(again.learner.steps(), 20);
+}
+
+TEST(Training, AFolderKeepsItsSettings) {
+    const Folder folder("fastscene-training-settings");
+    Lesson lesson;
+    train(lesson.task, quick(5), folder.path, fastscene::Run{7});
+    TrainingParams other = quick(10);
+    other.batch = 5;
+    EXPECT_THROW(train(lesson.task, other, folder.path, fastscene::Run{7}), UsageError);
+    EXPECT_THROW(train(lesson.task, quick(10), folder.path, fastscene::Run{8}), UsageError);
+    lesson.task.settings["what"] = "a sum";
+    EXPECT_THROW(train(lesson.task, quick(10), folder.path, fastscene::Run{7}), UsageError);
+}
+
+TEST(Training, AFullDiskLeavesTheLastCheckpoint) {
+    const Folder folder("fastscene-training-full");
+    Lesson lesson;
+    train(lesson.task, quick(10), folder.path, fastscene::Run{7});
+    const std::string before = read_file(folder.path / "checkpoint.safetensors");
+    rlimit old{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{before.size() / 2, old.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    EXPECT_THROW(train(lesson.task, quick(20), folder.path, fastscene::Run{7}), Error);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(read_file(folder.path / "checkpoint.safetensors"), before);
+    EXPECT_EQ(train(lesson.task, quick(20), folder.path, fastscene::Run{7}).steps, 20);
+}
+
+TEST(Training, AnInfiniteGradientIsLeftOut) {
+    Lesson lesson;
+    const std::vector<float> before = all_numbers(lesson.learner);
+    (small_network(lesson.learner.scope(), at::ones({1, 2})).sum() * std::numeric_limits<float>::infinity()).backward();
+    EXPECT_TRUE(std::isnan(lesson.learner.update(1e-2)));
+    EXPECT_EQ(all_numbers(lesson.learner), before);
+}
+
+TEST(Training, TheRateWarmsUpAndFades) {
+    TrainingParams params;
+    params.steps = 1000;
+    params.rate = 1;
+    params.last_rate = 0.1;
+    params.warmup = 10;
+    EXPECT_DOUBLE_EQ(rate_at(params, 0), 0.1);
+    EXPECT_NEAR(rate_at(params, 500), 0.55, 1e-12);
+    EXPECT_NEAR(rate_at(params, 1000), 0.1, 1e-12);
+}
+
+TEST(Training, AutocastComputesInBfloat16) {
+    const at::Tensor x = at::ones({1, 4, 8, 8}), kernel = at::ones({4, 4, 3, 3});
+    {
+        const Autocast on(at::kCPU, true);
+        EXPECT_EQ(at::conv2d(x, kernel).scalar_type(), at::kBFloat16);
+    }
+    EXPECT_EQ(at::conv2d(x, kernel).scalar_type(), at::kFloat);
+}
+
+}  // namespace
+}  // namespace fastscene::nn
