@@ -50,7 +50,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("prompt", flags->prompt, "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".")->type_name("PROMPT");
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
-    verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png) instead of a prompt; or diffusion360: paint the prompt with --weights.")
+    verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
         ->type_name("FILE|diffusion360");
     verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/.")->type_name("DIR");
     verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");

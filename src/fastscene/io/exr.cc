@@ -5,6 +5,9 @@
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
 
+#include <string>
+#include <vector>
+
 #include "fastscene/base/file.h"
 #include "fastscene/io/formats.h"
 
@@ -38,20 +41,60 @@ PictureInfo exr_info(const fs::path& path) {
     }
 }
 
-ImageF load_exr(const fs::path& path) {
+namespace {
+
+// One channel after the other into floats; `stride` of them a pixel.
+void read_channels(const fs::path& path, const std::vector<std::string>& wanted, float* pixels, std::size_t stride) {
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i box = file.header().dataWindow();
+    Imf::FrameBuffer frame;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        frame.insert(wanted[i], Imf::Slice::Make(Imf::FLOAT, pixels + i, box, stride * sizeof(float)));
+    file.setFrameBuffer(frame);
+    file.readPixels(box.min.y, box.max.y);
+}
+
+PictureInfo checked_info(const fs::path& path) {
     const PictureInfo info = exr_info(path);
     if (!plausible_size(info.width, info.height))
         throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, info.width, info.height);
+    return info;
+}
+
+std::string single_channel(const fs::path& path) {
+    const std::string channel = range_channel(Imf::InputFile(path.c_str()).header().channels());
+    if (channel.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
+    return channel;
+}
+
+}  // namespace
+
+ImageF load_exr(const fs::path& path) {
+    const PictureInfo info = checked_info(path);
     try {
-        Imf::InputFile file(path.c_str());
-        const std::string channel = range_channel(file.header().channels());
-        if (channel.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
-        const Imath::Box2i box = file.header().dataWindow();
         ImageF image(info.width, info.height);
-        Imf::FrameBuffer frame;
-        frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, image.pixels.data(), box));
-        file.setFrameBuffer(frame);
-        file.readPixels(box.min.y, box.max.y);
+        read_channels(path, {single_channel(path)}, image.pixels.data(), 1);
+        return image;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& e) {
+        refuse(path, e);
+    }
+}
+
+ImageColor load_exr_color(const fs::path& path) {
+    const PictureInfo info = checked_info(path);
+    try {
+        bool colored = true;
+        {
+            const Imf::InputFile file(path.c_str());
+            for (const char* name : {"R", "G", "B"}) colored = colored && file.header().channels().findChannel(name);
+        }
+        ImageColor image(info.width, info.height);
+        static_assert(sizeof(Vec3f) == 3 * sizeof(float));
+        read_channels(path, colored ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{single_channel(path)}, &image.pixels.data()->x, 3);
+        if (!colored)
+            for (Vec3f& c : image.pixels) c = {c.x, c.x, c.x};
         return image;
     } catch (const Error&) {
         throw;

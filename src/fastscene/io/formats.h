@@ -27,8 +27,13 @@ ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where);
 
 PictureInfo exr_info(const std::filesystem::path& path);
 ImageF load_exr(const std::filesystem::path& path);
+ImageColor load_exr_color(const std::filesystem::path& path);
 
 PictureInfo pfm_info(const std::filesystem::path& path, std::string_view bytes);
 ImageF load_pfm(const std::filesystem::path& path);
+ImageColor load_pfm_color(const std::filesystem::path& path);
+
+PictureInfo radiance_info(const std::filesystem::path& path, std::string_view bytes);
+ImageColor decode_radiance(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// Pictures: .png .jpg .exr .pfm. One file a format; this header opens any of them.
+// Pictures: .png .jpg .exr .pfm .hdr. One file a format; this header opens any of them.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,11 @@
 namespace fastscene {
 
 struct PictureInfo {
-    int width = 0, height = 0;
+    int width = 0, height = 0;  // as stored
+    int orientation = 1;        // as EXIF says how it is to be turned (image/orientation.h); load_rgb8 turns nothing
+    bool light = false;         // floats: .exr .pfm .hdr
 };
-// Size from the header alone, so that a huge or odd picture is refused before it is decoded.
+// From the header alone, so that a huge or odd picture is refused before it is decoded.
 // Throws Error naming the file, what was expected and what was found.
 PictureInfo picture_info(const std::filesystem::path& path);
 
@@ -21,6 +23,9 @@ PictureInfo picture_info(const std::filesystem::path& path);
 ImageRgb8 load_rgb8(const std::filesystem::path& path);
 // The same from memory; `where` names the picture in errors.
 ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
+// Linear light in any unit from .hdr (Radiance), .exr (channels R G B, else the one of load_float in all three) or .pfm.
+// Negative values, NaN and infinity are for the caller to judge.
+ImageColor load_light(const std::filesystem::path& path);
 // How opaque each pixel is, 255 = fully; empty where every pixel is, or the format knows no alpha.
 ImageMask load_alpha(const std::filesystem::path& path);
 void save_png(const std::filesystem::path& path, const ImageRgb8& image);
@@ -28,6 +33,7 @@ void save_png(const std::filesystem::path& path, const ImageMask& image);       
 ImageMask load_mask_png(const std::filesystem::path& path);                              // 8-bit gray
 void save_png16(const std::filesystem::path& path, const Image<std::uint16_t>& image);   // 16-bit gray
 void save_jpeg(const std::filesystem::path& path, const ImageRgb8& image, int quality = 92);
+std::string encode_jpeg(const ImageRgb8& image, int quality = 92);
 
 // One float channel: .exr (channel Y, or the first one), .pfm (Pf), 16-bit gray .png (`png_unit` per count, e.g. 0.001 m).
 ImageF load_float(const std::filesystem::path& path, float png_unit = 0.001f);

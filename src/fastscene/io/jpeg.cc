@@ -138,6 +138,12 @@ ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where) {
     return image;
 }
 
+std::string encode_jpeg(const ImageRgb8& image, int quality) {
+    std::string bytes, message;
+    if (!encode(image, quality, bytes, message)) throw Error("a picture of {} x {} cannot be written as JPEG: {}", image.width, image.height, message);
+    return bytes;
+}
+
 void save_jpeg(const fs::path& path, const ImageRgb8& image, int quality) {
     std::string bytes, message;
     if (!encode(image, quality, bytes, message)) throw Error("{}: cannot be written as JPEG: {}", path.string(), message);

@@ -4,8 +4,10 @@
 #include <limits>
 
 #include "fastscene/image/color.h"
+#include "fastscene/image/orientation.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/trace/film.h"
 
 namespace fastscene {
 namespace {
@@ -13,13 +15,26 @@ namespace {
 constexpr int kLeastWidth = 64;      // below this a "panorama" is an icon
 constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB: the most that a desktop can hold
 
-void check_panorama_size(const std::filesystem::path& path, PictureInfo info) {
-    if (info.width != 2 * info.height)
-        throw Error("{}: expected a panorama twice as wide as high (equirectangular), found {} x {}", path.string(), info.width,
-                    info.height);
-    if (!(info.width >= kLeastWidth && info.width <= kGreatestWidth))
-        throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth, kGreatestWidth,
-                    info.width, info.height);
+void check_panorama_size(const std::filesystem::path& path, EquirectSize size) {
+    if (size.width != 2 * size.height)
+        throw Error("{}: expected a panorama twice as wide as high (equirectangular), found {} x {}", path.string(), size.width, size.height);
+    if (!(size.width >= kLeastWidth && size.width <= kGreatestWidth))
+        throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth, kGreatestWidth, size.width, size.height);
+}
+
+// Light of any unit as film shows it: walls bright, windows short of white. Its own white stays: the camera has balanced it.
+ImageColor developed(ImageColor light, const std::filesystem::path& path) {
+    bool any = false;
+    for (Vec3f& c : light.pixels) {
+        for (std::size_t a = 0; a < 3; ++a) c[a] = c[a] > 0.f ? std::min(c[a], 1e6f) : 0.f;  // NaN becomes 0
+        any = any || luminance(c) > 0.f;
+    }
+    if (!any) throw Error("{}: expected light above zero, found none in the whole picture", path.string());
+    Look look = automatic_look({}, {}, light);
+    look.white = {1, 1, 1};
+    look.contrast = look.saturation = 1;
+    for (Vec3f& c : light.pixels) c = develop(look, c);
+    return light;
 }
 
 // A range map says 0 where nothing was measured. Such a pixel takes the range of the nearest measured one of its
@@ -51,11 +66,19 @@ void fill_unmeasured(ImageF& range) {
 
 }  // namespace
 
+EquirectSize panorama_size(const std::filesystem::path& picture) {
+    const PictureInfo info = picture_info(picture);
+    const EquirectSize size = lies_on_its_side(info.orientation) ? EquirectSize{info.height, info.width} : EquirectSize{info.width, info.height};
+    check_panorama_size(picture, size);
+    return size;
+}
+
 Panorama panorama_from_image(const std::filesystem::path& picture) {
-    check_panorama_size(picture, picture_info(picture));  // before decoding: a huge picture is refused cheaply
+    panorama_size(picture);  // before decoding: a huge picture is refused cheaply
+    const PictureInfo info = picture_info(picture);
     Panorama panorama;
-    panorama.color = linear_from_srgb8(load_rgb8(picture));
-    check_panorama_size(picture, {panorama.color.width, panorama.color.height});
+    panorama.color = info.light ? developed(load_light(picture), picture) : linear_from_srgb8(upright(load_rgb8(picture), info.orientation));
+    check_panorama_size(picture, panorama.size());
     return panorama;
 }
 

@@ -8,6 +8,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/panorama/picture_check.h"
 
 namespace fastscene {
 namespace {
@@ -125,6 +126,58 @@ TEST(ReducedPanorama, KeepsTheMeanColorAndPicksRanges) {
         for (const float r : small.range.pixels) EXPECT_TRUE(r == 1.f || r == 5.f);
     }
     EXPECT_EQ(reduced_panorama(panorama, 200).color, panorama.color);
+}
+
+// A camera held on its side stores 64 x 128 and says so.
+TEST(ImagePanorama, IsTurnedUprightAsExifSays) {
+    ImageRgb8 stored(64, 128);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 64; ++x) stored.at(x, y) = y < 64 ? Rgb8{250, 250, 250} : Rgb8{20, 20, 20};
+    const std::string jpeg = encode_jpeg(stored);
+    // Orientation 6: the stored top is the right side.
+    const std::string exif("\xff\xe1\x00\x22" "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", 36);
+    write_file(temporary("side.jpg"), jpeg.substr(0, 2) + exif + jpeg.substr(2));
+    EXPECT_EQ(panorama_size(temporary("side.jpg")).width, 128);
+    const Panorama panorama = panorama_from_image(temporary("side.jpg"));
+    ASSERT_EQ(panorama.color.width, 128);
+    EXPECT_GT(panorama.color.at(100, 30).x, 0.9f);
+    EXPECT_LT(panorama.color.at(20, 30).x, 0.05f);
+    ASSERT_EQ(remarks_on_file(temporary("side.jpg")).size(), 1u);
+    expect_in(remarks_on_file(temporary("side.jpg"))[0], "EXIF orientation 6");
+    // As it lies it is no panorama.
+    write_file(temporary("lies.jpg"), jpeg);
+    expect_in(complaint([] { panorama_from_image(temporary("lies.jpg")); }), "found 64 x 128");
+}
+
+TEST(ImagePanorama, LightIsExposedWhateverItsUnit) {
+    for (const float unit : {0.002f, 1.f, 700.f}) {
+        std::string bytes = "PF\n128 64\n-1.0\n";
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 128; ++x)
+                for (const float c : {1.f, 0.9f, 0.8f}) {
+                    // A window that is a hundred times as bright as the walls, and a pixel that is no number.
+                    const float v = unit * c * (x > 60 && x < 70 && y > 25 && y < 40 ? 100.f : x == 3 && y == 3 ? std::nanf("") : 1.f);
+                    bytes.append(reinterpret_cast<const char*>(&v), 4);
+                }
+        write_file(temporary("probe.pfm"), bytes);
+        const ImageColor color = panorama_from_image(temporary("probe.pfm")).color;
+        for (const Vec3f c : color.pixels) ASSERT_TRUE(c.x >= 0 && c.x <= 1 && c.y >= 0 && c.z <= 1);
+        const Vec3f wall = color.at(100, 32);
+        EXPECT_TRUE(luminance(wall) > 0.25f && luminance(wall) < 0.5f) << unit;
+        EXPECT_GT(wall.x, wall.z);  // the white stays
+        EXPECT_GT(luminance(color.at(65, 32)), 0.9f);
+        expect_in(remarks_on_file(temporary("probe.pfm")).at(0), "exposed");
+    }
+    save_pfm(temporary("dark.pfm"), ImageF(128, 64, 0.f));
+    expect_in(complaint([] { panorama_from_image(temporary("dark.pfm")); }), "found none");
+}
+
+TEST(ImagePanorama, GrayDeepAndSeeThroughPictures) {
+    save_png16(temporary("deep.png"), Image<std::uint16_t>(128, 64, 0x8080));
+    EXPECT_NEAR(srgb8_from_linear(panorama_from_image(temporary("deep.png")).color.at(5, 5)).g, 0x80, 1);
+    save_png(temporary("gray.png"), ImageMask(128, 64, 90));
+    EXPECT_EQ(srgb8_from_linear(panorama_from_image(temporary("gray.png")).color.at(5, 5)), (Rgb8{90, 90, 90}));
+    EXPECT_TRUE(remarks_on_file(temporary("gray.png")).empty());
 }
 
 }  // namespace

@@ -68,8 +68,11 @@ RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParam
 // check_diffusion360 (diffusion360.h) does.
 ImageRgb8 panorama_by_diffusion360(const std::string& prompt, const std::filesystem::path& weights, const PanoramaParams& params, const Run& run);
 
-// Backend "image". Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.
+// Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is exposed as a film would;
+// turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.
 Panorama panorama_from_image(const std::filesystem::path& picture);
+// Its size, upright, from the header alone. Throws Error as above.
+EquirectSize panorama_size(const std::filesystem::path& picture);
 // Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres).
 // Zero means "not measured": such a pixel takes the nearest range of its row. Throws Error for another size, NaN, negative or all zero.
 ImageF range_from_file(const std::filesystem::path& map, EquirectSize size);

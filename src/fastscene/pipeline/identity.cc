@@ -79,6 +79,7 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
         return;
     }
     const Panorama panorama = panorama_from_image(source.picture);
+    for (const std::string& remark : remarks_on_file(source.picture)) run.note(fmt::format("{}: {}", source.picture.string(), remark));
     for (const std::string& doubt : doubts_about_panorama(panorama.color)) run.warn(fmt::format("{}: {}", source.picture.string(), doubt));
     if (!source.range_map.empty()) {
         range_from_file(source.range_map, panorama.size());

@@ -83,8 +83,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
         PromptSpec prompt = read_prompt(source.prompt, panorama);
         found.range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
     } else if (backend == "image") {
-        const PictureInfo original = picture_info(source.picture);
-        found.range = reduced_range(range_from_file(source.range_map, {original.width, original.height}), size.width);
+        found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture)), size.width);
     } else {
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
