@@ -13,6 +13,10 @@ string(APPEND text "inline constexpr std::pair<std::string_view, std::string_vie
 foreach(room base math image geometry scene io nn trace rooms panorama depth inpaint walk views splat)
   file(GLOB files ${SOURCE_DIR}/src/fastscene/${room}/*.h ${SOURCE_DIR}/src/fastscene/${room}/*.cc ${SOURCE_DIR}/src/fastscene/${room}/*.tsv)
   list(FILTER files EXCLUDE REGEX "_test\\.cc$")
+  if(room STREQUAL nn)  # with the weights that it carries
+    file(GLOB models ${SOURCE_DIR}/models/*.safetensors)
+    list(APPEND files ${models})
+  endif()
   list(SORT files)
   set(hashes "")
   foreach(file ${files})

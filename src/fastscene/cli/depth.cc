@@ -1,9 +1,75 @@
 #include "fastscene/cli/request.h"
+#include "fastscene/depth/train.h"
+#include "fastscene/pipeline/depth_report.h"
 
 namespace fastscene::cli {
+namespace {
+
+struct TrainFlags {
+    std::vector<std::string> data;
+    std::string out, start, seed = "0";
+    std::shared_ptr<Given> given = std::make_shared<Given>();
+};
+
+CLI::App* add_train(CLI::App& depth, const std::shared_ptr<TrainFlags>& flags) {
+    CLI::App* verb = depth.add_subcommand("train", "Teaches EGformer from panoramas with range: our rooms, Structured3D, Pano3D.");
+    verb->add_option("--data", flags->data, "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, *_depth_*.exr); may be given again. Without it: painted rooms alone.")
+        ->type_name("DIR")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb->add_option("-o,--out", flags->out, "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes on with it.")->type_name("DIR")->required();
+    verb->add_option("--start", flags->start, "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")->type_name("FILE");
+    verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")->type_name("N")->capture_default_str();
+    add_fields(*verb, "", DepthTrainParams{}, flags->given, "Settings of the training");
+    return verb;
+}
+
+void train(const TrainFlags& flags, const Session& session) {
+    DepthTraining training{{flags.data.begin(), flags.data.end()}, flags.start, {}};
+    apply_fields("", training.params, *flags.given);
+    check_fields("", training.params);
+    const EgformerTrained trained = train_depth(training, flags.out, session.run(number_from<std::uint64_t>("--seed", flags.seed)));
+    session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(), trained.steps, trained.abs_rel, trained.delta1),
+                  {{"weights", trained.weights.string()}, {"steps", trained.steps}, {"abs_rel", trained.abs_rel}, {"delta1", trained.delta1}});
+}
+
+struct CheckFlags {
+    std::string data, count = "50";
+    std::shared_ptr<Given> given = std::make_shared<Given>();
+};
+
+CLI::App* add_check(CLI::App& depth, const std::shared_ptr<CheckFlags>& flags) {
+    CLI::App* verb = depth.add_subcommand("check", "How well is range estimated? Held-out pictures of a data set, one a place: AbsRel, RMSE, delta.");
+    verb->add_option("--data", flags->data, "Folder of panoramas with range, as for `depth train`.")->type_name("DIR")->required();
+    verb->add_option("--count", flags->count, "Places to look at.")->type_name("N")->capture_default_str();
+    add_fields(*verb, "depth", DepthParams{}, flags->given, "Settings of depth");
+    return verb;
+}
+
+void check(const CheckFlags& flags, const Session& session) {
+    DepthCheck wanted{flags.data, number_from<int>("--count", flags.count), {}};
+    if (wanted.count < 1) throw UsageError("--count: expected at least 1, found {}", wanted.count);
+    apply_fields("depth", wanted.depth, *flags.given);
+    check_fields("depth", wanted.depth);
+    if (wanted.depth.backend == "exact" || wanted.depth.backend == "image") throw UsageError("--depth-backend: expected auto, egformer or layout, found {}", wanted.depth.backend);
+    const Json report = check_depth(wanted, session.run(0));
+    session.print(depth_check_text(report), report);
+}
+
+}  // namespace
 
 Verb add_depth(CLI::App& app) {
-    return add_stage_verb(app, "depth", "Panorama -> range along each ray.");
+    Verb depth = add_stage_verb(app, "depth", "Panorama -> range along each ray.");
+    auto training = std::make_shared<TrainFlags>();
+    auto checking = std::make_shared<CheckFlags>();
+    CLI::App *train_verb = add_train(*depth.app, training), *check_verb = add_check(*depth.app, checking);
+    for (CLI::App* verb : {train_verb, check_verb}) verb->fallthrough();   // --json, --threads and --progress are the verb's
+    // A run's folder is needed for the stage only.
+    CLI::Option* folder = depth.app->get_option("folder")->required(false);
+    return {depth.app, [=, act = depth.act](const Session& session) {
+                if (train_verb->parsed()) return train(*training, session);
+                if (check_verb->parsed()) return check(*checking, session);
+                if (folder->count() == 0) throw UsageError("depth: expected the folder of a run");
+                act(session);
+            }};
 }
 
 }  // namespace fastscene::cli

@@ -23,8 +23,8 @@ struct DepthParams {
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
-      "What tells the range: auto takes exact for a prompt, image with --range, egformer with --depth-weights, else layout.");
-    v("weights", p.weights, "EGformer's weights (the published .pkl, or .safetensors).");
+      "What tells the range: auto takes exact for a prompt, image with --range, else egformer, with its shipped weights or --depth-weights; without any, layout.");
+    v("weights", p.weights, "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20}, "Height of the camera over the floor in metres, where range is estimated.");
 }
 

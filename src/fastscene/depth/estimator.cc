@@ -7,6 +7,7 @@
 #include "fastscene/depth/box_layout.h"
 #include "fastscene/depth/metric_range.h"
 #include "fastscene/nn/egformer.h"
+#include "fastscene/nn/shipped.h"
 
 namespace fastscene {
 namespace {
@@ -32,8 +33,7 @@ class LayoutEstimator : public DepthEstimator {
 
 class EgformerEstimator : public DepthEstimator {
   public:
-    EgformerEstimator(const std::filesystem::path& weights, float camera_height_m)
-        : network_(Egformer::load(weights)), name_(weights.filename().string()), camera_height_m_(camera_height_m) {}
+    EgformerEstimator(Egformer network, std::string name, float camera_height_m) : network_(std::move(network)), name_(std::move(name)), camera_height_m_(camera_height_m) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
         run.check_stop();
         const ImageF relative = network_.relative_depth(color);
@@ -61,10 +61,13 @@ class EgformerEstimator : public DepthEstimator {
 }  // namespace
 
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) {
-    if (params.backend == "egformer" && params.weights.empty()) throw UsageError("--depth-backend egformer: expected --depth-weights FILE, found none");
-    if (!params.weights.empty() && params.backend != "layout") return std::make_unique<EgformerEstimator>(params.weights, params.camera_height_m);
-    FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto");
-    return std::make_unique<LayoutEstimator>(params.camera_height_m);
+    FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto" || params.backend == "egformer");
+    const float height = params.camera_height_m;
+    if (params.backend == "layout") return std::make_unique<LayoutEstimator>(height);
+    if (const std::filesystem::path file = params.weights; !file.empty()) return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), height);
+    if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, height);
+    if (params.backend == "egformer") throw UsageError("--depth-backend egformer: expected --depth-weights FILE, found none");
+    return std::make_unique<LayoutEstimator>(height);
 }
 
 }  // namespace fastscene

@@ -22,8 +22,11 @@ class DepthEstimator {
     virtual EstimatedRange estimate(const ImageColor& color, const Run& run) const = 0;
 };
 
-// params.backend "egformer", "layout" or "auto": egformer where weights are named. Throws Error naming the weights file and
-// the key that is missing or has another shape, UsageError when egformer has no weights.
+// The weights that come with the program: better than a box (docs/benchmarks/depth.md), or they would not be there.
+inline constexpr const char* kShippedDepth = "egformer-rooms";
+
+// params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped, else layout. Throws Error naming the
+// weights file and the key that is missing or has another shape, UsageError when egformer has no weights.
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params);
 
 }  // namespace fastscene

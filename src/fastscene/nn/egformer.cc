@@ -8,6 +8,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/nn/egformer_net.h"
 #include "fastscene/nn/runtime.h"
+#include "fastscene/nn/shipped.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene {
@@ -22,10 +23,11 @@ namespace {
 // The file says how wide its first stage is; a file of ours also says at what size it was trained.
 EgformerShape shape_of(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
-    if (first.shape.size() != 4 || first.shape[0] < 8 || first.shape[0] > 256 || first.shape[0] % 8 != 0)
-        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 8, found {}", weights.path.string(), text_of_shape(first.shape));
+    if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
+        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}", weights.path.string(), text_of_shape(first.shape));
     EgformerShape shape;
     shape.channels = static_cast<int>(first.shape[0]);
+    shape.latitude_prior = weights.has(nn::kLatitudePrior);
     if (const auto height = weights.metadata.find("height"); height != weights.metadata.end()) {
         shape.height = std::atoi(height->second.c_str());
         if (shape.height < 32 || shape.height > 4096 || shape.height % 32 != 0)
@@ -36,8 +38,10 @@ EgformerShape shape_of(const Weights& weights) {
 }
 
 // Every parameter is asked for once on a tiny picture, so that a file that lacks one is refused before any work.
-void check_all_keys(nn::LoadedWeights& weights, int channels) {
-    const nn::EgformerConstants tiny({32, 64, channels});
+void check_all_keys(nn::LoadedWeights& weights, EgformerShape shape) {
+    shape.height = 32;
+    shape.width = 64;
+    const nn::EgformerConstants tiny(shape);
     nn::egformer(nn::Scope(weights), tiny, at::zeros({1, 3, 32, 64}));
 }
 
@@ -48,13 +52,15 @@ Egformer::Egformer(Egformer&&) noexcept = default;
 Egformer& Egformer::operator=(Egformer&&) noexcept = default;
 Egformer::~Egformer() = default;
 
-Egformer Egformer::load(const std::filesystem::path& path) {
+Egformer Egformer::load(const std::filesystem::path& path) { return of(unwrapped(load_weights(path), "patch_embed.0.weight")); }
+Egformer Egformer::shipped(std::string_view name) { return of(shipped_weights(name)); }
+
+Egformer Egformer::of(Weights weights) {
     const at::NoGradGuard no_gradients;
     use_our_threads();
-    Weights weights = unwrapped(load_weights(path), "patch_embed.0.weight");
     const EgformerShape shape = shape_of(weights);
     auto state = std::make_unique<State>(State{nn::LoadedWeights(std::move(weights)), nn::EgformerConstants(shape)});
-    check_all_keys(state->weights, shape.channels);
+    check_all_keys(state->weights, shape);
     return Egformer(std::move(state));
 }
 

@@ -131,8 +131,8 @@ Tensor doubled_nearest(const Tensor& picture) { return at::upsample_nearest2d(pi
 
 }  // namespace
 
-EgformerConstants::EgformerConstants(const EgformerShape& shape, at::Device device) : shape(shape) {
-    FASTSCENE_CHECK(shape.height % 32 == 0 && shape.width % 32 == 0 && shape.channels % 8 == 0);
+EgformerConstants::EgformerConstants(const EgformerShape& of, at::Device device) : shape(of) {
+    FASTSCENE_CHECK(shape.height % 32 == 0 && shape.width % 32 == 0 && shape.channels % 4 == 0);
     for (int level = 0; level < 5; ++level) {
         const auto i = static_cast<std::size_t>(level);
         const Grid g = grid_of(shape, level);
@@ -177,7 +177,9 @@ Tensor egformer(const Scope& s, const EgformerConstants& k, const Tensor& color)
     picture = conv(out / 0, picture, c);
     picture = (out / 1).out(at::upsample_bilinear2d(picture, {k.shape.height, k.shape.width}, true));
     picture = at::relu(conv(out / 2, picture, c));
-    return at::sigmoid(conv(out / 4, picture, 1, {.kernel = 1, .pad = 0}));
+    Tensor logits = conv(out / 4, picture, 1, {.kernel = 1, .pad = 0});
+    if (k.shape.latitude_prior) logits = logits + at::upsample_bilinear2d(s.parameter(kLatitudePrior, {1, 1, 32, 1}), {k.shape.height, 1}, false);
+    return at::sigmoid(logits);
 }
 
 }  // namespace fastscene::nn

@@ -11,12 +11,15 @@ namespace fastscene::nn {
 
 // What a shape fixes once and for all (egformer_tables.h), by level: 0 is half the picture's size, 4 a thirty-second.
 struct EgformerConstants {
-    explicit EgformerConstants(const EgformerShape& shape, at::Device device = at::kCPU);
+    explicit EgformerConstants(const EgformerShape& of, at::Device device = at::kCPU);
     EgformerShape shape;
     std::array<at::Tensor, 2> patch;        // [1, 1, h, w, 9, 2] of levels 0 and 1, the only ones that sample patches
     std::array<at::Tensor, 5> row_bias;     // [1, h, 1, w, w]; levels 2 to 4
     std::array<at::Tensor, 5> column_bias;  // [1, 1, 1, h, h]
 };
+
+// The parameter of EgformerShape::latitude_prior: 32 logits from the zenith down, added to the last layer's.
+inline constexpr const char* kLatitudePrior = "latitude_prior";
 
 // color [N, 3, H, W] in 0..1 (sRGB as in files) -> [N, 1, H, W] in (0, 1), growing with distance; affine-invariant.
 // Names of parameters are the official checkpoint's keys without their "module.". Each picture of a batch is treated

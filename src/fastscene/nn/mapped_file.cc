@@ -33,7 +33,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) : path_(path) {
 }
 
 MappedFile::~MappedFile() {
-    if (data_) ::munmap(const_cast<char*>(data_), size_);
+    if (data_ && mapped_) ::munmap(const_cast<char*>(data_), size_);
 }
 
 }  // namespace fastscene

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace fastscene {
 
@@ -12,6 +13,8 @@ class MappedFile {
   public:
     // Throws Error when it cannot be opened, or is a directory.
     explicit MappedFile(const std::filesystem::path& path);
+    // What lies in memory for as long as the program runs, under a name for messages.
+    MappedFile(std::filesystem::path name, std::string_view memory) : path_(std::move(name)), data_(memory.data()), size_(memory.size()), mapped_(false) {}
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
     ~MappedFile();
@@ -24,6 +27,7 @@ class MappedFile {
     std::filesystem::path path_;
     const char* data_ = nullptr;
     std::size_t size_ = 0;
+    bool mapped_ = true;
 };
 
 }  // namespace fastscene

@@ -1,0 +1,129 @@
+#include "fastscene/depth/examples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/json.h"
+#include "fastscene/base/random.h"
+#include "fastscene/geometry/reproject.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool drawn_for_holding_out(const std::string& place) { return mix64(hash_name(place)) % 10 == 0; }
+
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::directory_iterator(folder)) out.push_back(entry.path());
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+// A picture's JSON is written last: what has none is not finished.
+void find_rooms(const fs::path& shard, std::vector<DepthFiles>& out) {
+    for (const fs::path& path : sorted_entries(shard)) {
+        if (path.extension() != ".json") continue;
+        const Json json = read_json(path);
+        try {
+            if (json.at("camera").at("model") != "EQUIRECTANGULAR") continue;
+            const int room = json.at("room").get<int>();
+            out.push_back({shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), fmt::format("room {}", room), room % 10 == 9});
+        } catch (const Json::exception& e) {
+            throw Error("{}: expected camera, room, color and range (docs/dataset.md): {}", path.string(), e.what());
+        }
+    }
+}
+
+void find_structured3d(const fs::path& scene, std::vector<DepthFiles>& out) {
+    const std::string place = scene.filename().string();
+    const bool held_out = std::atoi(place.substr(6).c_str()) >= 3000;
+    for (const fs::path& room : sorted_entries(scene / "2D_rendering"))
+        for (const char* furniture : {"full", "simple", "empty"})
+            for (const char* light : {"rgb_rawlight.png", "rgb_warmlight.png", "rgb_coldlight.png"}) {
+                const fs::path color = room / "panorama" / furniture / light, range = room / "panorama" / furniture / "depth.png";
+                if (fs::exists(color) && fs::exists(range)) out.push_back({color, range, place, held_out});
+            }
+}
+
+// Names: SCENE_PLACE_color_POSITION.png; the same with "depth" is the range.
+void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
+    std::string name = color.filename().string();
+    const std::size_t at = name.find("_color_");
+    if (at == std::string::npos || color.extension() != ".png") return;
+    const std::string place = name.substr(0, at);
+    name = name.substr(0, at) + "_depth_" + fs::path(name.substr(at + 7)).stem().string() + ".exr";
+    if (fs::exists(color.parent_path() / name)) out.push_back({color, color.parent_path() / name, place, drawn_for_holding_out(place)});
+}
+
+// The pixel in the middle: a mean of two surfaces lies on neither.
+ImageF picked(const ImageF& range, EquirectSize size) {
+    ImageF out(size.width, size.height);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const float r = range.at((2 * x + 1) * range.width / (2 * size.width), (2 * y + 1) * range.height / (2 * size.height));
+            out.at(x, y) = r > 0.f && std::isfinite(r) ? r : 0.f;
+        }
+    return out;
+}
+
+}  // namespace
+
+std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
+    if (!fs::is_directory(folder)) throw Error("{}: expected a folder of pictures with range, found none", folder.string());
+    std::vector<DepthFiles> out;
+    for (const fs::path& path : sorted_entries(folder)) {
+        const std::string name = path.filename().string();
+        if (name.starts_with("shard-") && fs::is_directory(path)) find_rooms(path, out);
+        else if (name.starts_with("scene_") && fs::is_directory(path / "2D_rendering")) find_structured3d(path, out);
+        else if (fs::is_directory(path)) for (const fs::path& inner : sorted_entries(path)) find_pano3d(inner, out);
+        else find_pano3d(path, out);
+    }
+    if (out.empty())
+        throw Error("{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, scene_00000/2D_rendering of Structured3D, or *_color_*.png with "
+                    "*_depth_*.exr of Pano3D), found none", folder.string());
+    return out;
+}
+
+DepthExample load_example(const DepthFiles& files, EquirectSize size) {
+    const ImageRgb8 color = load_rgb8(files.color);
+    if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
+    const ImageF range = load_float(files.range);
+    if (range.width != 2 * range.height) throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
+    return {srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked(range, size)};
+}
+
+std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size, const Run& run) {
+    std::vector<DepthExample> out;
+    Progress progress(run, "pictures", static_cast<std::int64_t>(files.size()));
+    for (const DepthFiles& one : files) {
+        run.check_stop();
+        progress.advance();
+        if (one.held_out != held_out) continue;
+        try {
+            out.push_back(load_example(one, size));
+        } catch (const Error& e) {
+            run.warn(fmt::format("left out: {}", e.what()));
+        }
+    }
+    return out;
+}
+
+std::vector<float> mean_range_by_latitude(const std::vector<DepthExample>& examples) {
+    if (examples.empty()) return {};
+    const auto height = static_cast<std::size_t>(examples.front().range.height);
+    std::vector<double> sum(height), count(height);
+    for (const DepthExample& e : examples)
+        for (std::size_t i = 0; i < e.range.size(); ++i)
+            if (const float r = e.range.pixels[i]; r > 0) sum[i / static_cast<std::size_t>(e.range.width)] += r, count[i / static_cast<std::size_t>(e.range.width)] += 1;
+    std::vector<float> mean(height, 0.f);
+    float last = 0;
+    for (std::size_t y = 0; y < height; ++y) mean[y] = last = count[y] > 0 ? static_cast<float>(sum[y] / count[y]) : last;
+    for (std::size_t y = height; y-- > 0;) mean[y] = last = mean[y] > 0 ? mean[y] : last;
+    return mean;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,143 @@
+#include "fastscene/depth/examples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/json.h"
+#include "fastscene/depth/photo_look.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh(const std::string& name) {
+    const fs::path folder = fs::path(::testing::TempDir()) / ("fastscene-examples-" + name);
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+void make_pair(const fs::path& color, const fs::path& range) {
+    fs::create_directories(color.parent_path());
+    save_png(color, ImageRgb8(64, 32, {90, 100, 110}));
+    if (range.extension() == ".exr") save_exr(range, ImageF(64, 32, 2.5f));
+    else save_png16(range, Image<std::uint16_t>(64, 32, 2500));
+}
+
+void make_room_picture(const fs::path& folder, int picture, int room, const std::string& model) {
+    const fs::path shard = folder / "shard-00000";
+    const std::string stem = fmt::format("{:08}", picture);
+    make_pair(shard / (stem + ".color.png"), shard / (stem + ".range.png"));
+    write_json(shard / (stem + ".json"), {{"picture", picture}, {"room", room}, {"color", stem + ".color.png"}, {"range", stem + ".range.png"}, {"camera", {{"model", model}}}});
+}
+
+TEST(Examples, RoomsAreHeldOutAsAWhole) {
+    const fs::path folder = fresh("rooms");
+    for (int i = 0; i < 200; ++i) make_room_picture(folder, i, i / 2, "EQUIRECTANGULAR");
+    make_room_picture(folder, 900, 900, "PINHOLE");
+    write_file(folder / "shard-00000" / "00000950.color.png", std::string_view("not yet finished"));
+    const std::vector<DepthFiles> all = find_depth_files(folder);
+    ASSERT_EQ(all.size(), 200u);
+    int held_out = 0;
+    for (std::size_t i = 0; i < all.size(); i += 2) {
+        EXPECT_EQ(all[i].held_out, all[i + 1].held_out);
+        EXPECT_EQ(all[i].place, all[i + 1].place);
+        EXPECT_EQ(all[i].held_out, i / 2 % 10 == 9);
+        held_out += all[i].held_out;
+    }
+    EXPECT_EQ(held_out, 10);
+    const DepthExample example = load_example(all[0], {32, 16});
+    EXPECT_EQ(example.color.at(5, 5), (Rgb8{90, 100, 110}));
+    EXPECT_FLOAT_EQ(example.range.at(5, 5), 2.5f);
+}
+
+TEST(Examples, Structured3dAndPano3d) {
+    const fs::path s3d = fresh("s3d");
+    for (const char* scene : {"scene_00012", "scene_03100"})
+        make_pair(s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "rgb_rawlight.png", s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "depth.png");
+    const std::vector<DepthFiles> rooms = find_depth_files(s3d);
+    ASSERT_EQ(rooms.size(), 2u);
+    EXPECT_FALSE(rooms[0].held_out);
+    EXPECT_TRUE(rooms[1].held_out);
+    EXPECT_FLOAT_EQ(load_example(rooms[0], {32, 16}).range.at(1, 1), 2.5f);
+    const fs::path pano3d = fresh("pano3d");
+    make_pair(pano3d / "0_ab12_color_0_Left_Down_0.0.png", pano3d / "0_ab12_depth_0_Left_Down_0.0.exr");
+    make_pair(pano3d / "0_cd34_color_0_Left_Down_0.0.png", pano3d / "elsewhere.exr");
+    ASSERT_EQ(find_depth_files(pano3d).size(), 1u);
+    EXPECT_FLOAT_EQ(load_example(find_depth_files(pano3d)[0], {32, 16}).range.at(1, 1), 2.5f);
+}
+
+TEST(Examples, BadFoldersAndPictures) {
+    EXPECT_THROW(find_depth_files("/nowhere"), Error);
+    EXPECT_THROW(find_depth_files(fresh("empty")), Error);
+    const fs::path folder = fresh("bad");
+    for (int i = 0; i < 3; ++i) make_room_picture(folder, i, i, "EQUIRECTANGULAR");
+    write_file(folder / "shard-00000" / "00000001.color.png", std::string_view("damaged"));
+    save_png16(folder / "shard-00000" / "00000002.range.png", Image<std::uint16_t>(50, 50, 1));
+    std::vector<DepthFiles> files = find_depth_files(folder);
+    for (DepthFiles& f : files) f.held_out = false;
+    EXPECT_EQ(load_examples(files, false, {32, 16}, {}).size(), 1u);
+    EXPECT_THROW(load_example(files[2], {32, 16}), Error);
+}
+
+TEST(Examples, MeanRangeFillsWhatNobodyKnows) {
+    DepthExample a{ImageRgb8(8, 4), ImageF(8, 4, 2.f)}, b{ImageRgb8(8, 4), ImageF(8, 4, 4.f)};
+    for (int x = 0; x < 8; ++x) a.range.at(x, 0) = b.range.at(x, 0) = 0;
+    b.range.at(0, 2) = 0;
+    const std::vector<float> mean = mean_range_by_latitude({a, b});
+    EXPECT_FLOAT_EQ(mean[0], 3.f);
+    EXPECT_FLOAT_EQ(mean[1], 3.f);
+    EXPECT_NEAR(mean[2], (8 * 2 + 7 * 4) / 15., 1e-5);
+}
+
+// Color and range go together: a marked column is found again beside its range.
+TEST(PhotoLook, TurnsColorAndRangeTogether) {
+    DepthExample example{ImageRgb8(64, 32), ImageF(64, 32, 1.f)};
+    for (int y = 0; y < 32; ++y) example.color.at(10, y) = {255, 255, 255}, example.range.at(10, y) = 7.f;
+    Random dice(1, "test");
+    for (const bool mirrored : {false, true}) {
+        const DepthExample seen = seen_as(example, {.turn = 0.3f, .mirrored = mirrored}, dice);
+        int marked = 0;
+        for (int x = 0; x < 64; ++x) {
+            EXPECT_EQ(seen.color.at(x, 9).r == 255, seen.range.at(x, 9) == 7.f);
+            marked += seen.range.at(x, 9) == 7.f;
+        }
+        EXPECT_EQ(marked, 1);
+    }
+}
+
+TEST(PhotoLook, ChangesWhatItSays) {
+    DepthExample example{ImageRgb8(64, 32, {120, 90, 60}), ImageF(64, 32, 1.f)};
+    Random dice(2, "test");
+    EXPECT_EQ(seen_as(example, {}, dice).color, example.color);
+    EXPECT_GT(seen_as(example, {.exposure_ev = 1}, dice).color.at(3, 3).r, 150);
+    const Rgb8 gray = seen_as(example, {.saturation = 0}, dice).color.at(3, 3);
+    EXPECT_TRUE(gray.r == gray.g && gray.g == gray.b);
+    EXPECT_GT(seen_as(example, {.white = {1, 1, 2}}, dice).color.at(3, 3).b, 75);
+    const ImageRgb8 noisy = seen_as(example, {.noise = 0.05f}, dice).color;
+    double square = 0;
+    for (const Rgb8 c : noisy.pixels) square += std::pow((c.r - 120) / 255., 2);
+    EXPECT_NEAR(std::sqrt(square / static_cast<double>(noisy.size())), 0.05, 0.01);
+    DepthExample edge = example;
+    for (int y = 0; y < 32; ++y) edge.color.at(20, y) = {255, 255, 255};
+    EXPECT_GT(seen_as(edge, {.blur_px = 0.8f}, dice).color.at(21, 9).g, 110);
+    EXPECT_NE(seen_as(edge, {.jpeg_quality = 45}, dice).color, edge.color);
+    EXPECT_EQ(seen_as(edge, {.jpeg_quality = 45}, dice).range, edge.range);
+}
+
+TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Random a(4, "look", i), b(4, "look", i);
+        const PhotoLook look = random_photo_look(a), same = random_photo_look(b);
+        EXPECT_EQ(look.exposure_ev, same.exposure_ev);
+        EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 && look.white.x > 0.3f && look.white.x < 3.f);
+    }
+}
+
+}  // namespace
+}  // namespace fastscene

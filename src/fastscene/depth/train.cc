@@ -1,0 +1,75 @@
+#include "fastscene/depth/train.h"
+
+#include "fastscene/depth/examples.h"
+#include "fastscene/depth/painted_room.h"
+#include "fastscene/depth/photo_look.h"
+
+namespace fastscene {
+namespace {
+
+constexpr std::size_t kMostHeldOut = 60;   // looked at again and again
+constexpr std::size_t kPaintedHeldOut = 40;
+
+void check_sizes(const DepthTrainParams& p) {
+    if (p.height % 32 != 0) throw UsageError("--height: expected a multiple of 32, found {}", p.height);
+    if (p.channels % 4 != 0) throw UsageError("--channels: expected a multiple of 4, found {}", p.channels);
+}
+
+// Evenly spread, so that every place keeps its part.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
+    if (all.size() <= most) return all;
+    std::vector<T> out;
+    for (std::size_t i = 0; i < most; ++i) out.push_back(all[i * all.size() / most]);
+    return out;
+}
+
+std::vector<DepthFiles> with_fate(const std::vector<DepthFiles>& all, bool held_out, std::size_t most) {
+    std::vector<DepthFiles> out;
+    for (const DepthFiles& files : all)
+        if (files.held_out == held_out) out.push_back(files);
+    return thinned(out, most);
+}
+
+std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, std::uint64_t seed) {
+    std::vector<DepthExample> out;
+    for (std::size_t i = 0; i < count; ++i) {
+        Random dice(seed, "held-out painted room", i);
+        out.push_back(painted_room(size, dice));
+    }
+    return out;
+}
+
+}  // namespace
+
+EgformerTrained train_depth(const DepthTraining& training, const std::filesystem::path& folder, const Run& run) {
+    const DepthTrainParams& p = training.params;
+    check_sizes(p);
+    const EquirectSize size{2 * p.height, p.height};
+    std::vector<DepthFiles> files;
+    Json names = Json::array();
+    for (const auto& data : training.data) {
+        for (DepthFiles& one : find_depth_files(data)) files.push_back(std::move(one));
+        names.push_back(data.string());
+    }
+    const auto wanted = static_cast<std::size_t>(std::max(1., p.share * static_cast<double>(files.size())));
+    const std::vector<DepthExample> examples = load_examples(with_fate(files, false, wanted), false, size, run);
+    std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);
+    if (examples.empty() && !files.empty()) throw Error("{}: expected pictures to train on, found held-out ones only: more rooms are needed", names.dump());
+    if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
+    const double painted = files.empty() ? 1 : p.painted;
+
+    EgformerTraining task{{p.height, 2 * p.height, p.channels, true}, p.training, {}, std::move(held_out),
+                          mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples), training.start,
+                          {{"data", names}, {"painted", painted}}};
+    task.draw = [&](Random& dice) {
+        const bool paint = dice.chance(static_cast<float>(painted));
+        const PhotoLook look = random_photo_look(dice);
+        if (paint) return seen_as(painted_room(size, dice), look, dice);
+        return seen_as(examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))], look, dice);
+    };
+    run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms", examples.size(), task.held_out.size(), 100 * painted));
+    return train_egformer(task, folder, run);
+}
+
+}  // namespace fastscene

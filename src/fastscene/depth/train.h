@@ -1,0 +1,38 @@
+// Training the depth network: `fastscene depth train`.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "fastscene/base/fields.h"
+#include "fastscene/base/run.h"
+#include "fastscene/nn/egformer_training.h"
+
+namespace fastscene {
+
+struct DepthTrainParams {
+    int height = 128, channels = 16;
+    double painted = 0.3;
+    double share = 1;     // of the examples, for a quick try
+    TrainingParams training{.steps = 20000, .batch = 2, .rate = 1e-3, .last_rate = 2e-5, .warmup = 200, .average = 0.998, .look_steps = 1000};
+};
+template <class V>
+void visit_fields(DepthTrainParams& p, V&& v) {
+    v("height", p.height, Bounds{32, 1024}, "Height of what the network sees, a multiple of 32; 512 as published. Its width is twice that.");
+    v("channels", p.channels, Bounds{4, 256}, "Of its first stage, a multiple of 4; 32 as published. Size and time grow with the square.");
+    v("painted", p.painted, Bounds{0, 1}, "Share of examples that are painted rooms: boxes in a box, made while training; 1 where there is no --data.");
+    v("share", p.share, Bounds{0.001, 1}, "Use only this share of the pictures.");
+    visit_fields(p.training, v);
+}
+
+struct DepthTraining {
+    std::vector<std::filesystem::path> data;   // folders (examples.h); none: painted rooms alone (painted_room.h)
+    std::filesystem::path start;               // weights to start from; empty: random ones
+    DepthTrainParams params;
+};
+
+// Works in `folder`: egformer.safetensors is the network, the rest as nn/training.h says. A tenth of all places is held out.
+// Throws UsageError for settings that make no sense, Error when a folder has no pictures.
+EgformerTrained train_depth(const DepthTraining& training, const std::filesystem::path& folder, const Run& run);
+
+}  // namespace fastscene

@@ -1,0 +1,43 @@
+// Training EGformer on pictures whose range is known. No libtorch in sight.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/base/random.h"
+#include "fastscene/base/run.h"
+#include "fastscene/image/image.h"
+#include "fastscene/nn/egformer.h"
+#include "fastscene/nn/training_params.h"
+
+namespace fastscene {
+
+// A panorama of the network's size: sRGB, and metres along each pixel's ray (0 = not known).
+struct DepthExample {
+    ImageRgb8 color;
+    ImageF range;
+};
+
+struct EgformerTraining {
+    EgformerShape shape;
+    TrainingParams training;
+    std::function<DepthExample(Random& dice)> draw;   // called on another thread
+    std::vector<DepthExample> held_out;               // never drawn
+    std::vector<float> mean_range_m;                  // by latitude, from the top: what a room looks like before one has looked
+    std::filesystem::path start;                      // weights to start from; empty: random ones
+    Json settings;                                    // what else must be equal to go on with a training: the data
+};
+
+struct EgformerTrained {
+    std::int64_t steps = 0;
+    double abs_rel = 0, delta1 = 0;   // of the held-out pictures, scale and shift aligned
+    std::filesystem::path weights;    // egformer.safetensors in the folder, 16 bit: what Egformer::load reads
+};
+
+// Works in `folder` as nn/training.h says; goes on from a checkpoint that is there. The loss is the published one
+// (nn/depth_losses.h). Throws as nn/training.h says.
+EgformerTrained train_egformer(const EgformerTraining& training, const std::filesystem::path& folder, const Run& run);
+
+}  // namespace fastscene

@@ -1,0 +1,75 @@
+#include "fastscene/pipeline/depth_report.h"
+
+#include <ctime>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "fastscene/depth/estimator.h"
+#include "fastscene/depth/examples.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/metrics/depth_scores.h"
+
+namespace fastscene {
+namespace {
+
+constexpr std::pair<const char*, DepthAlignment> kAlignments[] = {{"affine", DepthAlignment::affine}, {"scale", DepthAlignment::scale}, {"none", DepthAlignment::none}};
+
+// The first picture of each held-out place.
+std::vector<DepthFiles> chosen(const DepthCheck& check) {
+    std::vector<DepthFiles> out;
+    std::set<std::string> seen;
+    for (const DepthFiles& files : find_depth_files(check.data))
+        if (files.held_out && seen.insert(files.place).second && static_cast<int>(out.size()) < check.count) out.push_back(files);
+    if (out.empty()) throw Error("{}: expected held-out places, found none", check.data.string());
+    return out;
+}
+
+Json json_of(const DepthScores& s) { return {{"abs_rel", s.abs_rel}, {"rmse_m", s.rmse}, {"delta1", s.delta[0]}, {"delta2", s.delta[1]}, {"delta3", s.delta[2]}}; }
+
+}  // namespace
+
+Json check_depth(const DepthCheck& check, const Run& run) {
+    const std::vector<DepthFiles> all = chosen(check);
+    const auto estimator = make_depth_estimator(check.depth);
+    std::vector<DepthScores> scores[std::size(kAlignments)];
+    Json pictures = Json::array(), report = Json::object();
+    std::string backend;
+    double seconds = 0;
+    Progress progress(run, "pictures", static_cast<std::int64_t>(all.size()));
+    for (const DepthFiles& files : all) {
+        run.check_stop();
+        const std::clock_t begin = std::clock();
+        const EstimatedRange found = estimator->estimate(linear_from_srgb8(load_rgb8(files.color)), run);
+        seconds += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        backend = found.assumptions.value("backend", "");
+        const ImageF truth = load_float(files.range);
+        Json one{{"picture", files.color.filename().string()}};
+        for (std::size_t i = 0; i < std::size(kAlignments); ++i) {
+            scores[i].push_back(depth_scores(found.range, truth, {kAlignments[i].second}));
+            one[kAlignments[i].first] = json_of(scores[i].back());
+        }
+        pictures.push_back(one);
+        progress.advance();
+    }
+    report["backend"] = backend;
+    report["pictures"] = all.size();
+    report["cpu_s_per_picture"] = seconds / static_cast<double>(all.size());
+    for (std::size_t i = 0; i < std::size(kAlignments); ++i) report[kAlignments[i].first] = json_of(mean_scores(scores[i]));
+    report["each"] = pictures;
+    return report;
+}
+
+std::string depth_check_text(const Json& report) {
+    std::string text = fmt::format("{}, {} held-out places, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
+                                   report.at("pictures").get<int>(), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
+    for (const auto& [name, alignment] : kAlignments) {
+        const Json& s = report.at(name);
+        text += fmt::format("\n{:8} {:8.4f} {:8.4f} {:8.4f} {:8.4f}", name, s.at("abs_rel").get<double>(), s.at("rmse_m").get<double>(), s.at("delta1").get<double>(),
+                            s.at("delta2").get<double>());
+    }
+    return text;
+}
+
+}  // namespace fastscene

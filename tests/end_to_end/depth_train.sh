@@ -1,0 +1,34 @@
+# A depth network learns, stops, goes on, and makes a scene of a picture.
+. "$(dirname "$0")/lib.sh"
+
+small=(--height 32 --channels 4 --batch 1 --look-steps 1000 --rate 0.001 --last-rate 0.001)
+expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o whole --json
+prints '"steps": 4'
+has whole/egformer.safetensors whole/checkpoint.safetensors whole/curves.csv whole/sheets/00000004.png whole/training.json
+
+# Stopped and gone on with: the same network, byte for byte.
+expect 0 "$fastscene" depth train --painted 1 --steps 2 "${small[@]}" -o parts
+expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o parts
+cmp -s whole/egformer.safetensors parts/egformer.safetensors || fail "a training that was stopped ends elsewhere"
+
+# One folder, one training.
+expect 2 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" --channels 8 -o parts
+expect 2 "$fastscene" depth train --steps 4 --height 33 -o other
+says "--height"
+expect 1 "$fastscene" depth train --data . --steps 4 -o other
+says "expected panoramas with range"
+expect 1 "$fastscene" depth train --start nowhere.pkl --steps 4 "${small[@]}" -o started
+says "nowhere.pkl"
+
+# Our own rooms as data, and what the network makes of them.
+expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 -o rooms
+expect 0 "$fastscene" depth train --data rooms --painted 0.5 --steps 2 "${small[@]}" -o taught
+expect 0 "$fastscene" depth check --data rooms --depth-weights taught/egformer.safetensors --json
+prints '"backend": "egformer"'
+expect 0 "$fastscene" depth check --data rooms --depth-backend layout
+prints "layout"
+expect 2 "$fastscene" depth check --data rooms --depth-backend exact
+
+picture=$(ls rooms/shard-00000/*.color.jpg | head -n 1)
+expect 0 "$fastscene" make --panorama "$picture" --depth-weights taught/egformer.safetensors -o scene "${tiny[@]}"
+has scene/depth/range.exr scene/splat/scene.ply
