@@ -59,7 +59,7 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
     const double painted = files.empty() ? 1 : p.painted;
 
-    EgformerTraining task{{p.height, 2 * p.height, p.channels, true}, p.training, {}, std::move(held_out),
+    EgformerTraining task{{p.height, 2 * p.height, p.channels, true}, p.training, p.direct, {}, std::move(held_out),
                           mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples), training.start,
                           {{"data", names}, {"painted", painted}}};
     task.draw = [&](Random& dice) {

@@ -42,6 +42,10 @@ Tensor gradient_loss(const Tensor& aligned, const Tensor& truth, const Tensor& m
     return sum;
 }
 
+Tensor direct_loss(const Tensor& found, const Tensor& truth, const Tensor& mask) {
+    return ((found.clamp_min(1e-4).log() - truth.clamp_min(1e-4).log()).abs() * mask).sum() / mask.sum().clamp_min(1);
+}
+
 Tensor depth_loss(const Tensor& found, const Tensor& truth, const Tensor& mask) {
     const Tensor aligned = aligned_depth(found, truth, mask);
     return 0.5 * invariant_loss(aligned, truth, mask) + 0.5 * gradient_loss(aligned, truth, mask);

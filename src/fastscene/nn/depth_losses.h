@@ -14,7 +14,10 @@ at::Tensor aligned_depth(const at::Tensor& found, const at::Tensor& truth, const
 at::Tensor invariant_loss(const at::Tensor& aligned, const at::Tensor& truth, const at::Tensor& mask);
 // Of the same difference, changes to the right and downward at four scales, each half as fine: edges lie where the truth has them.
 at::Tensor gradient_loss(const at::Tensor& aligned, const at::Tensor& truth, const at::Tensor& mask);
-// 0.5 and 0.5, as published.
+// Ours, beside the published ones: mean |log found - log truth|, nothing aligned. While a network knows next to nothing, alignment shrinks its
+// map to a constant, and with it all gradients; this loss does not, and lets the network say metres where its rooms allow that.
+at::Tensor direct_loss(const at::Tensor& found, const at::Tensor& truth, const at::Tensor& mask);
+// 0.5 invariant and 0.5 gradient, as published.
 at::Tensor depth_loss(const at::Tensor& found, const at::Tensor& truth, const at::Tensor& mask);
 
 }  // namespace fastscene::nn

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fastscene::nn {
 namespace {
 
@@ -50,6 +52,13 @@ TEST(DepthLoss, UnknownPixelsHaveNoSay) {
 TEST(DepthLoss, AConstantPictureIsJudgedAsItIs) {
     const Tensor truth = some_depth(), flat = at::full_like(truth, 0.25);
     EXPECT_NEAR(value(invariant_loss(aligned_depth(flat, truth, at::ones_like(truth)), truth, at::ones_like(truth))), value((truth - 0.25).abs().mean()), 1e-6);
+}
+
+TEST(DepthLoss, DirectCountsFactors) {
+    const Tensor truth = some_depth(), mask = at::ones_like(truth);
+    EXPECT_NEAR(value(direct_loss(truth, truth, mask)), 0, 1e-7);
+    EXPECT_NEAR(value(direct_loss(truth * 2, truth, mask)), std::log(2.), 1e-5);
+    EXPECT_NEAR(value(direct_loss(truth / 2, truth, mask)), std::log(2.), 1e-5);
 }
 
 // By hand: one step of height 1 between two columns of 8, seen at four scales.

@@ -144,10 +144,10 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
             const nn::Autocast quick(device, bf16);
             found = nn::egformer(network.scope(), constants, color).to(at::kFloat);
         }
-        const Tensor loss = nn::depth_loss(found, truth, mask);
-        loss.backward();
+        const Tensor loss = nn::depth_loss(found, truth, mask), direct = nn::direct_loss(found, truth, mask);
+        (loss + training.direct * direct).backward();
         const double length = network.update(rate);
-        return {{"loss", loss.item<double>()}, {"gradient", length}};
+        return {{"loss", loss.item<double>()}, {"direct", direct.item<double>()}, {"gradient", length}};
     };
     const auto draw = [&](Random& dice) {
         std::vector<DepthExample> examples;
@@ -156,6 +156,7 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     };
     Json settings = training.settings;
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
+    settings["direct"] = training.direct;
     trained.steps = nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings}, training.training, folder, run).steps;
     return trained;
 }

@@ -23,6 +23,7 @@ struct DepthExample {
 struct EgformerTraining {
     EgformerShape shape;
     TrainingParams training;
+    double direct = 0;                                // weight of direct_loss (nn/depth_losses.h) beside the published loss
     std::function<DepthExample(Random& dice)> draw;   // called on another thread
     std::vector<DepthExample> held_out;               // never drawn
     std::vector<float> mean_range_m;                  // by latitude, from the top: what a room looks like before one has looked
@@ -37,7 +38,7 @@ struct EgformerTrained {
 };
 
 // Works in `folder` as nn/training.h says; goes on from a checkpoint that is there. The loss is the published one
-// (nn/depth_losses.h). Throws as nn/training.h says.
+// (nn/depth_losses.h), and `direct` of ours. Throws as nn/training.h says.
 EgformerTrained train_egformer(const EgformerTraining& training, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene
