@@ -55,7 +55,9 @@ int main(int argc, char** argv) try {
     app.require_subcommand(1);
     app.add_option("--size", size, "Width and height of the views")->check(CLI::Range(16, 4096));
     app.add_option("--count", count, "Gaussians, and points of the model")->check(CLI::Range(1, 10000000));
+    bool orbit = false;
     app.add_option("--positions", positions, "Viewpoints, 14 views each")->check(CLI::Range(1, 8));
+    app.add_flag("--orbit", orbit, "Instead a ring of cameras around a stage, as many");
     app.add_option("--samples", samples, "Rays a pixel along each side")->check(CLI::Range(1, 8));
     CLI::App* write = app.add_subcommand("write", "Write the training views as a COLMAP model");
     write->add_option("folder", folder)->required();
@@ -67,7 +69,7 @@ int main(int argc, char** argv) try {
     CLI11_PARSE(app, argc, argv);
 
     set_threads(1);
-    const bench::RoomSet set = bench::room_set(size, positions, count, held_out, samples);
+    const bench::RoomSet set = orbit ? bench::orbit_set(size, 14 * positions, count, held_out, samples) : bench::room_set(size, positions, count, held_out, samples);
     if (*write) save_views(folder, without_normals(set.train));
     if (*eval) fmt::print("{}\n", Json{{"held_out_psnr", held_out_psnr(load_splats(file).splats, set.held_out)}}.dump());
     if (*train) {

@@ -1,4 +1,5 @@
-// A closed room with boxes in it, textured by formulas: views, points and truth in a second, without files.
+// A closed room with boxes in it, and the same boxes on a stage before nothing, textured by formulas: views, points and truth in a
+// second, without files.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +19,20 @@ struct Box {
 struct RoomHit {
     float range = 1e9f;
     Vec3f normal;
-    int surface = 0;
+    int surface = -1;
+    explicit operator bool() const { return surface >= 0; }
 };
 
-// The room is seen from inside, the boxes from outside.
+// The room is seen from inside, the boxes from outside. Of a stage only a slab of the room's floor is left, and around it is black.
 class TexturedRoom {
   public:
-    TexturedRoom()
-        : boxes_{{{-2.5f, -1.4f, -2.f}, {2.5f, 1.2f, 2.f}},   {{-2.5f, 0.3f, -1.f}, {-1.7f, 1.2f, 1.f}},
+    explicit TexturedRoom(bool stage = false)
+        : stage_(stage), boxes_{{{-2.5f, -1.4f, -2.f}, {2.5f, 1.2f, 2.f}},   {{-2.5f, 0.3f, -1.f}, {-1.7f, 1.2f, 1.f}},
                  {{0.7f, 0.5f, 1.1f}, {1.9f, 1.2f, 2.f}},      {{1.8f, -0.8f, -2.f}, {2.5f, 1.2f, -1.1f}},
                  {{-0.4f, 0.85f, -1.9f}, {0.5f, 1.2f, -1.2f}}, {{-1.3f, 0.75f, 1.3f}, {-0.6f, 0.8f, 1.9f}},
-                 {{1.2f, 0.1f, 1.3f}, {1.4f, 0.5f, 1.5f}}} {}
+                 {{1.2f, 0.1f, 1.3f}, {1.4f, 0.5f, 1.5f}}} {
+        if (stage) boxes_[0].low.y = boxes_[0].high.y, boxes_[0].high.y += 0.1f;
+    }
 
     RoomHit hit(Vec3f origin, Vec3f direction) const {
         RoomHit best;
@@ -42,7 +46,7 @@ class TexturedRoom {
                 if (t0 > enter) enter = t0, enter_axis = a;
                 if (t1 < leave) leave = t1, leave_axis = a;
             }
-            const bool inside = b == 0;
+            const bool inside = b == 0 && !stage_;
             const float t = inside ? leave : enter;
             if (enter > leave || !(t > 1e-4f) || t >= best.range) continue;
             const std::size_t axis = inside ? leave_axis : enter_axis;
@@ -56,6 +60,7 @@ class TexturedRoom {
 
     // sRGB-encoded. Soft shading, stripes, checks and blotches of different sizes.
     Vec3f color(Vec3f p, const RoomHit& h) const {
+        if (!h) return {};
         Random random(0x9000ull + static_cast<std::uint64_t>(h.surface));
         const Vec3f base{random.uniform(0.3f, 0.9f), random.uniform(0.3f, 0.9f), random.uniform(0.3f, 0.9f)};
         const float u = h.normal.x != 0 ? p.z : p.x, v = h.normal.y != 0 ? p.z : p.y;
@@ -96,14 +101,16 @@ class TexturedRoom {
         return out;
     }
 
-    // `count` surface samples seen from `origins` in random directions.
+    // `count` surface samples seen from `origins` in random directions; of a stage, towards it.
     std::vector<SurfacePoint> points(const std::vector<Vec3f>& origins, int count, std::uint64_t seed) const {
         std::vector<SurfacePoint> out;
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; static_cast<int>(out.size()) < count; ++i) {
             Random random(seed, "bench.points", static_cast<std::uint64_t>(i));
-            const Vec3f d = normalize(Vec3f{random.normal(), random.normal(), random.normal()});
             const Vec3f o = origins[static_cast<std::size_t>(i) % origins.size()];
+            const Vec3f around{random.normal(), random.normal(), random.normal()};
+            const Vec3f d = normalize(stage_ ? around * 1.5f - o : around);
             const RoomHit h = hit(o, d);
+            if (!h) continue;
             const Vec3f p = o + d * h.range, c = color(p, h);
             // Rays per solid angle: the spacing grows with range and grazing angle.
             const float cosine = std::max(0.15f, -dot(d, h.normal));
@@ -114,6 +121,7 @@ class TexturedRoom {
     }
 
   private:
+    bool stage_;
     std::vector<Box> boxes_;
 };
 
@@ -135,6 +143,30 @@ struct RoomSet {
     ViewSet train;
     std::vector<View> held_out;
 };
+// A ring of cameras around the stage, looking down on it: everything lies in front of every camera.
+inline RoomSet orbit_set(int size, int views, int points, int held_out, int samples) {
+    const TexturedRoom stage(true);
+    const Pinhole camera = Pinhole::with_fov(size, size, 50);
+    constexpr float kRadius = 5.5f, kHeight = -2.6f;   // y points down
+    const auto pose = [&](float yaw_deg, float lift) {
+        const float yaw = yaw_deg * 0.01745329f, down = std::atan2(-kHeight + 0.5f + lift, kRadius) * 57.29578f;
+        return Rigid{looking(yaw_deg + 180, -down), {kRadius * std::sin(yaw), kHeight - lift, kRadius * std::cos(yaw)}};
+    };
+    RoomSet out;
+    std::vector<Vec3f> origins;
+    for (int i = 0; i < views; ++i) {
+        const Rigid at = pose(360.f * static_cast<float>(i) / static_cast<float>(views), i % 3 == 0 ? 0.f : i % 3 == 1 ? 0.8f : 1.6f);
+        out.train.views.push_back(stage.view(camera, at, samples));
+        out.train.views.back().name = std::to_string(i + 1) + ".png";
+        origins.push_back(at.translation);
+    }
+    for (int i = 0; i < held_out; ++i) {
+        Random random(7, "bench.held-out", static_cast<std::uint64_t>(i));
+        out.held_out.push_back(stage.view(camera, pose(random.uniform(0, 360), random.uniform(0.1f, 1.5f)), samples));
+    }
+    out.train.points = stage.points(origins, points, 3);
+    return out;
+}
 inline RoomSet room_set(int size, int positions, int points, int held_out, int samples) {
     const TexturedRoom room;
     RoomSet out;

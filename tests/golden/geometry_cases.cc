@@ -1,11 +1,16 @@
 // The published walk: its warp, its cubemap, its painting of faces, and one whole step.
+#include <algorithm>
 #include <bit>
+#include <memory>
+#include <optional>
 #include <regex>
 
 #include "fastscene/base/file.h"
 #include "fastscene/geometry/published_cube.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/nn/aotgan_net.h"
+#include "fastscene/nn/egformer_net.h"
 #include "fastscene/walk/published_inpaint.h"
 #include "fastscene/walk/published_warp.h"
 #include "golden.h"
@@ -289,6 +294,54 @@ void check_faces(Case& c) {
     compare(c, "merged", numbers_of(published_merge(warp.color, holes_of(warp), painted)));
 }
 
+// The two networks as the official program calls them, with hashed weights.
+ImageRgb8 painted_by_aotgan(const ImageRgb8& color, const ImageMask& hole) {
+    const at::Tensor mask = at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()), {1, 1, hole.height, hole.width}, at::kByte).gt(0).to(at::kFloat);
+    const at::Tensor picture = bytes_of(color).to(at::kFloat).div(255).mul(2).sub(1).permute({2, 0, 1}).unsqueeze(0);
+    nn::HashedWeights weights;
+    const at::Tensor made = nn::aotgan_generator(nn::Scope(weights), {}, picture * (1 - mask) + mask, mask);
+    const at::Tensor bytes = ((made.clamp(-1, 1) + 1) / 2 * 255).to(at::kByte)[0].permute({1, 2, 0}).contiguous();
+    ImageRgb8 out(color.width, color.height);
+    std::copy_n(reinterpret_cast<const Rgb8*>(bytes.data_ptr<std::uint8_t>()), out.size(), out.pixels.data());
+    return out;
+}
+Image<double> depth_by_egformer(const ImageRgb8& color) {
+    const at::Tensor picture = bytes_of(color).to(at::kFloat).div(255).permute({2, 0, 1}).unsqueeze(0).contiguous();
+    nn::HashedWeights weights;
+    const nn::EgformerConstants constants({color.height, color.width, 32});
+    const at::Tensor depth = nn::egformer(nn::Scope(weights), constants, picture).to(at::kDouble).contiguous();
+    Image<double> out(color.width, color.height);
+    std::copy_n(depth.data_ptr<double>(), out.size(), out.pixels.data());
+    return out;
+}
+std::vector<double> mean_std_min_max(const Image<double>& image) {
+    double sum = 0, square = 0;
+    for (const double v : image.pixels) sum += v, square += v * v;
+    const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+    const double mean = sum / static_cast<double>(image.size());
+    return {mean, std::sqrt(square / static_cast<double>(image.size()) - mean * mean), *low, *high};
+}
+
+// Whole steps of the published walk. The second begins where the first ended, which `last` keeps.
+void check_step(Case& c, std::optional<Input>& last) {
+    if (c.input().starts_with("inputs/")) last = input_of(c, c.input());
+    if (!last) throw Error("expected the step before this one in the same run, found none");
+    const PublishedWarp warp = published_warp(last->color, published_units(last->range), move_of("x", c.json().at("mov"), 1));
+    const ImageMask holes = holes_of(warp);
+    last->color = published_inpaint(warp.color, holes, kFace, painted_by_aotgan);
+    last->range = depth_by_egformer(last->color);
+    compare(c, "mask packbits", packed(holes));
+    compare(c, "warped img", numbers_of(warp.color));
+    compare(c, "inpainted rgb", numbers_of(last->color));
+    compare(c, "depth (EGformer of inpainted rgb)", numbers_of(last->range));
+    compare_value(c, "hole_ratio", {warp.hole_ratio()});
+    Vec3d sum{};
+    for (const Rgb8 p : last->color.pixels) sum += Vec3d{double(p.r), double(p.g), double(p.b)};
+    const auto count = static_cast<double>(last->color.size());
+    compare_value(c, "mean_inpainted_rgb", {sum.x / count, sum.y / count, sum.z / count});
+    compare_value(c, "depth_mean_std_min_max", mean_std_min_max(last->range));
+}
+
 }  // namespace
 
 void add_geometry_checkers(Checkers& checkers) {
@@ -299,6 +352,7 @@ void add_geometry_checkers(Checkers& checkers) {
         else check_round_trip(c);
     });
     checkers.emplace_back("inpaint_faces", check_faces);
+    checkers.emplace_back("pnvi_step", [last = std::make_shared<std::optional<Input>>()](Case& c) { check_step(c, *last); });
 }
 
 }  // namespace fastscene::golden

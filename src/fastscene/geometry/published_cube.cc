@@ -40,16 +40,23 @@ Mat3d published_rotation(CubeFace face) {
 }
 
 // A place in [-1, 1] as a position among n pixels whose first and last centers lie at -1 and 1.
-float position_of(float place, int n) { return (place + 1.f) / 2.f * static_cast<float>(n - 1); }
+float position_of(float place, int n) { return (place + 1.f) * (static_cast<float>(n - 1) / 2.f); }
 
-// Values outside the picture are zero.
+float multiply_add(float a, float w, float sum) { return std::fma(a, w, sum); }
+Vec3f multiply_add(Vec3f a, float w, Vec3f sum) { return {std::fma(a.x, w, sum.x), std::fma(a.y, w, sum.y), std::fma(a.z, w, sum.z)}; }
+
+// Values outside the picture are zero. The four products are rounded as the official program's library rounds them (one after the
+// other, fused): the last bit decides where a value is cut to a byte afterwards.
 template <class T>
 T bilinear(const Image<T>& image, Vec2f place) {
     const float px = position_of(place.x, image.width), py = position_of(place.y, image.height);
-    const float fx = std::floor(px), fy = std::floor(py), u = px - fx, v = py - fy;
-    const int x = static_cast<int>(fx), y = static_cast<int>(fy);
+    const float left = std::floor(px), top = std::floor(py), u = px - left, v = py - top;
+    const int x = static_cast<int>(left), y = static_cast<int>(top);
     const auto at = [&](int i, int j) { return i >= 0 && j >= 0 && i < image.width && j < image.height ? image.at(i, j) : T{}; };
-    return at(x, y) * ((1 - u) * (1 - v)) + at(x + 1, y) * (u * (1 - v)) + at(x, y + 1) * ((1 - u) * v) + at(x + 1, y + 1) * (u * v);
+    T sum = at(x, y) * ((1 - u) * (1 - v));
+    sum = multiply_add(at(x + 1, y), u * (1 - v), sum);
+    sum = multiply_add(at(x, y + 1), (1 - u) * v, sum);
+    return multiply_add(at(x + 1, y + 1), u * v, sum);
 }
 // Halves go to the even neighbour.
 template <class T>
@@ -132,8 +139,9 @@ ImageColor published_equirect(const std::array<ImageColor, 6>& faces, int cube_l
             for (int x = 0; x < out.width; ++x) {
                 const FaceHit hit = hit_of_pixel(x, y, out.width, height);
                 const double half = cube_length / 2.0, last = cube_length - 1;
-                const auto place = [&](double along) {
-                    return static_cast<float>(std::clamp(half * hit.t * along + last / 2, 0.0, last) / last * 2 - 1);
+                const auto place = [&](double along) {   // in single precision from the pixel on, as published
+                    const auto pixel = static_cast<float>(std::clamp(half * hit.t * along + last / 2, 0.0, last));
+                    return (pixel / static_cast<float>(last) - 0.5f) * 2.f;
                 };
                 out.at(x, y) = bilinear(faces[static_cast<std::size_t>(hit.face)], {place(hit.in_face.x), place(hit.in_face.y)});
             }

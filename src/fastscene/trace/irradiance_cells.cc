@@ -99,20 +99,23 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
 }
 
-// Cells that nobody in the room can see are no cells: the outside of the walls (every ray leaves), and what is buried in
-// something solid (every ray meets a back face). They would only darken their neighbours and draw samples to themselves.
+// Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in something
+// solid (every ray meets a back face), and the bottom of a crevice narrower than half a cell where the cell has a better place
+// (the wall behind a door's panel). A cell that keeps such places beside visible ones is dark where people look. A cell without
+// any place left is no cell: it would only darken its neighbours and draw samples to itself.
 void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed) {
-    constexpr int kRays = 24;
-    std::vector<std::uint8_t> seen(cells_.size(), 0);
-    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+    constexpr int kRays = 12;
+    enum : std::uint8_t { kBuried, kCrevice, kOpen };
+    std::vector<std::uint8_t> sight(samples_.size(), kBuried);
+    parallel_for(static_cast<std::int64_t>(samples_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const auto c = static_cast<std::size_t>(i);
-            const std::uint32_t first = first_sample_[c], n = first_sample_[c + 1] - first;
-            for (int s = 0; s < kRays && !seen[c]; ++s) {
-                const Sample& at = samples_[first + static_cast<std::uint32_t>(s) % n];
-                const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), {0.5f, 0.5f});
-                const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), cosine_direction(at.normal, uv));
-                seen[c] = hit && !(hit.back && closed[static_cast<std::size_t>(hit.mesh)]);
+            const Sample& at = samples_[static_cast<std::size_t>(i)];
+            std::uint8_t& seen = sight[static_cast<std::size_t>(i)];
+            for (std::uint32_t s = 0; s < kRays && seen != kOpen; ++s) {
+                const Vec3f toward = cosine_direction(at.normal, r2_point(s, {0.5f, 0.5f}));
+                const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), toward);
+                if (!hit || (hit.back && closed[static_cast<std::size_t>(hit.mesh)])) continue;
+                seen = hit.distance > 0.5f * cell_m_ ? kOpen : kCrevice;
             }
         }
     });
@@ -121,11 +124,25 @@ void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& 
     std::vector<std::uint32_t> first_sample;
     std::vector<Sample> samples;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-        if (!seen[c]) continue;
-        cells.push_back(cells_[c]);
+        const auto begin = sight.begin() + first_sample_[c], end = sight.begin() + first_sample_[c + 1];
+        const std::uint8_t best = *std::max_element(begin, end);
+        if (best == kBuried) continue;
+        Cell cell = cells_[c];
+        cell.center = cell.normal = Vec3f{};
+        const std::size_t before = samples.size();
+        for (std::uint32_t s = first_sample_[c]; s < first_sample_[c + 1]; ++s) {
+            if (sight[s] != best) continue;
+            cell.center += samples_[s].position;
+            cell.normal += samples_[s].normal;
+            samples.push_back(samples_[s]);
+        }
+        const auto kept = static_cast<float>(samples.size() - before);
+        cell.center = cell.center / kept;
+        cell.normal = normalize(cell.normal);
+        cell.area *= kept / static_cast<float>(end - begin);
+        cells.push_back(cell);
         keys.push_back(keys_[c]);
-        first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
-        samples.insert(samples.end(), samples_.begin() + first_sample_[c], samples_.begin() + first_sample_[c + 1]);
+        first_sample.push_back(static_cast<std::uint32_t>(before));
     }
     first_sample.push_back(static_cast<std::uint32_t>(samples.size()));
     cells_ = std::move(cells);
