@@ -66,6 +66,8 @@ TrainingParams quick(int steps) {
     return params;
 }
 
+fastscene::Run seeded(std::uint64_t seed, std::stop_token stop = {}) { return {seed, nullptr, std::move(stop)}; }
+
 std::vector<float> all_numbers(const Learner& learner) {
     std::vector<float> out;
     for (const auto& [name, tensor] : learner.state())
@@ -77,7 +79,7 @@ TEST(Training, Learns) {
     const Folder folder("fastscene-training-learns");
     Lesson lesson;
     const double before = lesson.task.look().held_out[0].second;
-    const TrainingOutcome outcome = train(lesson.task, quick(400), folder.path, fastscene::Run{7});
+    const TrainingOutcome outcome = train(lesson.task, quick(400), folder.path, seeded(7));
     EXPECT_TRUE(outcome.finished);
     EXPECT_LT(outcome.held_out[0].second, 0.2 * before);
     EXPECT_TRUE(fs::exists(folder.path / "curve-loss.svg"));
@@ -89,14 +91,14 @@ TEST(Training, ABreakLeavesNoTrace) {
     set_threads(1);
     const Folder whole("fastscene-training-whole"), broken("fastscene-training-broken");
     Lesson at_once;
-    train(at_once.task, quick(60), whole.path, fastscene::Run{7});
+    train(at_once.task, quick(60), whole.path, seeded(7));
     {
         Lesson first;
-        const TrainingOutcome outcome = train(first.task, quick(30), broken.path, fastscene::Run{7});
+        const TrainingOutcome outcome = train(first.task, quick(30), broken.path, seeded(7));
         EXPECT_EQ(outcome.steps, 30);
     }
     Lesson second(/*another beginning, which the checkpoint replaces*/ 4);
-    EXPECT_EQ(train(second.task, quick(60), broken.path, fastscene::Run{7}).steps, 60);
+    EXPECT_EQ(train(second.task, quick(60), broken.path, seeded(7)).steps, 60);
     EXPECT_EQ(all_numbers(at_once.learner), all_numbers(second.learner));
     EXPECT_EQ(second.learner.steps(), 60);
     set_threads(0);
@@ -111,39 +113,39 @@ TEST(Training, StopsWithACheckpoint) {
         if (i == 12) stop.request_stop();
         return step(batch, i, rate);
     };
-    EXPECT_THROW(train(lesson.task, quick(1000), folder.path, fastscene::Run{7, nullptr, stop.get_token()}), Stopped);
+    EXPECT_THROW(train(lesson.task, quick(1000), folder.path, seeded(7, stop.get_token())), Stopped);
     Lesson again;
-    EXPECT_EQ(train(again.task, quick(20), folder.path, fastscene::Run{7}).steps, 20);
+    EXPECT_EQ(train(again.task, quick(20), folder.path, seeded(7)).steps, 20);
     EXPECT_EQ(again.learner.steps(), 20);
 }
 
 TEST(Training, AFolderKeepsItsSettings) {
     const Folder folder("fastscene-training-settings");
     Lesson lesson;
-    train(lesson.task, quick(5), folder.path, fastscene::Run{7});
+    train(lesson.task, quick(5), folder.path, seeded(7));
     TrainingParams other = quick(10);
     other.batch = 5;
-    EXPECT_THROW(train(lesson.task, other, folder.path, fastscene::Run{7}), UsageError);
-    EXPECT_THROW(train(lesson.task, quick(10), folder.path, fastscene::Run{8}), UsageError);
+    EXPECT_THROW(train(lesson.task, other, folder.path, seeded(7)), UsageError);
+    EXPECT_THROW(train(lesson.task, quick(10), folder.path, seeded(8)), UsageError);
     lesson.task.settings["what"] = "a sum";
-    EXPECT_THROW(train(lesson.task, quick(10), folder.path, fastscene::Run{7}), UsageError);
+    EXPECT_THROW(train(lesson.task, quick(10), folder.path, seeded(7)), UsageError);
 }
 
 TEST(Training, AFullDiskLeavesTheLastCheckpoint) {
     const Folder folder("fastscene-training-full");
     Lesson lesson;
-    train(lesson.task, quick(10), folder.path, fastscene::Run{7});
+    train(lesson.task, quick(10), folder.path, seeded(7));
     const std::string before = read_file(folder.path / "checkpoint.safetensors");
     rlimit old{};
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{before.size() / 2, old.rlim_max};
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    EXPECT_THROW(train(lesson.task, quick(20), folder.path, fastscene::Run{7}), Error);
+    EXPECT_THROW(train(lesson.task, quick(20), folder.path, seeded(7)), Error);
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(read_file(folder.path / "checkpoint.safetensors"), before);
-    EXPECT_EQ(train(lesson.task, quick(20), folder.path, fastscene::Run{7}).steps, 20);
+    EXPECT_EQ(train(lesson.task, quick(20), folder.path, seeded(7)).steps, 20);
 }
 
 TEST(Training, AnInfiniteGradientIsLeftOut) {

@@ -19,20 +19,27 @@ Rgb8 cut_to_bytes(Vec3f c) { return {cut_to_byte(c.x), cut_to_byte(c.y), cut_to_
 
 }  // namespace
 
+std::array<ImageMask, 6> published_hole_faces(const ImageMask& hole, int face_size) {
+    ImageF mask(hole.width, hole.height);
+    std::transform(hole.pixels.begin(), hole.pixels.end(), mask.pixels.begin(), [](std::uint8_t v) { return v ? 1.f : 0.f; });
+    std::array<ImageMask, 6> faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const ImageF touched = published_face(mask, kPublishedFaces[f], face_size);
+        faces[f] = ImageMask(face_size, face_size);
+        std::transform(touched.pixels.begin(), touched.pixels.end(), faces[f].pixels.begin(), [](float v) { return v > 0.f ? std::uint8_t{255} : std::uint8_t{0}; });
+    }
+    return faces;
+}
+
 std::array<PublishedFace, 6> published_faces(const ImageRgb8& color, const ImageMask& hole, int face_size) {
     FASTSCENE_CHECK(color.same_size(hole));
     const ImageColor unit = unit_of(color);
-    ImageF mask(hole.width, hole.height);
-    std::transform(hole.pixels.begin(), hole.pixels.end(), mask.pixels.begin(), [](std::uint8_t v) { return v ? 1.f : 0.f; });
+    std::array<ImageMask, 6> holes = published_hole_faces(hole, face_size);
     std::array<PublishedFace, 6> faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const ImageColor face = published_face(unit, kPublishedFaces[f], face_size);
-        const ImageF touched = published_face(mask, kPublishedFaces[f], face_size);
-        faces[f] = {ImageRgb8(face_size, face_size), ImageMask(face_size, face_size)};
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            faces[f].hole.pixels[i] = touched.pixels[i] > 0.f ? 255 : 0;
-            faces[f].color.pixels[i] = touched.pixels[i] > 0.f ? Rgb8{255, 255, 255} : cut_to_bytes(face.pixels[i]);
-        }
+        faces[f] = {ImageRgb8(face_size, face_size), std::move(holes[f])};
+        for (std::size_t i = 0; i < face.size(); ++i) faces[f].color.pixels[i] = faces[f].hole.pixels[i] ? Rgb8{255, 255, 255} : cut_to_bytes(face.pixels[i]);
     }
     return faces;
 }

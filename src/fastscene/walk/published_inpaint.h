@@ -14,6 +14,8 @@ struct PublishedFace {
     ImageMask hole;    // nonzero = a hole: any face pixel that a hole's pixel touches
 };
 // In the order of kPublishedFaces. `hole`: nonzero = a hole.
+// The masks alone.
+std::array<ImageMask, 6> published_hole_faces(const ImageMask& hole, int face_size);
 std::array<PublishedFace, 6> published_faces(const ImageRgb8& color, const ImageMask& hole, int face_size);
 // `painted` goes back with the official's factor of two between the size that is meant and the size that is there.
 ImageRgb8 published_merge(const ImageRgb8& color, const ImageMask& hole, const std::array<ImageRgb8, 6>& painted);

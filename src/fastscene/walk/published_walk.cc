@@ -16,13 +16,6 @@ namespace {
 constexpr int kFaceSize = 512;          // as published for 1024 columns; fewer columns need no more than half of them
 constexpr float kMostOfTheWay = 0.9f;   // of the free distance: a step never ends in a wall
 
-struct Direction {
-    const char* name;
-    Vec3d move;   // official frame; diagonals are longer by a square root of two, as published
-};
-constexpr Direction kDirections[] = {{"+x", {1, 0, 0}}, {"-x", {-1, 0, 0}}, {"+z", {0, 0, 1}},   {"-z", {0, 0, -1}},
-                                     {"+xz", {1, 0, 1}}, {"-xz", {-1, 0, -1}}, {"+x-z", {1, 0, -1}}, {"-x+z", {-1, 0, 1}}};
-
 // What the driver carries from step to step.
 struct Frame {
     ImageRgb8 color;
@@ -103,8 +96,8 @@ Walked walk_as_published(const Panorama& first, const WalkParams& params, const 
 
     Walked walked{{first}, Json::object()};
     Json clipped = Json::array();
-    Progress progress(run, "walk", static_cast<std::int64_t>(std::size(kDirections)) * steps);
-    for (const Direction& direction : kDirections) {
+    Progress progress(run, "walk", static_cast<std::int64_t>(std::size(kPublishedDirections)) * steps);
+    for (const PublishedDirection& direction : kPublishedDirections) {
         Frame frame = start;
         const Vec3d along = world_from_published(direction.move);
         const Vec3f toward = normalize(Vec3f{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)});

@@ -28,6 +28,14 @@ Image<Vec3d> published_directions(int width, int height);
 // The official units: a share of the greatest range; what is unknown (0) lies at the greatest. Not finite: likewise.
 Image<double> published_units(const Image<double>& range);
 
+// The eight ways in which the official program walks, in its order; diagonals are longer by a square root of two, as published.
+struct PublishedDirection {
+    const char* name;
+    Vec3d move;   // official frame
+};
+inline constexpr PublishedDirection kPublishedDirections[] = {{"+x", {1, 0, 0}}, {"-x", {-1, 0, 0}}, {"+z", {0, 0, 1}}, {"-z", {0, 0, -1}},
+                                                              {"+xz", {1, 0, 1}}, {"-xz", {-1, 0, -1}}, {"+x-z", {1, 0, -1}}, {"-x+z", {-1, 0, 1}}};
+
 // World (x right, y down, z forward) from the official frame.
 template <class F>
 constexpr Vec3<F> world_from_published(Vec3<F> p) {

@@ -1,0 +1,159 @@
+// Inpainting: how near to the truth holes are painted, and what a face costs: our inpainters, and OpenCV's where it is there.
+// Prints a line a method; with --sheet, a picture: holes, each method, the truth.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/image/color.h"
+#include "fastscene/inpaint/inpaint.h"
+#include "fastscene/inpaint/train.h"
+#include "fastscene/io/image_io.h"
+
+#ifdef FASTSCENE_BENCH_OPENCV
+#include <opencv2/core.hpp>
+#include <opencv2/photo.hpp>
+#endif
+
+namespace {
+
+using namespace fastscene;
+
+double cpu_s() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+using Method = std::function<ImageRgb8(const ImageRgb8& torn, const ImageMask& hole)>;
+
+Method ours(const std::string& name, const std::string& weights) {
+    std::shared_ptr<Inpainter> inpainter = make_inpainter(name, weights);
+    return [inpainter](const ImageRgb8& torn, const ImageMask& hole) { return srgb8_from_linear(inpainter->fill(linear_from_srgb8(torn), hole, {})); };
+}
+
+#ifdef FASTSCENE_BENCH_OPENCV
+Method of_opencv(int flag, double radius) {
+    return [flag, radius](const ImageRgb8& torn, const ImageMask& hole) {
+        const cv::Mat in(torn.height, torn.width, CV_8UC3, const_cast<Rgb8*>(torn.pixels.data())), mask(hole.height, hole.width, CV_8UC1, const_cast<std::uint8_t*>(hole.pixels.data()));
+        ImageRgb8 out(torn.width, torn.height);
+        cv::Mat result(out.height, out.width, CV_8UC3, out.pixels.data()), painted;
+        cv::inpaint(in, mask, painted, radius, flag);
+        painted.copyTo(result);
+        return out;
+    };
+}
+#endif
+
+float gray(const Rgb8& c) { return 0.299f * static_cast<float>(c.r) + 0.587f * static_cast<float>(c.g) + 0.114f * static_cast<float>(c.b); }
+
+double psnr_in_holes(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& hole) {
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!hole.pixels[i]) continue;
+        for (const double d : {double(a.pixels[i].r) - b.pixels[i].r, double(a.pixels[i].g) - b.pixels[i].g, double(a.pixels[i].b) - b.pixels[i].b}) squares += d * d;
+        count += 3;
+    }
+    return 10 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-3));
+}
+
+// Gradient magnitude similarity deviation (Xue et al. 2014), at half size as published: how differently edges are drawn. 0 = equal.
+double gmsd(const ImageRgb8& a, const ImageRgb8& b) {
+    const auto half = [](const ImageRgb8& image) {
+        ImageF out(image.width / 2, image.height / 2);
+        for (int y = 0; y < out.height; ++y)
+            for (int x = 0; x < out.width; ++x)
+                out.at(x, y) = 0.25f * (gray(image.at(2 * x, 2 * y)) + gray(image.at(2 * x + 1, 2 * y)) + gray(image.at(2 * x, 2 * y + 1)) + gray(image.at(2 * x + 1, 2 * y + 1)));
+        return out;
+    };
+    const auto slope = [](const ImageF& image, int x, int y) {   // Prewitt
+        float across = 0, down = 0;
+        for (int k = -1; k <= 1; ++k) {
+            across += image.at(x + 1, y + k) - image.at(x - 1, y + k);
+            down += image.at(x + k, y + 1) - image.at(x + k, y - 1);
+        }
+        return std::sqrt(across * across + down * down) / 3;
+    };
+    const ImageF p = half(a), q = half(b);
+    double sum = 0, squares = 0, count = 0;
+    for (int y = 1; y + 1 < p.height; ++y)
+        for (int x = 1; x + 1 < p.width; ++x) {
+            const double u = slope(p, x, y), v = slope(q, x, y), similar = (2 * u * v + 170) / (u * u + v * v + 170);
+            sum += similar;
+            squares += similar * similar;
+            ++count;
+        }
+    return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
+}
+
+// Rows of pictures beside each other.
+struct Sheet {
+    ImageRgb8 all;
+    void add(const std::vector<ImageRgb8>& row) {
+        const int gap = 4, width = static_cast<int>(row.size()) * (row[0].width + gap) - gap;
+        ImageRgb8 strip(width, row[0].height + gap, Rgb8{255, 255, 255});
+        for (std::size_t k = 0; k < row.size(); ++k)
+            for (int y = 0; y < row[k].height; ++y) std::copy_n(row[k].row(y), row[k].width, strip.row(y) + static_cast<int>(k) * (row[0].width + gap));
+        all.width = width;
+        all.height += strip.height;
+        all.pixels.insert(all.pixels.end(), strip.pixels.begin(), strip.pixels.end());
+    }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Inpainting of held-out faces: PSNR in the holes, GMSD of the face, CPU seconds a face.");
+    std::string data, weights, sheet_path;
+    int count = 200, size = 256, sheet_rows = 6, threads = 1;
+    app.add_option("data", data, "DIR/held-out of `fastscene inpaint dataset`.")->required();
+    app.add_option("--weights", weights, "For aotgan.");
+    app.add_option("--count", count);
+    app.add_option("--size", size, "Side of the crops.");
+    app.add_option("--threads", threads);
+    app.add_option("--sheet", sheet_path);
+    app.add_option("--sheet-rows", sheet_rows);
+    CLI11_PARSE(app, argc, argv);
+    set_threads(threads);
+    std::vector<std::pair<std::string, Method>> methods{{"harmonic", ours("harmonic", "")}, {"aotgan", ours("aotgan", weights)}};
+#ifdef FASTSCENE_BENCH_OPENCV
+    cv::setNumThreads(threads);
+    for (const double radius : {3.0, 5.0}) {
+        methods.emplace_back(fmt::format("OpenCV Telea, radius {}", radius), of_opencv(cv::INPAINT_TELEA, radius));
+        methods.emplace_back(fmt::format("OpenCV Navier-Stokes, radius {}", radius), of_opencv(cv::INPAINT_NS, radius));
+    }
+#endif
+    const HoleSet set = find_holes(data);
+    InpaintTrainParams params;
+    params.size = size;
+    std::atomic<std::int64_t> broken{0};
+    std::vector<double> psnr(methods.size()), edges(methods.size()), seconds(methods.size());
+    Sheet sheet;
+    double open = 0;
+    for (int i = 0; i < count; ++i) {
+        Random dice(1, "bench face", static_cast<std::uint64_t>(i));
+        const InpaintExample example = draw_example(set, params, true, dice, broken);
+        ImageRgb8 torn = example.truth;
+        for (std::size_t k = 0; k < torn.size(); ++k)
+            if (example.hole.pixels[k]) torn.pixels[k] = {255, 255, 255}, open += 1.0 / static_cast<double>(torn.size());
+        std::vector<ImageRgb8> row{torn};
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            const double begin = cpu_s();
+            row.push_back(methods[m].second(torn, example.hole));
+            seconds[m] += cpu_s() - begin;
+            psnr[m] += psnr_in_holes(row.back(), example.truth, example.hole);
+            edges[m] += gmsd(row.back(), example.truth);
+        }
+        row.push_back(example.truth);
+        if (i < sheet_rows) sheet.add(row);
+    }
+    fmt::print("{} faces of {}, {:.1f} % holes\n", count, size, 100 * open / count);
+    for (std::size_t m = 0; m < methods.size(); ++m)
+        fmt::print("{:<32} PSNR {:.2f} dB  GMSD {:.4f}  {:.3f} CPU s a face\n", methods[m].first, psnr[m] / count, edges[m] / count, seconds[m] / count);
+    if (!sheet_path.empty()) save_png(sheet_path, sheet.all);
+    return 0;
+}

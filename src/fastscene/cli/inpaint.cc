@@ -1,0 +1,16 @@
+#include "fastscene/cli/inpaint.h"
+
+namespace fastscene::cli {
+
+Verb add_inpaint(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("inpaint", "Works on the network that paints holes: its training data, its training.");
+    verb->require_subcommand(1);
+    const std::vector<Verb> parts{add_inpaint_dataset(*verb), add_inpaint_train(*verb)};
+    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `inpaint`
+    return {verb, [parts](const Session& session) {
+                for (const Verb& part : parts)
+                    if (part.app->parsed()) part.act(session);
+            }};
+}
+
+}  // namespace fastscene::cli

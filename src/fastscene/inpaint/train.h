@@ -1,0 +1,50 @@
+// Training of AOT-GAN on hole masks of walks (walk/hole_dataset.h makes them; official AOT-GAN folders of pictures and masks will do).
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fastscene/nn/aotgan_training.h"
+
+namespace fastscene {
+
+struct InpaintTrainParams {
+    int size = 512;
+    double strange_masks = 0.2;
+    double most_open = 0.7;
+    double jitter = 0.05;
+    int held_out = 64;
+    AotganTrainingParams network;
+};
+template <class V>
+void visit_fields(InpaintTrainParams& p, V&& v) {
+    v("size", p.size, Bounds{64, 2048}, "Side of the crops about holes that are trained on; a multiple of 8.");
+    v("strange-masks", p.strange_masks, Bounds{0, 1}, "Share of the examples whose holes are another picture's.");
+    v("most-open", p.most_open, Bounds{0.01, 1}, "Crops with a larger share of holes are left out.");
+    v("jitter", p.jitter, Bounds{0, 1}, "How far brightness, contrast and balance of the colors stray.");
+    v("held-out", p.held_out, Bounds{1, 100000}, "Held-out examples whose figures are measured while training.");
+    visit_fields(p.network, v);
+}
+
+// Faces and their masks, as paths in order.
+struct HoleSet {
+    struct Face {
+        std::filesystem::path image;
+        std::vector<std::filesystem::path> masks;
+    };
+    std::vector<Face> faces;
+};
+// `part`: the folder with images/ and masks/: DIR/train, DIR/held-out. Throws UsageError when there is no face with a mask.
+HoleSet find_holes(const std::filesystem::path& part);
+
+// An example from the set, by the dice: a crop with a hole in it, flipped at times. Broken pictures are passed over, and counted in `broken`.
+// `still`: no flips, colors as they are, masks of the face itself.
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice, std::atomic<std::int64_t>& broken);
+
+// `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out examples.
+std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data, const InpaintTrainParams& params, const std::filesystem::path& folder, const Run& run);
+
+}  // namespace fastscene

@@ -1,0 +1,129 @@
+// Training on holes: what comes out is loaded by the program, and better than what went in.
+#include "fastscene/inpaint/train.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/inpaint/inpaint.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Flat pictures with brighter blocks, and the holes are just these: a network can learn that, the harmonic fill cannot.
+struct Blocks {
+    fs::path path = fs::temp_directory_path() / ("fastscene-inpaint-train-" + std::to_string(::getpid()));
+    Blocks() {
+        fs::remove_all(path);
+        for (const char* part : {"train", "held-out"})
+            for (int i = 0; i < 6; ++i) save(path / part, i, part[0] == 'h');
+    }
+    ~Blocks() { fs::remove_all(path); }
+    static void save(const fs::path& part, int i, bool held_out) {
+        make_directories(part / "images");
+        make_directories(part / "masks");
+        ImageRgb8 image(64, 64);
+        ImageMask mask(64, 64);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const bool block = (x / 6 + y / 6 + i) % 3 == 0;
+                const auto v = static_cast<std::uint8_t>(60 + 10 * i + (held_out ? 5 : 0) + (block ? 60 : 0));
+                image.at(x, y) = {v, v, 90};
+                mask.at(x, y) = block ? 255 : 0;
+            }
+        save_png(part / "images" / fmt::format("{:08}-front.png", i), image);
+        save_png(part / "masks" / fmt::format("{:08}-front-00.png", i), mask);
+    }
+};
+
+fastscene::Run seeded(std::uint64_t seed) {
+    fastscene::Run run;
+    run.seed = seed;
+    return run;
+}
+
+InpaintTrainParams small(const std::string& holes, int steps) {
+    InpaintTrainParams p;
+    p.size = 64;
+    p.held_out = 3;
+    p.network.width = 8;
+    p.network.blocks = 1;
+    p.network.holes = holes;
+    p.network.l1_holes = 1;
+    p.network.adversarial = 0;
+    p.network.training.batch = 2;
+    p.network.training.steps = steps;
+    p.network.training.rate = p.network.training.last_rate = 4e-3;
+    p.network.training.warmup = 0;
+    p.network.training.average = 0.8;
+    p.network.training.clip = 1;
+    p.network.training.precision = "f32";
+    return p;
+}
+
+double figure(const std::vector<std::pair<std::string, double>>& figures, const std::string& name) {
+    for (const auto& [found, value] : figures)
+        if (found == name) return value;
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+TEST(InpaintTraining, BeatsTheHarmonicFillItBeginsFrom) {
+    set_threads(1);
+    const Blocks data;
+    const auto figures = train_inpainter(data.path, small("harmonic", 60), data.path / "run", seeded(1));
+    EXPECT_GT(figure(figures, "psnr"), figure(figures, "psnr of the harmonic fill") + 1);
+    // What the program makes of the kept file is what the training saw.
+    const auto trained = make_inpainter("aotgan", data.path / "run/generator.safetensors");
+    ImageColor color(64, 64, Vec3f{0.5f, 0.4f, 0.3f});
+    ImageMask hole(64, 64);
+    hole.at(30, 30) = 1;
+    EXPECT_LT(length(trained->fill(color, hole, {}).at(30, 30) - color.at(30, 30)), 0.2f);
+    set_threads(0);
+}
+
+TEST(InpaintTraining, AsPublishedWithADiscriminator) {
+    set_threads(1);
+    const Blocks data;
+    InpaintTrainParams p = small("white", 4);
+    p.network.adversarial = 0.01;
+    p.network.training.rate = p.network.training.last_rate = 1e-3;
+    train_inpainter(data.path, p, data.path / "run", seeded(1));
+    EXPECT_NE(read_file(data.path / "run/curves.csv").find("discriminator"), std::string::npos);
+    EXPECT_NO_THROW(make_inpainter("aotgan", data.path / "run/generator.safetensors"));
+    set_threads(0);
+}
+
+TEST(InpaintTraining, BrokenPicturesArePassedOver) {
+    const Blocks data;
+    write_file(data.path / "train/images/00000003-front.png", std::string_view("no picture"));
+    const HoleSet set = find_holes(data.path / "train");
+    ASSERT_EQ(set.faces.size(), 6u);
+    std::atomic<std::int64_t> broken{0};
+    for (int i = 0; i < 30; ++i) {
+        Random dice(5, "broken", static_cast<std::uint64_t>(i));
+        EXPECT_EQ(draw_example(set, small("harmonic", 1), false, dice, broken).truth.width, 64);
+    }
+    EXPECT_GT(broken, 0);
+}
+
+TEST(InpaintTraining, OddRequestsAreRefused) {
+    const Blocks data;
+    InpaintTrainParams p = small("harmonic", 1);
+    p.size = 72;
+    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);   // larger than the faces
+    p.size = 60;
+    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);   // no multiple of 8
+    EXPECT_THROW(find_holes(data.path / "nowhere"), UsageError);
+    fs::remove_all(data.path / "train/masks");
+    make_directories(data.path / "train/masks");
+    EXPECT_THROW(find_holes(data.path / "train"), UsageError);
+}
+
+}  // namespace
+}  // namespace fastscene
