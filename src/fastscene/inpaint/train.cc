@@ -39,15 +39,20 @@ Square cut(const ImageRgb8& image, const ImageMask& mask, int left, int top, int
     return out;
 }
 
-// A crop with holes in it, but not all of it.
+// A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face is whole.
 std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params, bool still, Random& dice) {
+    std::optional<Square> best;
+    double most = 0;
     for (int i = 0; i < kCropTries; ++i) {
         const int left = dice.index(image.width - params.size + 1), top = dice.index(image.height - params.size + 1);
         Square square = cut(image, mask, left, top, params.size, !still && dice.chance(0.5f));
         const double open = share_of(square.hole);
-        if (open >= kLeastOpen && open <= params.most_open) return square;
+        if (open < std::max(most, kLeastOpen) || open > params.most_open) continue;
+        most = open;
+        best = std::move(square);
+        if (still) break;
     }
-    return {};
+    return best;
 }
 
 // Another camera's idea of the same colors.
@@ -75,13 +80,19 @@ InpaintExample with_fill(Square square, bool harmonic) {
 
 const fs::path& one_of(const std::vector<fs::path>& paths, Random& dice) { return paths[static_cast<std::size_t>(dice.index(static_cast<int>(paths.size())))]; }
 
+void add_holes(ImageMask& mask, const fs::path& path) {
+    const ImageMask more = load_mask_png(path);
+    if (!more.same_size(mask)) throw Error("{}: expected the size of its picture, {} x {}, found {} x {}", path.string(), mask.width, mask.height, more.width, more.height);
+    for (std::size_t i = 0; i < mask.size(); ++i) mask.pixels[i] = mask.pixels[i] || more.pixels[i] ? 255 : 0;
+}
+
 std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice) {
     const auto any_face = [&]() -> const HoleSet::Face& { return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))]; };
     const HoleSet::Face& face = any_face();
-    const fs::path& mask_path = one_of(!still && dice.chance(static_cast<float>(params.strange_masks)) ? any_face().masks : face.masks, dice);
     const ImageRgb8 image = load_rgb8(face.image);
-    const ImageMask mask = load_mask_png(mask_path);
-    if (!mask.same_size(image)) throw Error("{}: expected the size of {}, {} x {}, found {} x {}", mask_path.string(), face.image.string(), image.width, image.height, mask.width, mask.height);
+    ImageMask mask(image.width, image.height);
+    add_holes(mask, one_of(face.masks, dice));
+    if (!still && dice.chance(static_cast<float>(params.strange_masks))) add_holes(mask, one_of(any_face().masks, dice));
     if (image.width < params.size || image.height < params.size)
         throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(), std::min(image.width, image.height), params.size);
     std::optional<Square> square = crop_with_hole(image, mask, params, still, dice);

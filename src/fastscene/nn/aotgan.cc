@@ -23,11 +23,13 @@ Aotgan::Aotgan(Aotgan&&) noexcept = default;
 Aotgan& Aotgan::operator=(Aotgan&&) noexcept = default;
 Aotgan::~Aotgan() = default;
 
-Aotgan Aotgan::load(const std::filesystem::path& path) {
-    Weights weights = unwrapped(load_weights(path), "encoder.1.weight");
+Aotgan Aotgan::load(const std::filesystem::path& path) { return of(load_weights(path)); }
+
+Aotgan Aotgan::of(Weights found) {
+    Weights weights = unwrapped(std::move(found), "encoder.1.weight");
     const nn::AotganShape shape = nn::aotgan_shape(weights);
     const std::string holes = weights.metadata.contains("holes") ? weights.metadata.at("holes") : "white";
-    if (holes != "white" && holes != "harmonic") throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", path.string(), holes);
+    if (holes != "white" && holes != "harmonic") throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", weights.path.string(), holes);
     Aotgan out(std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
     // Once through the smallest picture: whatever does not fit is told now, not in the middle of a walk.
     (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
+#include "fastscene/nn/weights.h"
 
 namespace fastscene {
 
@@ -15,6 +16,8 @@ class Aotgan {
     // The official G*.pt, or a .safetensors of the same names; width, blocks and branches are the file's.
     // Throws Error naming the file, the key that is missing or has another shape, what was expected and found.
     static Aotgan load(const std::filesystem::path& weights);
+    // Weights that are in memory: those that come with the program (nn/shipped.h).
+    static Aotgan of(Weights weights);
     Aotgan(Aotgan&&) noexcept;
     Aotgan& operator=(Aotgan&&) noexcept;
     ~Aotgan();
