@@ -60,7 +60,7 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
             }
     }
     at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask);
-    if (adds_to_fill()) out = (input + out).clamp(-1, 1);
+    if (adds_to_fill()) out = (input + out * mask).clamp(-1, 1);
     out = out.contiguous();
     const auto painted = out.accessor<float, 4>();
     std::vector<ImageColor> result;

@@ -123,7 +123,7 @@ class Trainer {
 
     Tensor painted(const Scope& generator, const Pictures& p) const {
         const Tensor out = aotgan_generator(generator, shape(), p.shown, p.hole).to(at::kFloat);
-        return harmonic() ? p.shown + out : out;
+        return harmonic() ? p.shown + out * p.hole : out;   // what it says of known pixels is never used
     }
 
     Numbers step(const Pictures& p, std::int64_t step, double rate) {
