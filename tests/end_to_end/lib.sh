@@ -1,6 +1,8 @@
 # Sourced by the end-to-end tests: bash NAME.sh PROGRAM EMPTY_FOLDER. Each check says what it wants; the first that fails ends the test.
 set -u
 fastscene=$1 work=$2
+# Not the models that whoever runs this has pulled.
+export FASTSCENE_MODELS=$work/models
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 
 # The whole stream in a few seconds.

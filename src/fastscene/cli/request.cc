@@ -1,5 +1,6 @@
 #include "fastscene/cli/request.h"
 
+#include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/share.h"
 
 namespace fastscene::cli {
@@ -52,7 +53,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
     verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
         ->type_name("FILE|diffusion360");
-    verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/.")->type_name("DIR");
+    verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of `models pull diffusion360`.")->type_name("DIR");
     verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
@@ -68,9 +69,6 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 const auto backend = flags->given->find("--panorama-backend");
                 const bool painted = flags->picture == "diffusion360" || (backend != flags->given->end() && backend->second == "diffusion360");
                 if (painted) flags->picture.clear();
-                if (painted && flags->weights.empty())
-                    throw UsageError("--panorama diffusion360: expected --weights DIR, a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/ "
-                                     "(github.com/ArcherFMY/SD-T2I-360PanoImage says where its sd-base is), found none");
                 if (!painted && !flags->weights.empty()) throw UsageError("--weights: expected together with --panorama diffusion360, found alone");
                 if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
                 request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights};
@@ -86,11 +84,13 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                     throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
                 request.last_stage = last_stage;
                 request.start_over = flags->force;
+                const Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
+                use_cached_weights(request, run);
                 // The prompt is looked at before it becomes a folder's name.
                 if (flags->picture.empty() && !painted) read_prompt(flags->prompt, request.params.panorama);
                 const std::string title = flags->picture.empty() ? flags->prompt : std::filesystem::path(flags->picture).stem().string();
                 const RunFolder folder{flags->out.empty() ? std::filesystem::path("out") / slug_of(title) : std::filesystem::path(flags->out)};
-                make_and_print(request, folder, session.run(number_from<std::uint64_t>("--seed", flags->seed)), session);
+                make_and_print(request, folder, run, session);
             }};
 }
 
@@ -107,7 +107,9 @@ Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& s
                 }
                 apply_param_flags(recorded.request.params, *flags->given);
                 recorded.request.last_stage = name;
-                make_and_print(recorded.request, folder, session.run(recorded.seed), session);
+                const Run run = session.run(recorded.seed);
+                use_cached_weights(recorded.request, run);
+                make_and_print(recorded.request, folder, run, session);
             }};
 }
 

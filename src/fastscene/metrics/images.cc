@@ -14,6 +14,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/metrics/brisque.h"
 #include "fastscene/metrics/niqe.h"
+#include "fastscene/models/cache.h"
 #include "fastscene/nn/perceptual.h"
 
 namespace fastscene {
@@ -29,6 +30,7 @@ struct Kind {
     Needs needs = Needs::nothing;
     std::vector<std::string> files;  // below the weights' folder; alternatives joined with |
     std::string source;
+    std::string model;               // as `models` calls it
 };
 
 const std::vector<Kind>& kinds() {
@@ -38,27 +40,36 @@ const std::vector<Kind>& kinds() {
     static const std::string alex_home = "download.pytorch.org/models/alexnet-owt-7be5be79.pth and lpips/weights/v0.1/alex.pth of github.com/richzhang/PerceptualSimilarity";
     static const std::string vgg_home = "download.pytorch.org/models/vgg16-397923af.pth and lpips/weights/v0.1/vgg.pth of github.com/richzhang/PerceptualSimilarity";
     static const std::vector<Kind> list{
-        {"psnr", Needs::reference, {}, ""},
-        {"ssim_wang", Needs::reference, {}, ""},
-        {"ssim_3dgs", Needs::reference, {}, ""},
-        {"lpips_alex", Needs::reference, {"alexnet.pth|alexnet-owt-7be5be79.pth", "lpips/alex.pth"}, alex_home},
-        {"lpips_vgg", Needs::reference, {"vgg16.pth|vgg16-397923af.pth", "lpips/vgg.pth"}, vgg_home},
-        {"niqe", Needs::nothing, {"niqe.json|modelparameters_niqe.mat|modelparameters.mat"}, niqe_home},
-        {"brisque", Needs::nothing, {"allmodel", "allrange"}, brisque_home},
-        {"brisque_opencv", Needs::nothing, {"brisque_model_live.yml", "brisque_range_live.yml"}, opencv_home},
-        {"clip_b32", Needs::prompt, {"clip-vit-base-patch32"}, "huggingface.co/openai/clip-vit-base-patch32 (config.json, model.safetensors, merges.txt)"},
-        {"clip_l14", Needs::prompt, {"clip-vit-large-patch14"}, "huggingface.co/openai/clip-vit-large-patch14 (config.json, model.safetensors, merges.txt)"},
+        {"psnr", Needs::reference, {}, "", ""},
+        {"ssim_wang", Needs::reference, {}, "", ""},
+        {"ssim_3dgs", Needs::reference, {}, "", ""},
+        {"lpips_alex", Needs::reference, {"alexnet.pth|alexnet-owt-7be5be79.pth", "lpips/alex.pth"}, alex_home, "lpips"},
+        {"lpips_vgg", Needs::reference, {"vgg16.pth|vgg16-397923af.pth", "lpips/vgg.pth"}, vgg_home, "lpips"},
+        {"niqe", Needs::nothing, {"niqe.json|modelparameters_niqe.mat|modelparameters.mat"}, niqe_home, "niqe"},
+        {"brisque", Needs::nothing, {"allmodel", "allrange"}, brisque_home, "brisque"},
+        {"brisque_opencv", Needs::nothing, {"brisque_model_live.yml", "brisque_range_live.yml"}, opencv_home, "brisque-opencv"},
+        {"clip_b32", Needs::prompt, {"clip-vit-base-patch32"}, "huggingface.co/openai/clip-vit-base-patch32 (config.json, model.safetensors, merges.txt)", "clip-vit-base-patch32"},
+        {"clip_l14", Needs::prompt, {"clip-vit-large-patch14"}, "huggingface.co/openai/clip-vit-large-patch14 (config.json, model.safetensors, merges.txt)", "clip-vit-large-patch14"},
     };
     return list;
 }
 
-std::optional<fs::path> find(const fs::path& weights, const std::string& alternatives) {
+std::optional<fs::path> find_in(const fs::path& weights, const std::string& alternatives) {
     for (std::size_t at = 0; at <= alternatives.size();) {
         const std::size_t end = std::min(alternatives.find('|', at), alternatives.size());
         const fs::path file = weights / alternatives.substr(at, end - at);
         if (fs::exists(file)) return file;
         at = end + 1;
     }
+    return std::nullopt;
+}
+
+// In the folder that was named, else among the models that were pulled.
+std::optional<fs::path> find(const fs::path& weights, const std::string& alternatives) {
+    if (const auto named = find_in(weights, alternatives)) return named;
+    if (alternatives.starts_with("clip-")) return cached_model(alternatives);
+    for (const char* model : {"lpips", "niqe", "brisque", "brisque-opencv"})
+        if (const auto pulled = find_in(models_root() / model, alternatives)) return pulled;
     return std::nullopt;
 }
 
@@ -146,7 +157,7 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
         if (absent.empty())
             measures.emplace_back(kind.name, make_measure(kind, files, inputs.prompt));
         else
-            missing[kind.name] = fmt::format("{} in {}: {}", absent, inputs.weights.string(), kind.source);
+            missing[kind.name] = fmt::format("{} in {}: {}; or `fastscene models pull {}`", absent, inputs.weights.string(), kind.source, kind.model);
     }
     for (const auto& [name, what] : missing.items()) run.warn(fmt::format("{} is not measured: fetch {}", name, what.get<std::string>()));
 

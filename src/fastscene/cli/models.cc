@@ -1,0 +1,143 @@
+// models list, pull, verify, path: the weights of others, brought here and held against what is known of them.
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/cli/verb.h"
+#include "fastscene/models/pull.h"
+
+namespace fastscene::cli {
+namespace {
+
+std::string size_text(std::int64_t bytes) {
+    if (bytes >= 1000000000) return fmt::format("{:.2f} GB", static_cast<double>(bytes) / 1e9);
+    if (bytes >= 1000000) return fmt::format("{:.0f} MB", static_cast<double>(bytes) / 1e6);
+    return fmt::format("{:.0f} kB", std::ceil(static_cast<double>(bytes) / 1e3));
+}
+
+struct Presence {
+    std::size_t files = 0;
+    std::int64_t bytes = 0;
+};
+Presence presence_of(const Model& model) {
+    Presence here;
+    for (const ModelFile& file : model.files)
+        if (const auto path = file_in_cache(model, file)) {
+            ++here.files;
+            here.bytes += static_cast<std::int64_t>(std::filesystem::file_size(*path));
+        }
+    return here;
+}
+
+std::string state_text(const Model& model, const Presence& here) {
+    if (here.files == model.files.size()) return "here, " + size_text(here.bytes);
+    if (here.files > 0) return fmt::format("{} of {} files here", here.files, model.files.size());
+    if (model.by_hand()) return "by hand";
+    const bool all_known = std::all_of(model.files.begin(), model.files.end(), [](const ModelFile& file) { return file.bytes > 0; });
+    return all_known ? size_text(model.known_bytes()) : "size not known";
+}
+
+Json json_of(const Model& model, const Presence& here) {
+    Json files = Json::array();
+    for (const ModelFile& file : model.files)
+        files.push_back({{"name", file.name}, {"bytes", file.bytes ? Json(file.bytes) : Json()}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}});
+    return {{"name", model.name}, {"what", model.what}, {"use", model.use}, {"licence", model.licence}, {"licence_url", model.licence_url}, {"home", model.home},
+            {"folder", (models_root() / model.folder).string()}, {"here", here.files == model.files.size()}, {"accepted", is_accepted(model)}, {"files", files}};
+}
+
+void list(const Session& session) {
+    std::string text;
+    Json json = Json::array();
+    for (const Model& model : models()) {
+        const Presence here = presence_of(model);
+        text += fmt::format("{:<23} {:<22} {}\n{:<23} {:<22} licence: {}\n", model.name, state_text(model, here), model.what, "", "", model.licence);
+        json.push_back(json_of(model, here));
+    }
+    session.print(text + fmt::format("in {} (FASTSCENE_MODELS names another folder)", models_root().string()), json);
+}
+
+std::string report_text(const ModelReport& report) {
+    std::string text;
+    for (const FileReport& file : report.files) {
+        const std::string known = file.known ? "" : ", hash not known beforehand";
+        text += fmt::format("{:<9} {}/{}{}\n", name_of(file.state), report.model, file.name,
+                            !file.problem.empty() ? ": " + file.problem : file.sha256.empty() ? "" : fmt::format(": {}{}", file.sha256, known));
+    }
+    return text;
+}
+
+void print_reports(const std::vector<ModelReport>& reports, const Session& session) {
+    std::string text;
+    Json json = Json::array();
+    for (const ModelReport& report : reports) {
+        text += report_text(report);
+        json.push_back(to_json(report));
+    }
+    if (!text.empty()) text.pop_back();
+    session.print(text, json);
+}
+
+Verb add_pull(CLI::App& models_verb) {
+    struct Flags {
+        std::vector<std::string> names;
+        std::string mirror;
+        bool accept = false;
+    };
+    auto flags = std::make_shared<Flags>();
+    CLI::App* verb = models_verb.add_subcommand("pull", "Brings models to this machine. What a broken connection has brought is kept, and the same command goes on.");
+    verb->add_option("names", flags->names, "Names as `models list` has them.")->type_name("NAME")->required();
+    verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once for each model.");
+    verb->add_option("--mirror", flags->mirror, "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: $FASTSCENE_MODELS_MIRROR.")
+        ->type_name("DIR|URL");
+    return {verb, [flags](const Session& session) {
+                const Run run = session.run(0);
+                std::vector<const Model*> wanted;
+                for (const std::string& name : flags->names) wanted.push_back(&model_named(name));  // all names before the first byte
+                std::vector<ModelReport> reports;
+                for (const Model* model : wanted) reports.push_back(pull_model(*model, {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
+                print_reports(reports, session);
+            }};
+}
+
+Verb add_verify(CLI::App& models_verb) {
+    auto names = std::make_shared<std::vector<std::string>>();
+    CLI::App* verb = models_verb.add_subcommand("verify", "Reads the files again and holds them against their known hashes, or those recorded when they were first seen.");
+    verb->add_option("names", *names, "Names as `models list` has them; none: whatever is here.")->type_name("NAME");
+    return {verb, [names](const Session& session) {
+                const Run run = session.run(0);
+                std::vector<ModelReport> reports;
+                for (const std::string& name : *names) reports.push_back(verify_model(model_named(name), models_root(), run));
+                if (names->empty())
+                    for (const Model& model : models())
+                        if (presence_of(model).files > 0) reports.push_back(verify_model(model, models_root(), run));
+                print_reports(reports, session);
+                for (const ModelReport& report : reports)
+                    if (!report.whole()) throw Error("models verify: expected whole models, found {} missing or damaged files in {}",
+                                                     std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }), report.model);
+            }};
+}
+
+Verb add_path(CLI::App& models_verb) {
+    auto name = std::make_shared<std::string>();
+    CLI::App* verb = models_verb.add_subcommand("path", "Where a model lies, or belongs when it is fetched by hand.");
+    verb->add_option("name", *name, "A name as `models list` has it; none: the folder of all.")->type_name("NAME");
+    return {verb, [name](const Session& session) {
+                const std::string path = (name->empty() ? models_root() : models_root() / model_named(*name).folder).string();
+                session.print(path, {{"path", path}});
+            }};
+}
+
+}  // namespace
+
+Verb add_models(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("models", "Weights of others: which there are, bring them here, check them.");
+    verb->require_subcommand(1);
+    CLI::App* list_verb = verb->add_subcommand("list", "Which models this program can use, under which licence, and which are here.");
+    const std::vector<Verb> parts{{list_verb, list}, add_pull(*verb), add_verify(*verb), add_path(*verb)};
+    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `models`
+    return {verb, [parts](const Session& session) {
+                for (const Verb& part : parts)
+                    if (part.app->parsed()) part.act(session);
+            }};
+}
+
+}  // namespace fastscene::cli

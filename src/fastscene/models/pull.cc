@@ -1,0 +1,220 @@
+#include "fastscene/models/pull.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/models/download.h"
+#include "fastscene/models/sha256.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path licences_of(const fs::path& root) { return root / "licences.json"; }
+fs::path record_of(const Model& model, const fs::path& root) { return root / model.folder / (model.name + ".record.json"); }
+
+Json read_or_empty(const fs::path& file) { return fs::exists(file) ? read_json(file) : Json::object(); }
+
+// Two pulls of one model would write into each other's files.
+class Lock {
+  public:
+    explicit Lock(const Model& model, const fs::path& root) : fd_(::open((root / model.folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+        if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+            if (fd_ >= 0) ::close(fd_);
+            throw Error("models pull {}: expected to be alone, found another pull at work in {}", model.name, (root / model.folder).string());
+        }
+    }
+    ~Lock() { ::close(fd_); }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+  private:
+    int fd_;
+};
+
+void accept_licence(const Model& model, const PullOptions& options) {
+    if (is_accepted(model, options.root)) return;
+    if (!options.accept)
+        throw UsageError("{}: {}\n  licence: {}\n  {}\n  from: {}\nRead it, then accept it once: fastscene models pull {} --accept", model.name, model.what, model.licence,
+                         model.licence_url, model.home, model.name);
+    Json all = read_or_empty(licences_of(options.root));
+    all[model.name] = model.licence;
+    write_json(licences_of(options.root), all);
+}
+
+// A folder is an address too.
+std::string mirror_base(const std::string& mirror) {
+    std::string base = mirror.find("://") == std::string::npos ? "file://" + fs::absolute(mirror).lexically_normal().string() : mirror;
+    while (base.ends_with('/')) base.pop_back();
+    return base + "/";
+}
+std::string address_of(const Model& model, const ModelFile& file, const std::string& name, const PullOptions& options) {
+    if (!options.mirror.empty()) return mirror_base(options.mirror) + model.folder + "/" + name;
+    return file.url.empty() ? model.base + name : file.url;
+}
+
+std::string hash_with_progress(const fs::path& file, const std::string& label, const Run& run) {
+    const auto total = static_cast<std::int64_t>(fs::file_size(file));
+    return sha256_of_file(file, [&](std::size_t done) {
+        run.check_stop();
+        if (run.events && total > 0) run.events->tell(ProgressEvent{"check " + label, static_cast<std::int64_t>(done), total});
+    });
+}
+
+class Pull {
+  public:
+    Pull(const Model& model, const PullOptions& options, const Run& run) : model_(model), options_(options), run_(run) {}
+
+    FileReport file(const ModelFile& file) const {
+        if (const auto here = file_in_cache(model_, file, options_.root)) {
+            const auto name = here->lexically_relative(options_.root / model_.folder).string();
+            return {name, FileState::here, static_cast<std::int64_t>(fs::file_size(*here)), {}, !file.sha256.empty(), {}};
+        }
+        for (const std::string& name : file.names())
+            if (const auto fetched = fetch(file, name)) return *fetched;
+        throw Error("{}: expected {}, found no such file", model_.name, address_of(model_, file, file.names().front(), options_));
+    }
+
+  private:
+    std::optional<FileReport> fetch(const ModelFile& file, const std::string& name) const {
+        const fs::path target = options_.root / model_.folder / name, part = target.string() + ".part";
+        make_directories(target.parent_path());
+        Download wanted;
+        wanted.url = address_of(model_, file, name, options_);
+        wanted.part = part;
+        wanted.bytes = file.bytes;
+        wanted.first_wait = options_.first_wait;
+        wanted.heard = [&](std::int64_t done, std::int64_t total) {
+            if (run_.events && total > 0) run_.events->tell(ProgressEvent{label(name), std::min(done, total), total});
+        };
+        // A beginning that an earlier run left behind may itself be damaged: then all of it is fetched once more.
+        for (bool resumed = fs::exists(part);; resumed = false) {
+            if (download(wanted, run_) == Fetched::absent) return std::nullopt;
+            const std::string hash = hash_with_progress(part, label(name), run_);
+            if (file.sha256.empty() || hash == file.sha256) {
+                fs::rename(part, target);
+                return FileReport{name, FileState::fetched, static_cast<std::int64_t>(fs::file_size(target)), hash, !file.sha256.empty(), {}};
+            }
+            fs::remove(part);
+            if (!resumed) throw Error("{}: expected SHA-256 {}, found {}; the bytes were thrown away", wanted.url, file.sha256, hash);
+            run_.note(fmt::format("{}: what was left of an earlier pull does not fit; from the beginning", wanted.url));
+        }
+    }
+    std::string label(const std::string& name) const { return fs::path(name).filename().string(); }
+
+    const Model& model_;
+    const PullOptions& options_;
+    const Run& run_;
+};
+
+void record(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
+    Json json = read_or_empty(record_of(model, root));
+    json["model"] = model.name;
+    json["licence"] = model.licence;
+    for (const FileReport& file : files)
+        if (!file.sha256.empty()) json["files"][file.name] = {{"bytes", file.bytes}, {"sha256", file.sha256}};
+    write_json(record_of(model, root), json);
+}
+
+std::string recorded_hash(const Json& record, const std::string& name) {
+    const auto files = record.find("files");
+    if (files == record.end() || !files->contains(name)) return "";
+    return (*files)[name].value("sha256", "");
+}
+
+// The file as it is, whatever its size.
+std::optional<fs::path> any_file(const Model& model, const ModelFile& file, const fs::path& root) {
+    for (const std::string& name : file.names())
+        if (fs::is_regular_file(root / model.folder / name)) return root / model.folder / name;
+    return std::nullopt;
+}
+
+FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root, const Run& run) {
+    const auto path = any_file(model, file, root);
+    if (!path) return {file.names().front(), FileState::missing, 0, {}, !file.sha256.empty(), "not there"};
+    FileReport report{path->lexically_relative(root / model.folder).string(), FileState::here, static_cast<std::int64_t>(fs::file_size(*path)), {}, !file.sha256.empty(), {}};
+    report.sha256 = hash_with_progress(*path, path->filename().string(), run);
+    const std::string expected = file.sha256.empty() ? recorded_hash(record, report.name) : file.sha256;
+    if (file.bytes > 0 && report.bytes != file.bytes) {
+        report.state = FileState::damaged;
+        report.problem = fmt::format("expected {} bytes, found {}", file.bytes, report.bytes);
+    } else if (expected.empty()) {
+        report.state = FileState::recorded;
+    } else if (report.sha256 != expected) {
+        report.state = FileState::damaged;
+        report.problem = fmt::format("expected SHA-256 {}, found {}", expected, report.sha256);
+    }
+    return report;
+}
+
+}  // namespace
+
+std::string default_mirror() {
+    const char* mirror = std::getenv("FASTSCENE_MODELS_MIRROR");
+    return mirror ? mirror : "";
+}
+
+std::string_view name_of(FileState state) {
+    switch (state) {
+        case FileState::fetched: return "fetched";
+        case FileState::here: return "here";
+        case FileState::recorded: return "recorded";
+        case FileState::missing: return "missing";
+        case FileState::damaged: return "damaged";
+    }
+    return "";
+}
+
+bool ModelReport::whole() const {
+    return std::none_of(files.begin(), files.end(), [](const FileReport& file) { return file.state == FileState::missing || file.state == FileState::damaged; });
+}
+
+Json to_json(const ModelReport& report) {
+    Json files = Json::array();
+    for (const FileReport& file : report.files)
+        files.push_back({{"name", file.name}, {"state", name_of(file.state)}, {"bytes", file.bytes}, {"sha256", file.sha256}, {"known", file.known}, {"problem", file.problem}});
+    return {{"model", report.model}, {"folder", report.folder.string()}, {"whole", report.whole()}, {"files", files}};
+}
+
+bool is_accepted(const Model& model, const fs::path& root) { return read_or_empty(licences_of(root)).value(model.name, "") == model.licence; }
+
+ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run) {
+    ModelReport report{model.name, options.root / model.folder, {}};
+    if (is_in_cache(model, options.root)) {
+        for (const ModelFile& file : model.files) report.files.push_back(Pull(model, options, run).file(file));
+        return report;
+    }
+    if (model.by_hand() && options.mirror.empty())
+        throw Error("{}: has no address to pull from. Fetch {} by hand at {} and put it into {}, or pull from a mirror", model.name, model.files[0].name, model.home,
+                    report.folder.string());
+    make_directories(options.root);
+    accept_licence(model, options);
+    make_directories(report.folder);
+    const Lock lock(model, options.root);
+    for (const ModelFile& file : model.files) {
+        report.files.push_back(Pull(model, options, run).file(file));
+        record(model, options.root, report.files);  // what is whole stays known, whatever happens to the rest
+    }
+    return report;
+}
+
+ModelReport verify_model(const Model& model, const fs::path& root, const Run& run) {
+    ModelReport report{model.name, root / model.folder, {}};
+    const Json known = read_or_empty(record_of(model, root));
+    std::vector<FileReport> fresh;
+    for (const ModelFile& file : model.files) {
+        report.files.push_back(verified(model, file, known, root, run));
+        if (report.files.back().state == FileState::recorded) fresh.push_back(report.files.back());
+    }
+    if (!fresh.empty()) record(model, root, fresh);
+    return report;
+}
+
+}  // namespace fastscene

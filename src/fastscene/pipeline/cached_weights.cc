@@ -1,0 +1,37 @@
+#include "fastscene/pipeline/cached_weights.h"
+
+#include "fastscene/models/cache.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+
+void use_cached_weights(SceneRequest& request, const Run& run) {
+    const auto take = [&](const char* model, const std::optional<fs::path>& found, auto& weights) {
+        if (!found) return;
+        weights = found->string();
+        run.note(fmt::format("{}: weights from {}", model, found->string()));
+    };
+    const auto asked_for = [](std::string_view what, std::string_view flag, std::string_view model) {
+        return UsageError("{}: expected {}, or the model in the cache (fastscene models pull {}), found neither", what, flag, model);
+    };
+    SceneSource& source = request.source;
+    PanoramaParams& panorama = request.params.panorama;
+    if (panorama.backend == "diffusion360" && source.weights.empty()) {
+        take("diffusion360", cached_model("diffusion360"), source.weights);
+        if (source.weights.empty())
+            throw asked_for("--panorama diffusion360", "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/", "diffusion360");
+    }
+    DepthParams& depth = request.params.depth;
+    const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
+    if (estimated && depth.weights.empty()) {
+        take("egformer", cached_file("egformer"), depth.weights);
+        if (depth.weights.empty() && depth.backend == "egformer") throw asked_for("--depth-backend egformer", "--depth-weights FILE", "egformer");
+    }
+    WalkParams& walk = request.params.walk;
+    if (walk.inpainter == "aotgan" && walk.inpaint_weights.empty()) {
+        take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
+        if (walk.inpaint_weights.empty()) throw asked_for("--walk-inpainter aotgan", "--walk-inpaint-weights FILE", "aotgan-places2");
+    }
+}
+
+}  // namespace fastscene
