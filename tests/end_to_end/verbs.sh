@@ -127,10 +127,10 @@ says "--samples"
 
 # Help and doctor.
 expect 0 "$fastscene" --help
-for verb in make panorama depth walk views splat metrics render convert view doctor version; do
+for verb in make panorama depth walk views splat metrics render convert view models doctor version; do
   prints "$verb"
 done
-for verb in make panorama depth walk views splat metrics render convert view doctor version; do
+for verb in make panorama depth walk views splat metrics render convert view models doctor version; do
   expect 0 "$fastscene" "$verb" --help
   prints "--threads"
   expect 0 "$fastscene" --help

@@ -5,9 +5,12 @@
 #include <sstream>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
 #include "fastscene/cli/verb.h"
+#include "fastscene/models/cache.h"
+#include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/rooms/pack.h"
@@ -49,9 +52,28 @@ double memory_gib(const std::string& field) {
 
 Finding memory() {
     constexpr double kNeedGib = 4;  // what a standard run may take
-    const double have = memory_gib("MemAvailable");
+    const double have = static_cast<double>(available_memory()) / (1 << 30);
     return {"memory", fmt::format("{:.1f} GiB, {:.1f} available", memory_gib("MemTotal"), have),
             have >= kNeedGib ? "" : "close other programs, or use --quality draft"};
+}
+
+// What --panorama diffusion360 needs, setting by setting, and whether the smallest fits.
+Finding painting_memory() {
+    const auto need = [](int width, const char* precision, bool low) { return gib_text(standard_diffusion_memory(width, precision, low)); };
+    std::string state;
+    for (const int width : {1024, 2048})
+        state += fmt::format("{}{} x {}: {}, bf16 {}, low memory {}", state.empty() ? "" : "; ", width, width / 2, need(width, "float", false), need(width, "bf16", false),
+                             need(width, "float", true));
+    const std::int64_t have = available_memory(), all = standard_diffusion_memory(1024, "float", false), least = standard_diffusion_memory(1024, "float", true);
+    const std::string remedy = have == 0 || have >= all ? "" : have >= least ? "use --panorama-low-memory" : "optional: painting a panorama wants more free memory than there is";
+    return {"to paint", state, remedy};
+}
+
+Finding pulled_models() {
+    std::vector<std::string> here;
+    for (const Model& model : models())
+        if (is_in_cache(model)) here.push_back(model.name);
+    return {"models", fmt::format("{} of {} in {} (optional: fastscene models list){}{}", here.size(), models().size(), models_root().string(), here.empty() ? "" : ": ", fmt::join(here, ", ")), ""};
 }
 
 Finding disk() {
@@ -114,6 +136,8 @@ std::vector<Finding> examine() {
     all.push_back({"processor", instruction_sets(), ""});
     all.push_back({"threads", std::to_string(thread_count()), ""});
     all.push_back(memory());
+    all.push_back(painting_memory());
+    all.push_back(pulled_models());
     all.push_back(disk());
     all.push_back(packages("packages to build", source / "packaging/apt.txt"));
     all.push_back(packages("packages to test", source / "packaging/apt-test.txt"));

@@ -54,6 +54,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
         ->type_name("FILE|diffusion360");
     verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of `models pull diffusion360`.")->type_name("DIR");
+    verb->add_option("--photo", flags->photo, "With --panorama diffusion360: a photo that is continued all around. How wide it sees: --panorama-photo-fov-deg.")->type_name("FILE");
     verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
@@ -70,8 +71,9 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 const bool painted = flags->picture == "diffusion360" || (backend != flags->given->end() && backend->second == "diffusion360");
                 if (painted) flags->picture.clear();
                 if (!painted && !flags->weights.empty()) throw UsageError("--weights: expected together with --panorama diffusion360, found alone");
+                if (!painted && !flags->photo.empty()) throw UsageError("--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to --panorama FILE");
                 if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
-                request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights};
+                request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights, flags->photo};
                 request.quality = flags->quality;
                 request.params = params_of_quality(flags->quality);
                 if (painted) request.params.panorama.width = 1024;  // what the model was trained for

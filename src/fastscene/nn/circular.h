@@ -17,7 +17,8 @@ at::Tensor blend_rows(const at::Tensor& a, at::Tensor b, std::int64_t count);
 at::Tensor extended(const at::Tensor& x, std::int64_t count);
 
 // Decodes in bands of rows that overlap by a quarter and are blended, so that memory is bounded, and, made a quarter wider by
-// wrapped columns, without a seam. `tile` in latent rows (config.sample_size / 8); when neither side is larger, decodes at once.
-at::Tensor circular_decode(const Scope& s, const VaeConfig& config, const at::Tensor& z, std::int64_t tile);
+// wrapped columns, without a seam. `tile` in latent rows (config.sample_size / 8). When neither side is larger, decodes at once as published,
+// which leaves a seam; not with `always_closed`.
+at::Tensor circular_decode(const Scope& s, const VaeConfig& config, const at::Tensor& z, std::int64_t tile, bool always_closed = false);
 
 }  // namespace fastscene::nn

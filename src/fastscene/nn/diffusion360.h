@@ -20,8 +20,10 @@ struct Diffusion360Settings {
     std::string sampler = "euler-ancestral";  // or ddim, unipc
     std::string precision = "float";          // or bf16
     bool published_seam = false;         // the repository's text path, whose left 32 columns repeat the right ones
-    bool low_memory = false;             // every network leaves memory when its part is done
+    bool low_memory = false;             // weights are read layer by layer, the picture is decoded in tiles
     std::string negative;                // empty: the published negative prompt
+    std::string upscale = "none";        // what follows the painting (upscale360.h)
+    double photo_fov_deg = 90;           // how wide the photo sees, when one is continued all around
 };
 
 // What a folder holds, told without reading the weights.
@@ -34,17 +36,22 @@ struct Diffusion360Info {
 
 class Diffusion360 {
   public:
-    // `weights`: unet/ vae/ text_encoder/ tokenizer/ scheduler/, or a folder with them in sd-base/. Every tensor's name and shape is held
-    // against the configuration before anything is computed. Throws Error naming the folder or file, expected and found: missing or
-    // damaged components, components of different models, too little memory.
-    Diffusion360(const std::filesystem::path& weights, const Diffusion360Settings& settings, const Run& run);
+    enum class From { text, photo };
+    // `weights`: unet/ vae/ text_encoder/ tokenizer/ scheduler/, or a folder with them in sd-base/. From a photo: a folder with sr-base/ (such
+    // a model) and sd-i2p/ (the ControlNet). Every tensor's name and shape is held against the configuration before anything is computed.
+    // Throws Error naming the folder or file, expected and found: missing or damaged components, components of different models, too
+    // little memory.
+    Diffusion360(const std::filesystem::path& weights, const Diffusion360Settings& settings, const Run& run, From from = From::text);
     ~Diffusion360();
+    Diffusion360(Diffusion360&&) noexcept;
     const Diffusion360Info& info() const;
 
-    // Hears what the picture looks like so far, at 1/8 of its size.
+    // Hears along the way what the picture would be if it ended here, decoded at half its size.
     using Preview = std::function<void(const ImageRgb8&)>;
     // settings.width x settings.width / 2, sRGB. The seed means what it means to PyTorch's generator on the CPU.
     ImageRgb8 paint(const std::string& prompt, const Run& run, const Preview& preview = {}) const;
+    // The photo in the middle of the panorama, continued all around (From::photo only). The model was trained with square photos of 90°.
+    ImageRgb8 paint_around(const ImageRgb8& photo, const std::string& prompt, const Run& run, const Preview& preview = {}) const;
 
   private:
     struct Parts;

@@ -9,8 +9,16 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
+#include "fastscene/nn/diffusion_memory.h"
+#include "fastscene/nn/file_weights.h"
+#include "fastscene/nn/hashed.h"
+#include "fastscene/nn/photo_sphere.h"
+#include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/scheduler.h"
+#include "fastscene/nn/sphere_tiles.h"
 #include "fastscene/nn/tiny_model.h"
+#include "fastscene/nn/upscale360.h"
+#include "fastscene/nn/weights.h"
 
 namespace fastscene {
 namespace {
@@ -59,6 +67,14 @@ double step_between(const ImageRgb8& image, int a, int b) {
     return sum / (3 * image.height);
 }
 
+// The two ends of the picture differ no more than any two columns beside each other do.
+void expect_closed(const ImageRgb8& image) {
+    double most = 0;
+    for (int x = 0; x + 1 < image.width; ++x) most = std::max(most, step_between(image, x, x + 1));
+    EXPECT_LE(step_between(image, image.width - 1, 0), most);
+    EXPECT_GT(most, 0) << "the picture is one color";
+}
+
 TEST_F(Painted, TheEndsMeetAndTheSeedDecides) {
     const Diffusion360 model(model_, small(), {});
     EXPECT_EQ(model.info().prediction, "epsilon");
@@ -66,18 +82,16 @@ TEST_F(Painted, TheEndsMeetAndTheSeedDecides) {
     fastscene::Run run;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         run.seed = seed;
-        int glances = 0;
-        const ImageRgb8 image = model.paint("a room", run, [&](const ImageRgb8& glance) {
-            ++glances;
-            EXPECT_EQ(glance.width, 32);
+        int previews = 0;
+        const ImageRgb8 image = model.paint("a room", run, [&](const ImageRgb8& preview) {
+            ++previews;
+            EXPECT_EQ(preview.width, 128);
+            EXPECT_EQ(preview.height, 64);
         });
         ASSERT_EQ(image.width, 256);
         ASSERT_EQ(image.height, 128);
-        EXPECT_EQ(glances, 2);
-        std::vector<double> steps;
-        for (int x = 0; x + 1 < image.width; ++x) steps.push_back(step_between(image, x, x + 1));
-        EXPECT_LE(step_between(image, image.width - 1, 0), *std::max_element(steps.begin(), steps.end())) << "seed " << seed;
-        EXPECT_GT(*std::max_element(steps.begin(), steps.end()), 0) << "the picture is not one color";
+        EXPECT_EQ(previews, 1);
+        expect_closed(image);
         if (seed == 1) {
             EXPECT_EQ(model.paint("a room", run), image);
             EXPECT_NE(model.paint("another room", run), image);
@@ -152,6 +166,197 @@ TEST_F(Painted, VelocityModelsAreRead) {
     const Diffusion360 model(velocity, small(), {});
     EXPECT_EQ(model.info().prediction, "v_prediction");
     EXPECT_NE(model.paint("a room", {}), Diffusion360(model_, small(), {}).paint("a room", {}));
+}
+
+// For any weights, in bands and in tiles, and where all is decoded at once.
+TEST_F(Painted, TheEndsMeetForOtherWeights) {
+    for (const int sample_size : {64, 512})
+        for (const char* salt : {"a", "b"}) {
+            const fs::path folder = model_.parent_path() / "salted";
+            fs::remove_all(folder);
+            write_tiny_model(folder, {.salt = salt, .sample_size = sample_size});
+            Diffusion360Settings settings = small();
+            for (const bool tiles : {false, true}) {
+                SCOPED_TRACE(fmt::format("{} {} {}", sample_size, salt, tiles));
+                settings.low_memory = tiles;
+                expect_closed(Diffusion360(folder, settings, {}).paint("a room", {}));
+            }
+        }
+}
+
+struct Heard : EventSink {
+    std::vector<std::string> warnings;
+    void tell(const Event& event) override {
+        if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings.push_back(warning->text);
+    }
+};
+
+TEST_F(Painted, LongPromptsAreReadInPiecesAndWhatIsLeftOutIsSaid) {
+    const Diffusion360 model(model_, small(), {});
+    Heard heard;
+    fastscene::Run run;
+    run.events = &heard;
+    std::string words = "a";
+    for (int i = 0; i < 90; ++i) words += " b";
+    const ImageRgb8 image = model.paint(words, run);
+    EXPECT_TRUE(heard.warnings.empty()) << "more than 77 tokens are read";
+    EXPECT_NE(image, model.paint(words + " c c c c", run));
+    for (int i = 0; i < 200; ++i) words += " b";
+    (void)model.paint(words, run);
+    ASSERT_EQ(heard.warnings.size(), 1u);
+    EXPECT_NE(heard.warnings[0].find("225"), std::string::npos) << heard.warnings[0];
+}
+
+// The denoiser in two files with an index, as large models are saved.
+fs::path in_two_parts(const fs::path& folder) {
+    const fs::path whole = folder / "unet/diffusion_pytorch_model.safetensors";
+    const Weights all = load_weights(whole);
+    Weights parts[2];
+    Json map = Json::object();
+    std::size_t i = 0;
+    for (const auto& [key, tensor] : all.tensors) {
+        const int part = 2 * i++ < all.tensors.size() ? 0 : 1;
+        parts[part].tensors[key] = tensor;
+        map[key] = fmt::format("diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1);
+    }
+    for (int part = 0; part < 2; ++part) save_safetensors(folder / fmt::format("unet/diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1), parts[part]);
+    write_json(folder / "unet/diffusion_pytorch_model.safetensors.index.json", {{"weight_map", map}});
+    fs::remove(whole);
+    return folder / "unet/diffusion_pytorch_model-00002-of-00002.safetensors";
+}
+
+TEST_F(Painted, ShardsAreReadTogetherAndEachMustBeWhole) {
+    const fs::path sharded = copy("sharded");
+    const fs::path second = in_two_parts(sharded);
+    EXPECT_EQ(Diffusion360(sharded, small(), {}).paint("a room", {}), Diffusion360(model_, small(), {}).paint("a room", {}));
+    fs::resize_file(second, fs::file_size(second) - 10);
+    EXPECT_NE(complaint(sharded).find("00002-of-00002"), std::string::npos) << complaint(sharded);
+    fs::resize_file(second, 30);
+    EXPECT_NE(complaint(sharded).find("00002-of-00002"), std::string::npos) << complaint(sharded);
+    fs::remove(second);
+    EXPECT_NE(complaint(sharded).find("00002-of-00002"), std::string::npos) << complaint(sharded);
+}
+
+TEST_F(Painted, SchedulesOfOtherModelsAreRefused) {
+    const fs::path other = copy("other_schedule");
+    Json config = read_json(other / "scheduler/scheduler_config.json");
+    for (const auto& [key, value] : {std::pair{"prediction_type", Json("sample")}, {"beta_schedule", Json("squaredcos_cap_v2")}, {"rescale_betas_zero_snr", Json(true)}}) {
+        Json changed = config;
+        changed[key] = value;
+        write_json(other / "scheduler/scheduler_config.json", changed);
+        EXPECT_NE(complaint(other).find(key), std::string::npos) << complaint(other);
+    }
+}
+
+TEST_F(Painted, AStreamedNetworkKeepsNothing) {
+    nn::FileWeights kept(model_ / "unet", at::kBFloat16), streamed(model_ / "unet", at::kBFloat16, false);
+    const std::string key = "conv_in.weight";
+    EXPECT_TRUE(at::equal(kept.get(key, kept.shape_of(key)), streamed.get(key, streamed.shape_of(key))));
+    EXPECT_GT(kept.kept_bytes(), 0);
+    EXPECT_EQ(streamed.kept_bytes(), 0);
+    EXPECT_GT(streamed.largest_bytes(), 0);
+    EXPECT_LT(streamed.largest_bytes(), streamed.bytes());
+}
+
+// The official folder: a painter of its own for photos and larger pictures.
+class PaintedFurther : public Painted {
+  protected:
+    fs::path official() const {
+        const fs::path folder = model_.parent_path() / "official";
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        for (const char* part : {"sd-base", "sr-base"}) fs::copy(model_, folder / part, fs::copy_options::recursive);
+        write_tiny_control(folder / "sd-i2p", 4);
+        write_tiny_control(folder / "sr-control", 3);
+        write_tiny_enlarger(folder / "RealESRGAN_x2plus.pth");
+        return folder;
+    }
+    static ImageRgb8 photo(int shift) {
+        ImageRgb8 image(40, 30);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) image.at(x, y) = {static_cast<std::uint8_t>(6 * x + shift), static_cast<std::uint8_t>(8 * y), 90};
+        return image;
+    }
+};
+
+TEST_F(PaintedFurther, AroundOnePhoto) {
+    const fs::path folder = official();
+    const Diffusion360 model(folder, small(), {}, Diffusion360::From::photo);
+    const ImageRgb8 image = model.paint_around(photo(0), "a room", {});
+    ASSERT_EQ(image.width, 256);
+    expect_closed(image);
+    EXPECT_EQ(model.paint_around(photo(0), "a room", {}), image);
+    EXPECT_NE(model.paint_around(photo(9), "a room", {}), image);
+    fs::remove_all(folder / "sd-i2p");
+    EXPECT_THROW(Diffusion360(folder, small(), {}, Diffusion360::From::photo), Error);
+    write_tiny_control(folder / "sd-i2p", 3);
+    EXPECT_THROW(Diffusion360(folder, small(), {}, Diffusion360::From::photo), Error) << "a ControlNet for another task";
+}
+
+TEST_F(PaintedFurther, ThePhotoLiesInTheMiddle) {
+    const nn::PhotoOnSphere placed = nn::photo_on_sphere(photo(0), 256, 90);
+    const double share = placed.mask.mean().item<double>();
+    EXPECT_GT(share, 0.08);
+    EXPECT_LT(share, 0.17);  // 90 of 360 degrees wide, 74 of 180 high, rounded by the sphere
+    EXPECT_EQ(placed.mask[0][0][64][128].item<float>(), 1);
+    EXPECT_EQ(placed.mask[0][0][64][128 + 31].item<float>(), 1) << "45 degrees to the right";
+    EXPECT_EQ(placed.mask[0][0][64][128 + 33].item<float>(), 0);
+    EXPECT_NEAR(placed.color[0][0][64][128].item<double>() * 255, 6 * 19.5, 8) << "its middle looks forward";
+    EXPECT_GT(placed.color[0][1][80][128].item<double>(), placed.color[0][1][50][128].item<double>()) << "upright";
+}
+
+TEST_F(PaintedFurther, LargerPicturesCloseToo) {
+    const fs::path folder = official();
+    const ImageRgb8 small_picture = Diffusion360(folder, small(), {}).paint("a room", {});
+    Upscale360Settings settings;
+    settings.tile = 128;
+    settings.steps = 2;
+    settings.to = "6-refined";
+    settings.low_memory = true;
+    const ImageRgb8 image = Upscale360(folder, 256, settings, {}).enlarge(small_picture, "a room", {});
+    ASSERT_EQ(image.width, 6 * 256);
+    ASSERT_EQ(image.height, 6 * 128);
+    expect_closed(image);
+    settings.to = "3";
+    EXPECT_EQ(Upscale360(folder, 256, settings, {}).enlarge(small_picture, "a room", {}).width, 3 * 256);
+    settings.to = "6";
+    fs::remove(folder / "RealESRGAN_x2plus.pth");
+    try {
+        Upscale360(folder, 256, settings, {});
+        ADD_FAILURE() << "nothing was missed";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("RealESRGAN_x2plus.pth"), std::string::npos);
+    }
+}
+
+TEST(SphereTiles, NeitherBordersNorTheSeamShow) {
+    const at::Tensor x = nn::hashed_input("x", {1, 2, 20, 50});
+    nn::SphereTiles how{16, 4, 1, 2, {}, {}};
+    int calls = 0;
+    const auto twice = [&](const at::Tensor& t) {
+        ++calls;
+        return at::upsample_nearest2d(t, {2 * t.size(2), 2 * t.size(3)});
+    };
+    const at::Tensor y = nn::over_sphere(x, how, twice);
+    EXPECT_LT((y - at::upsample_nearest2d(x, {40, 100})).abs().max().item<double>(), 1e-6);
+    EXPECT_EQ(calls, 2 * 5);
+    // What a tile adds at its ends is spread: no column beside another jumps.
+    const auto tilted = [](const at::Tensor& t) { return at::zeros({1, 1, t.size(2), t.size(3)}) + at::arange(t.size(3), at::kFloat); };
+    how.out = 1;
+    const at::Tensor ramp = nn::over_sphere(x, how, tilted);
+    const double jump = (ramp - at::roll(ramp, {1}, {3})).abs().max().item<double>();
+    EXPECT_LT(jump, 6) << "16 columns fall over an overlap of 4";
+    EXPECT_LT((nn::over_sphere(at::roll(x, {10}, {3}), how, tilted) - at::roll(ramp, {10}, {3})).abs().max().item<double>(), 1e-5) << "column 0 is no special one";
+}
+
+TEST(DiffusionMemory, WhatIsKnownBeforehand) {
+    const std::int64_t gib = 1 << 30;
+    EXPECT_GT(standard_diffusion_memory(1024, "float", false), 5 * gib);
+    EXPECT_LT(standard_diffusion_memory(1024, "float", false), 8 * gib);
+    EXPECT_LT(standard_diffusion_memory(1024, "bf16", false), standard_diffusion_memory(1024, "float", false));
+    EXPECT_LT(standard_diffusion_memory(1024, "float", true), 3 * gib);
+    EXPECT_GT(standard_diffusion_memory(2048, "float", false), standard_diffusion_memory(1024, "float", false));
+    EXPECT_THROW(check_memory("x", std::int64_t{1} << 50, ""), Error);
 }
 
 // A network that knows the truth: every sampler must find the clean latent again.

@@ -1,5 +1,6 @@
 #include "fastscene/nn/file_weights.h"
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
@@ -46,7 +47,7 @@ std::string older_name(std::string key) {
 
 }  // namespace
 
-FileWeights::FileWeights(const fs::path& component, at::TensorOptions options) : component_(component), options_(options) {
+FileWeights::FileWeights(const fs::path& component, at::TensorOptions options, bool keep) : component_(component), options_(options), keep_(keep) {
     for (const fs::path& file : files_of(component)) parts_.push_back(load_weights(file));
 }
 
@@ -69,6 +70,19 @@ std::int64_t FileWeights::bytes() const {
     return sum;
 }
 
+std::int64_t FileWeights::largest_bytes() const {
+    std::int64_t most = 0;
+    for (const Weights& part : parts_)
+        for (const auto& [key, tensor] : part.tensors) most = std::max(most, tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize()));
+    return most;
+}
+
+std::int64_t FileWeights::kept_bytes() const {
+    std::int64_t sum = 0;
+    for (const auto& [key, tensor] : ready_) sum += static_cast<std::int64_t>(tensor.nbytes());
+    return sum;
+}
+
 const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef shape) const {
     const WeightTensor* tensor = find(key);
     if (!tensor) {
@@ -85,7 +99,9 @@ const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef
 at::Tensor FileWeights::get(const std::string& key, at::IntArrayRef shape) {
     const auto ready = ready_.find(key);
     if (ready != ready_.end()) return ready->second;
-    return ready_[key] = tensor_of(checked(key, shape)).to(options_).reshape(shape);
+    const at::Tensor tensor = tensor_of(checked(key, shape)).to(options_).reshape(shape);
+    if (keep_) ready_[key] = tensor;
+    return tensor;
 }
 
 }  // namespace fastscene::nn

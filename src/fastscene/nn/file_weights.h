@@ -15,7 +15,8 @@ class FileWeights final : public WeightSource {
     // `component`: a file, or a folder such as unet/. In a folder the names of diffusers and transformers are tried:
     // diffusion_pytorch_model, model, pytorch_model, as .safetensors (whole or in parts, also .fp16) or .bin. Safetensors are mapped: a
     // tensor costs memory when it is first asked for. Throws Error naming the folder or file, what was expected and what was found.
-    FileWeights(const std::filesystem::path& component, at::TensorOptions options);
+    // `keep`: what was converted stays; else a parameter lives only as long as it is used, and memory holds one layer instead of a network.
+    FileWeights(const std::filesystem::path& component, at::TensorOptions options, bool keep = true);
 
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string& key) const override { return find(key) != nullptr; }
@@ -26,8 +27,12 @@ class FileWeights final : public WeightSource {
     const std::filesystem::path& path() const { return component_; }
     // Bytes of all parameters in the network's number type.
     std::int64_t bytes() const;
+    std::int64_t dtype_bytes() const { return static_cast<std::int64_t>(options_.dtype().itemsize()); }
     // Forgets what was converted; it is read again when asked for.
     void release() { ready_.clear(); }
+    std::int64_t kept_bytes() const;
+    // Of the largest parameter, in the network's number type.
+    std::int64_t largest_bytes() const;
 
   private:
     const WeightTensor* find(const std::string& key) const;
@@ -35,6 +40,7 @@ class FileWeights final : public WeightSource {
 
     std::filesystem::path component_;
     at::TensorOptions options_;
+    bool keep_;
     std::vector<Weights> parts_;
     std::unordered_map<std::string, at::Tensor> ready_;
 };

@@ -46,7 +46,7 @@ at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape) {
 
 at::Tensor HashedWeights::get(const std::string& key, at::IntArrayRef shape) {
     at::Tensor& tensor = seen_[key];
-    if (!tensor.defined()) tensor = hashed_parameter(key, shape).to(options_);
+    if (!tensor.defined()) tensor = hashed_parameter(salt_ + key, shape).to(options_);
     FASTSCENE_CHECK(tensor.sizes() == shape);
     return tensor;
 }

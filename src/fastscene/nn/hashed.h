@@ -4,6 +4,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "fastscene/nn/scope.h"
 
@@ -20,7 +21,8 @@ at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape);
 // Every parameter that is asked for exists.
 class HashedWeights final : public WeightSource {
   public:
-    explicit HashedWeights(at::TensorOptions options = at::kFloat) : options_(options) {}
+    // `salt`: other weights for the same names.
+    explicit HashedWeights(at::TensorOptions options = at::kFloat, std::string salt = "") : options_(options), salt_(std::move(salt)) {}
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string&) const override { return true; }
     const std::unordered_map<std::string, at::Tensor>& seen() const { return seen_; }
@@ -29,6 +31,7 @@ class HashedWeights final : public WeightSource {
 
   private:
     at::TensorOptions options_;
+    std::string salt_;
     std::unordered_map<std::string, at::Tensor> seen_;
 };
 

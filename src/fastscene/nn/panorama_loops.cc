@@ -60,12 +60,23 @@ PromptEmbedding embed_prompt(const Scope& s, const ClipTower& tower, const Weigh
 
 Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, Tensor latents, const Tensor& text, const TextToPanorama& how) {
     const std::int64_t width = latents.size(3);
-    latents = latents * scheduler.init_noise_sigma();
-    if (how.seam == Seam::closed) latents = extended(latents, how.blend_columns);
+    if (!how.noised) latents = latents * scheduler.init_noise_sigma();
+    Tensor held;
+    if (how.control) held = how.control->picture.to(text.scalar_type());
+    if (how.seam == Seam::closed) {
+        if (held.defined()) held = extended(held, how.blend_columns * (held.size(3) / width));
+        latents = extended(latents, how.blend_columns);
+    }
+    if (held.defined()) held = at::cat({held, held}, 0);
     for (int i = 0; i < scheduler.steps(); ++i) {
         if (how.check_stop) how.check_stop();
         const Tensor input = scheduler.scaled_input(latents, i).to(text.scalar_type());
-        const Tensor output = guided(unet(s, config, at::cat({input, input}, 0), scheduler.timestep(i), text).to(at::kFloat), how.guidance);
+        const Tensor twice = at::cat({input, input}, 0);
+        const double t = scheduler.timestep(i);
+        std::optional<Residuals> hold;
+        if (held.defined()) hold = controlnet(how.control->scope, how.control->config, twice, t, text, held, how.control->strength);
+        const Tensor output = guided(unet(s, config, twice, t, text, hold ? &*hold : nullptr).to(at::kFloat), how.guidance);
+        if (how.preview) how.preview(i, t, scheduler.clean(output, i, latents).narrow(3, 0, width));
         latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor()).contiguous();
         if (how.listener) how.listener(i, scheduler.timestep(i), latents);
         latents = blend_columns(latents, latents.clone(), how.blend_columns);

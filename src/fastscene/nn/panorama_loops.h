@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "fastscene/nn/clip.h"
 #include "fastscene/nn/scheduler.h"
@@ -28,15 +29,26 @@ enum class Seam {
     closed,     // as the report and its image path have it: the latents are continued by their own left end, which then blends in
 };
 
+// A ControlNet that holds on to a picture [1, channels, 8 H, 8 W] in [0, 1].
+struct Control {
+    Scope scope;
+    UNetConfig config;
+    at::Tensor picture;
+    double strength = 1;
+};
+
 struct TextToPanorama {
     double guidance = 7.5;
     Seam seam = Seam::closed;
     std::int64_t blend_columns = 4;  // width in pixels / 8 / 32
+    std::optional<Control> control;  // Diffusion360's way from one photo
+    bool noised = false;             // the latents have the first step's noise already (from a photo), instead of being nothing else
     NoiseSource noise;
     StepListener listener;
+    StepListener preview;            // is given the clean latents that the step implies, [1, 4, H, W]
     std::function<void()> check_stop;
 };
-// latents [1, 4, H, W] of unit variance; text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
+// latents [1, 4, H, W] of unit variance (or noised); text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
 at::Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, at::Tensor latents, const at::Tensor& text, const TextToPanorama& how);
 
 struct RefinePanorama {

@@ -75,9 +75,13 @@ class EulerAncestral final : public Scheduler {
     }
     Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor& noise) override {
         const double from = sigmas_[static_cast<std::size_t>(i)], to = sigmas_[static_cast<std::size_t>(i) + 1];
-        const Tensor clean = config_.prediction == Prediction::noise ? x - from * output : output * (-from / std::sqrt(from * from + 1)) + x / (from * from + 1);
+        const Tensor clean = this->clean(output, i, x);
         const double up = std::sqrt(to * to * (from * from - to * to) / (from * from)), down = std::sqrt(to * to - up * up);
         return x + (x - clean) / from * (down - from) + noise * up;
+    }
+    Tensor clean(const Tensor& output, int i, const Tensor& x) const override {
+        const double from = sigmas_[static_cast<std::size_t>(i)];
+        return config_.prediction == Prediction::noise ? x - from * output : output * (-from / std::sqrt(from * from + 1)) + x / (from * from + 1);
     }
     Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override { return clean + noise * sigmas_[static_cast<std::size_t>(i)]; }
     bool wants_noise() const override { return true; }
@@ -95,10 +99,14 @@ class Ddim final : public Scheduler {
         const double t = timestep(i), before = t - config_.train_steps / steps();
         const double a = alpha(t), b = before >= 0 ? alpha(before) : config_.alpha_to_one ? 1 : alpha(0);
         const Mix m{std::sqrt(a), std::sqrt(1 - a)};
-        Tensor clean = clean_of(config_.prediction, output, x, m);
+        Tensor clean = this->clean(output, i, x);
         Tensor noise = config_.prediction == Prediction::noise ? output : m.signal * output + m.noise * x;
         if (config_.clip_sample) clean = at::clamp(clean, -config_.clip_range, config_.clip_range);
         return std::sqrt(b) * clean + std::sqrt(1 - b) * noise;
+    }
+    Tensor clean(const Tensor& output, int i, const Tensor& x) const override {
+        const double a = alpha(timestep(i));
+        return clean_of(config_.prediction, output, x, {std::sqrt(a), std::sqrt(1 - a)});
     }
     Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override {
         const double a = alpha(timestep(i));
@@ -123,7 +131,7 @@ class UniPc final : public Scheduler {
         sigmas_.push_back(static_cast<float>(table[0]));  // the last step ends at t = 0, where a little noise is left
     }
     Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor&) override {
-        const Tensor clean = clean_of(config_.prediction, output, x, mix_of(sigmas_[static_cast<std::size_t>(i)]));
+        const Tensor clean = this->clean(output, i, x);
         const Tensor from = last_.defined() && i > 0 ? corrected(clean, i) : x;
         cleans_.push_back(clean);
         if (static_cast<int>(cleans_.size()) > config_.solver_order) cleans_.erase(cleans_.begin());
@@ -132,6 +140,9 @@ class UniPc final : public Scheduler {
         last_ = from;
         done_ = std::min(done_ + 1, config_.solver_order);
         return moved(from, i, i + 1, {}, order_);
+    }
+    Tensor clean(const Tensor& output, int i, const Tensor& x) const override {
+        return clean_of(config_.prediction, output, x, mix_of(sigmas_[static_cast<std::size_t>(i)]));
     }
     Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override {
         const Mix m = mix_of(sigmas_[static_cast<std::size_t>(i)]);

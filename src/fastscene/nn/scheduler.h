@@ -50,6 +50,8 @@ class Scheduler {
     virtual at::Tensor scaled_input(const at::Tensor& x, int) const { return x; }
     // From x at step i to step i + 1, given the network's output. `noise` (unit normal, like x) is read by the ancestral sampler only.
     virtual at::Tensor step(const at::Tensor& output, int i, const at::Tensor& x, const at::Tensor& noise) = 0;
+    // The clean latent that the network's output at step i implies: what the picture would be if it ended here.
+    virtual at::Tensor clean(const at::Tensor& output, int i, const at::Tensor& x) const = 0;
     // A clean latent with the noise of step i.
     virtual at::Tensor noised(const at::Tensor& clean, const at::Tensor& noise, int i) const = 0;
     virtual bool wants_noise() const { return false; }

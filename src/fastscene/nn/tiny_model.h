@@ -13,7 +13,13 @@ void write_tiny_tokenizer(const std::filesystem::path& folder);
 struct TinyModel {
     int denoiser_text_width = 32, encoder_text_width = 32;
     std::string prediction = "epsilon";
+    std::string salt = {};   // other weights
+    int sample_size = 64;    // pixels that the VAE decodes at once
 };
 void write_tiny_model(const std::filesystem::path& folder, const TinyModel& model = {});
+// A ControlNet for such a model; `channels` of the picture it holds on to.
+void write_tiny_control(const std::filesystem::path& folder, int channels, int text_width = 32);
+// Real-ESRGAN for twice the size, with two blocks.
+void write_tiny_enlarger(const std::filesystem::path& file);
 
 }  // namespace fastscene

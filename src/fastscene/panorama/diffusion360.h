@@ -9,7 +9,7 @@
 namespace fastscene {
 
 // Everything that can be known before anything is computed: components, names and shapes of all tensors, memory. Throws Error or UsageError.
-void check_diffusion360(const std::filesystem::path& weights, const PanoramaParams& params, const Run& run);
+void check_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run);
 // Names of the files, their sizes and beginnings: other weights, another run.
 std::string diffusion360_identity(const std::filesystem::path& weights);
 

@@ -23,7 +23,9 @@ void visit_fields(Diffusion360Settings& p, V&& v) {
     v("guidance", p.guidance, Bounds{1, 50}, "diffusion360: how strictly the prompt is followed.");
     v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: what makes a step.");
     v("precision", p.precision, Choices{{"float", "bf16"}}, "diffusion360: numbers of the denoiser; bf16 needs half the memory.");
-    v("low-memory", p.low_memory, "diffusion360: a network leaves memory when its part is done.");
+    v("low-memory", p.low_memory, "diffusion360: weights are read layer by layer, the picture is decoded in tiles.");
+    v("upscale", p.upscale, Choices{{"none", "3", "6", "6-refined"}}, "diffusion360: the picture made so many times as wide by its super-resolution chain; slow.");
+    v("photo-fov-deg", p.photo_fov_deg, Bounds{20, 140}, "diffusion360: how wide the photo of --photo sees.");
     v("negative", p.negative, "diffusion360: what the picture must not be; empty: the published words.");
     v("published-seam", p.published_seam, "diffusion360: the published text path, whose left 32 columns repeat the right ones.");
 }
@@ -64,9 +66,15 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 ShotParts panorama_parts(const TraceParams& trace);
 RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run);
 
-// Backend "diffusion360": params.width x params.width / 2, sRGB. `weights`: a folder as diffusers saves it. Throws Error as
-// check_diffusion360 (diffusion360.h) does.
-ImageRgb8 panorama_by_diffusion360(const std::string& prompt, const std::filesystem::path& weights, const PanoramaParams& params, const Run& run);
+// Backend "diffusion360".
+struct PaintingSource {
+    std::string prompt;
+    std::filesystem::path weights;  // a folder as diffusers saves it, or the official folder of several
+    std::filesystem::path photo;    // continued all around; empty: none
+};
+// params.width x params.width / 2, or as many times larger as params.diffusion.upscale says; sRGB. `look` is shown what the picture is going
+// to be, at half its size. Throws Error as check_diffusion360 (diffusion360.h) does.
+ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look = {});
 
 // Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is exposed as a film would;
 // turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.

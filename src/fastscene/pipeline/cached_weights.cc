@@ -17,9 +17,11 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     SceneSource& source = request.source;
     PanoramaParams& panorama = request.params.panorama;
     if (panorama.backend == "diffusion360" && source.weights.empty()) {
-        take("diffusion360", cached_model("diffusion360"), source.weights);
+        const char* model = source.photo.empty() ? "diffusion360" : "diffusion360-photo";
+        take(model, cached_model(model), source.weights);
         if (source.weights.empty())
-            throw asked_for("--panorama diffusion360", "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/", "diffusion360");
+            throw asked_for("--panorama diffusion360",
+                            source.photo.empty() ? "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/" : "--weights DIR with sr-base/ and sd-i2p/", model);
     }
     DepthParams& depth = request.params.depth;
     const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));

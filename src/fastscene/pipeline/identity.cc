@@ -42,6 +42,7 @@ Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
         if (!request.source.range_map.empty()) json["range_map"] = fs::absolute(request.source.range_map).string();
     }
     if (!request.source.weights.empty()) json["weights"] = fs::absolute(request.source.weights).string();
+    if (!request.source.photo.empty()) json["photo"] = fs::absolute(request.source.photo).string();
     json["identity"] = identity_of(request.source);
     json["seed"] = seed;
     json["quality"] = request.quality;
@@ -64,7 +65,7 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
     depth_backend(source, params.depth);
     if (!source.weights.empty()) {
         if (!source.range_map.empty()) throw UsageError("--range: expected together with --panorama FILE, found with --panorama diffusion360");
-        check_diffusion360(source.weights, params.panorama, run);
+        check_diffusion360({source.prompt, source.weights, source.photo}, params.panorama, run);
         if (last_stage != "panorama") make_depth_estimator(params.depth);
         return;
     }
@@ -92,7 +93,7 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
 std::string identity_of(const SceneSource& source) {
     Hash hash;
     if (!source.weights.empty())
-        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights));
+        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights)).add(source.photo.empty() ? std::string() : read_file(source.photo));
     else if (source.picture.empty())
         hash.add("prompt").add(source.prompt);
     else
@@ -133,7 +134,7 @@ RecordedRun recorded_run(const RunFolder& folder) {
         throw UsageError("{}: expected a run from a prompt or a panorama, found splats of photographs: only splat, render and view go on with those", folder.root.string());
     try {
         RecordedRun recorded;
-        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", "")};
+        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", ""), json.value("photo", "")};
         recorded.request.quality = json.at("quality");
         recorded.request.params = params_from_json(json.at("params"), params_of_quality(recorded.request.quality));
         recorded.seed = json.at("seed");

@@ -54,8 +54,15 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
     Json prompt, room;
     Panorama panorama;
     if (!source.weights.empty()) {
-        panorama.color = linear_from_srgb8(panorama_by_diffusion360(source.prompt, source.weights, params, run));
+        const fs::path look = out.parent_path() / "painting.png";  // people may look while it is painted
+        const auto shown = [&](const ImageRgb8& preview) {
+            if (!fs::exists(look)) run.note(fmt::format("a first look: {}", look.string()));
+            save_png(look, preview);
+        };
+        panorama.color = linear_from_srgb8(panorama_by_diffusion360({source.prompt, source.weights, source.photo}, params, run, shown));
+        fs::remove(look);
         prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
+        if (!source.photo.empty()) prompt["photo"] = source.photo.filename().string();
         room = {{"objects", Json::array()}};
     } else if (source.picture.empty()) {
         RoomPanorama made = panorama_from_prompt(source.prompt, params, run);

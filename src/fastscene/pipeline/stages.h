@@ -19,6 +19,7 @@ struct SceneSource {
     std::filesystem::path picture;  // empty: the prompt is furnished and traced, or painted
     std::filesystem::path range_map;
     std::filesystem::path weights;  // of Diffusion360, which paints the prompt; empty: it is furnished and traced
+    std::filesystem::path photo;    // that Diffusion360 continues all around; empty: it has the prompt alone
     bool has_room() const { return picture.empty() && weights.empty(); }  // a room of which all is known stands behind the panorama
 };
 

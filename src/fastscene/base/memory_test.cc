@@ -1,0 +1,37 @@
+#include "fastscene/base/memory.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "fastscene/base/file.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Memory, TheLeastOfMachineAndContainersCounts) {
+    const fs::path root = fs::temp_directory_path() / ("fastscene_memory_test_" + std::to_string(::getpid()));
+    const auto put = [&](const std::string& name, std::string_view text) {
+        make_directories((root / name).parent_path());
+        write_file(root / name, text);
+    };
+    EXPECT_EQ(available_memory(root), 0) << "nothing is known";
+    put("proc/meminfo", "MemTotal: 9000 kB\nMemAvailable:    8000 kB\n");
+    EXPECT_EQ(available_memory(root), 8000 * 1024);
+    put("proc/self/cgroup", "0::/work/job\n");
+    EXPECT_EQ(available_memory(root), 8000 * 1024) << "a group without a limit";
+    put("sys/fs/cgroup/work/job/memory.max", "max\n");
+    put("sys/fs/cgroup/work/memory.max", "5000000\n");
+    put("sys/fs/cgroup/work/memory.current", "4000000\n");
+    EXPECT_EQ(available_memory(root), 1000000) << "the limit of the group around it";
+    put("sys/fs/cgroup/work/memory.stat", "anon 7\ninactive_file 500000\n");
+    EXPECT_EQ(available_memory(root), 1500000) << "pages of files are given back";
+    put("sys/fs/cgroup/work/memory.current", "9000000\n");
+    EXPECT_EQ(available_memory(root), 0);
+    fs::remove_all(root);
+    EXPECT_GT(available_memory(), 0);
+}
+
+}  // namespace
+}  // namespace fastscene

@@ -1,0 +1,65 @@
+// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape is held against the
+// configurations before anything is computed. Private to nn/ (torch).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "fastscene/base/run.h"
+#include "fastscene/image/image.h"
+#include "fastscene/nn/clip.h"
+#include "fastscene/nn/file_weights.h"
+#include "fastscene/nn/scheduler.h"
+#include "fastscene/nn/tokenizer.h"
+#include "fastscene/nn/unet.h"
+#include "fastscene/nn/vae.h"
+
+namespace fastscene::nn {
+
+constexpr std::int64_t kPixelsPerLatent = 8;
+
+struct SdOptions {
+    at::ScalarType type = at::kFloat;  // of the denoiser; text and pictures are read and made in float
+    Sampler sampler = Sampler::euler_ancestral;
+    bool keep = true;                  // converted weights stay (file_weights.h)
+    bool encoder = false;              // pictures go in, too
+};
+
+struct SdModel {
+    // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and found.
+    SdModel(const std::filesystem::path& base, const SdOptions& options);
+
+    // [2, L, width]: negative prompt, prompt; in the denoiser's type. Warns of what is too long to be read.
+    at::Tensor read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const;
+    std::string family() const;
+    std::int64_t bytes() const { return unet->bytes() + vae->bytes() + text->bytes(); }
+
+    std::filesystem::path base;
+    SdOptions options;
+    UNetConfig unet_config;
+    VaeConfig vae_config;
+    ClipTower tower;
+    ScheduleConfig schedule;
+    std::unique_ptr<ClipTokenizer> tokenizer;
+    std::unique_ptr<FileWeights> unet, vae, text;
+
+  private:
+    void check_families() const;
+    void check_shapes() const;
+};
+
+// A ControlNet beside such a model, checked against it.
+struct ControlModel {
+    // `channels` of the picture it must take. Throws Error as above.
+    ControlModel(const std::filesystem::path& folder, const SdModel& model, std::int64_t channels);
+    UNetConfig config;
+    std::unique_ptr<FileWeights> weights;
+};
+
+// Pictures as networks see them, [1, 3, H, W] in [0, 1], and back (values outside are cut off).
+at::Tensor unit_picture(const ImageRgb8& image);
+ImageRgb8 picture_of_unit(const at::Tensor& unit);
+at::ScalarType type_of_precision(const std::string& name);  // float or bf16; UsageError
+
+}  // namespace fastscene::nn

@@ -1,0 +1,145 @@
+#include "fastscene/nn/upscale360.h"
+
+#include <ATen/CPUGeneratorImpl.h>
+#include <c10/core/InferenceMode.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "fastscene/nn/clip_image.h"
+#include "fastscene/nn/diffusion360.h"
+#include "fastscene/nn/diffusion_memory.h"
+#include "fastscene/nn/panorama_loops.h"
+#include "fastscene/nn/rrdbnet.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/sd_model.h"
+#include "fastscene/nn/sphere_tiles.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+
+using at::Tensor;
+using nn::kPixelsPerLatent;
+using nn::Scope;
+
+namespace {
+
+constexpr std::int64_t kEnlargeTile = 384, kEnlargeOverlap = 40;  // pixels; as published, whose tiles see 20 pixels beyond their ends
+
+// Real-ESRGAN's sizes, read from its file.
+nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
+    nn::RrdbConfig config;
+    const auto first = file.shape_of("conv_first.weight"), dense = file.shape_of("body.0.rdb1.conv1.weight");
+    if (first.size() != 4 || dense.size() != 4 || first[1] != 12)
+        throw Error("{}: expected Real-ESRGAN for twice the size (conv_first.weight of 12 channels), found {}", file.path().string(), text_of_shape(first));
+    config.features = first[0];
+    config.growth = dense[0];
+    config.scale = 2;
+    for (config.blocks = 0; file.has(fmt::format("body.{}.rdb1.conv1.weight", config.blocks));) ++config.blocks;
+    return config;
+}
+
+// The words around the user's, without the panorama's.
+std::string larger_prompt(const std::string& prompt) {
+    const std::string all = diffusion360_prompt(prompt), own = "<360panorama>, ";
+    return all.starts_with(own) ? all.substr(own.size()) : all;
+}
+
+fs::path needed_folder(const fs::path& weights, const char* name) {
+    if (!fs::is_directory(weights / name)) throw Error("--panorama-upscale: expected {}/ in {}, found none (fastscene models pull diffusion360-upscale)", name, weights.string());
+    return weights / name;
+}
+
+}  // namespace
+
+struct Upscale360::Parts {
+    Upscale360Settings settings;
+    nn::SdModel model;
+    nn::ControlModel control;
+    std::unique_ptr<nn::FileWeights> larger;
+    nn::RrdbConfig larger_config;
+    mutable at::Generator random;
+
+    Parts(const fs::path& weights, const Upscale360Settings& s)
+        : settings(s), model(needed_folder(weights, "sr-base"), {nn::type_of_precision(s.precision), nn::Sampler::unipc, !s.low_memory, true}),
+          control(needed_folder(weights, "sr-control"), model, 3) {
+        if (s.to == "3") return;
+        if (!fs::exists(weights / "RealESRGAN_x2plus.pth"))
+            throw Error("--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull diffusion360-upscale)", s.to, weights.string());
+        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth", at::kFloat, !s.low_memory);
+        larger_config = rrdb_config(*larger);
+    }
+    Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
+    nn::SphereTiles tiles(std::int64_t in, std::int64_t out, const Run& run) const {
+        const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
+        return {tile, tile / 4, in, out, [&run] { run.check_stop(); }, {}};
+    }
+    ImageRgb8 painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const;
+    ImageRgb8 doubled(const ImageRgb8& picture, const Run& run) const;
+};
+
+ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const {
+    const Scope pictures(*model.vae);
+    const Tensor unit = nn::unit_picture(picture), text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative, run);
+    const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1, run), [&](const Tensor& part) {
+        const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part);
+        return at::cat({found.mean, found.log_variance}, 1);
+    });
+    const std::int64_t channels = model.vae_config.latent_channels;
+    const Tensor mean = both.narrow(1, 0, channels), clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) * model.vae_config.scale;
+    const auto scheduler = nn::make_scheduler(model.options.sampler, model.schedule, settings.steps);
+    nn::RefinePanorama how;
+    how.guidance = guidance;
+    how.tile = settings.tile / kPixelsPerLatent;
+    how.first_step = settings.steps - std::min(static_cast<int>(settings.steps * settings.strength), settings.steps);
+    how.batch = 1;  // a tile at a time bounds memory; the result is that of published rows
+    how.check_stop = [&] { run.check_stop(); };
+    Progress progress(run, fmt::format("larger {} x {}", picture.width, picture.height), settings.steps - how.first_step + 1);
+    how.listener = [&](int, double, const Tensor&) { progress.advance(); };
+    const Tensor latents = nn::refine_panorama(Scope(*model.unet), model.unet_config, Scope(*control.weights), control.config, *scheduler,
+                                               scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
+    const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent, run), [&](const Tensor& part) {
+        return nn::vae_decode(pictures, model.vae_config, part);
+    });
+    if (!at::isfinite(decoded).all().item<bool>()) throw Error("diffusion360: expected a larger picture, found values that are not finite; are the weights in {} whole?", model.base.string());
+    progress.advance();
+    return nn::picture_of_unit(decoded / 2 + 0.5);
+}
+
+ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) const {
+    std::optional<Progress> progress;
+    nn::SphereTiles how{kEnlargeTile, kEnlargeOverlap, 1, 2, [&run] { run.check_stop(); }, {}};
+    how.heard = [&](std::int64_t, std::int64_t total) {
+        if (!progress) progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
+        progress->advance();
+    };
+    return nn::picture_of_unit(nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(*larger), larger_config, part); }));
+}
+
+Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Settings& settings, const Run& run) {
+    if (settings.to != "3" && settings.to != "6" && settings.to != "6-refined") throw UsageError("--panorama-upscale: expected none, 3, 6 or 6-refined, found \"{}\"", settings.to);
+    const c10::InferenceMode inference;
+    use_our_threads();
+    parts_ = std::make_unique<Parts>(weights, settings);
+    const Parts& p = *parts_;
+    // A tile is painted where a panorama of 1024 x 512 was; the pictures themselves are held beside it.
+    const std::int64_t pixels = 36ll * width * (width / 2);
+    const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(), p.model.text->bytes(), p.control.weights->bytes(),
+                                                p.model.unet->largest_bytes(), true}) + (settings.to == "3" ? pixels / 4 : pixels) * 40;
+    run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
+    check_memory("--panorama-upscale " + settings.to, need, fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
+}
+Upscale360::~Upscale360() = default;
+Upscale360::Upscale360(Upscale360&&) noexcept = default;
+
+ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run) const {
+    const c10::InferenceMode inference;
+    const Parts& p = *parts_;
+    p.random = at::detail::createCPUGenerator(run.seed);
+    ImageRgb8 picture = p.painted_anew(pillow_bicubic(panorama, 3 * panorama.width, 3 * panorama.height), prompt, p.settings.guidance, run);
+    if (p.settings.to == "3") return picture;
+    picture = p.doubled(picture, run);
+    return p.settings.to == "6" ? picture : p.painted_anew(picture, prompt, p.settings.refined_guidance, run);
+}
+
+}  // namespace fastscene
