@@ -66,7 +66,7 @@ std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) 
     if (params.backend == "layout") return std::make_unique<LayoutEstimator>(height);
     if (const std::filesystem::path file = params.weights; !file.empty()) return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), height);
     if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, height);
-    if (params.backend == "egformer") throw UsageError("--depth-backend egformer: expected --depth-weights FILE, found none");
+    if (params.backend == "egformer") throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
     return std::make_unique<LayoutEstimator>(height);
 }
 

@@ -9,6 +9,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
+#include "fastscene/nn/clip_image.h"
 #include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/nn/file_weights.h"
 #include "fastscene/nn/hashed.h"
@@ -307,18 +308,18 @@ TEST_F(PaintedFurther, ThePhotoLiesInTheMiddle) {
 
 TEST_F(PaintedFurther, LargerPicturesCloseToo) {
     const fs::path folder = official();
-    const ImageRgb8 small_picture = Diffusion360(folder, small(), {}).paint("a room", {});
+    const ImageRgb8 small_picture = pillow_bicubic(Diffusion360(folder, small(), {}).paint("a room", {}), 64, 32);
     Upscale360Settings settings;
     settings.tile = 128;
     settings.steps = 2;
     settings.to = "6-refined";
     settings.low_memory = true;
-    const ImageRgb8 image = Upscale360(folder, 256, settings, {}).enlarge(small_picture, "a room", {});
-    ASSERT_EQ(image.width, 6 * 256);
-    ASSERT_EQ(image.height, 6 * 128);
+    const ImageRgb8 image = Upscale360(folder, 64, settings, {}).enlarge(small_picture, "a room", {});
+    ASSERT_EQ(image.width, 6 * 64);
+    ASSERT_EQ(image.height, 6 * 32);
     expect_closed(image);
     settings.to = "3";
-    EXPECT_EQ(Upscale360(folder, 256, settings, {}).enlarge(small_picture, "a room", {}).width, 3 * 256);
+    EXPECT_EQ(Upscale360(folder, 64, settings, {}).enlarge(small_picture, "a room", {}).width, 3 * 64);
     settings.to = "6";
     fs::remove(folder / "RealESRGAN_x2plus.pth");
     try {

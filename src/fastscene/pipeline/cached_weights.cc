@@ -25,10 +25,7 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     }
     DepthParams& depth = request.params.depth;
     const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
-    if (estimated && depth.weights.empty()) {
-        take("egformer", cached_file("egformer"), depth.weights);
-        if (depth.weights.empty() && depth.backend == "egformer") throw asked_for("--depth-backend egformer", "--depth-weights FILE", "egformer");
-    }
+    if (estimated && depth.weights.empty()) take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     WalkParams& walk = request.params.walk;
     if (walk.inpainter == "aotgan" && walk.inpaint_weights.empty()) {
         take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
