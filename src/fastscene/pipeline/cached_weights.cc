@@ -27,10 +27,7 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
     if (estimated && depth.weights.empty()) take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     WalkParams& walk = request.params.walk;
-    if (walk.inpainter == "aotgan" && walk.inpaint_weights.empty()) {
-        take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
-        if (walk.inpaint_weights.empty()) throw asked_for("--walk-inpainter aotgan", "--walk-inpaint-weights FILE", "aotgan-places2");
-    }
+    if (walk.inpainter == "aotgan" && walk.inpaint_weights.empty()) take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
 }
 
 }  // namespace fastscene
