@@ -15,6 +15,7 @@ find_package(PkgConfig REQUIRED)
 # Debian's OpenEXR CMake files want its Python bindings; pkg-config does not.
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(curl REQUIRED IMPORTED_TARGET libcurl)
 pkg_check_modules(crypto REQUIRED IMPORTED_TARGET libcrypto)

@@ -6,10 +6,10 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/suggest.h"
 #include "fastscene/cli/inpaint.h"
 #include "fastscene/cli/progress.h"
 #include "fastscene/cli/signals.h"
-#include "fastscene/cli/suggest.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/build_info.h"
 
@@ -110,7 +110,7 @@ int run(int argc, char** argv) {
     bool version = false;
     app.add_flag("--version", version, "Print the version and exit.");
     const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app), add_walk(app),   add_views(app),  add_splat(app),
-                                  add_metrics(app), add_render(app),   add_convert(app), add_view(app),  add_rooms(app), add_inpaint(app), add_models(app), add_doctor(app), add_version(app)};
+                                  add_metrics(app), add_evaluate(app), add_render(app),   add_convert(app), add_view(app),  add_rooms(app), add_inpaint(app), add_models(app), add_doctor(app), add_version(app)};
     auto common = std::make_shared<Common>();
     for (const Verb& verb : verbs) add_common_flags(*verb.app, common);
     try {

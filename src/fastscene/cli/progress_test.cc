@@ -6,7 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
-#include "fastscene/cli/suggest.h"
+#include "fastscene/base/suggest.h"
 
 namespace fastscene::cli {
 namespace {

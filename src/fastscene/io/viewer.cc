@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "fastscene/base/base64.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
@@ -11,22 +12,6 @@ namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string base64(std::string_view bytes) {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = bytes.size() - i;
-        const auto byte = [&](std::size_t k) { return k < left ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0u; };
-        const std::uint32_t v = byte(0) << 16 | byte(1) << 8 | byte(2);
-        out += kDigits[v >> 18 & 63];
-        out += kDigits[v >> 12 & 63];
-        out += left > 1 ? kDigits[v >> 6 & 63] : '=';
-        out += left > 2 ? kDigits[v & 63] : '=';
-    }
-    return out;
-}
 
 // Replaces the one occurrence of `what`. The viewer is pinned exactly; a page without the pattern is another version.
 void replace_once(std::string& page, std::string_view what, std::string_view by, const fs::path& file) {

@@ -73,6 +73,25 @@ std::optional<fs::path> find(const fs::path& weights, const std::string& alterna
     return std::nullopt;
 }
 
+// The files of a measure, or what of them is not there.
+struct Found {
+    std::vector<fs::path> files;
+    std::string absent;
+};
+Found look_for(const Kind& kind, const fs::path& weights) {
+    Found out;
+    for (const std::string& name : kind.files) {
+        if (const auto found = find(weights, name)) out.files.push_back(*found);
+        else out.absent += (out.absent.empty() ? "" : ", ") + name.substr(0, name.find('|'));
+    }
+    if (!out.absent.empty()) out.absent = fmt::format("{} in {}: {}; or `fastscene models pull {}`", out.absent, weights.string(), kind.source, kind.model);
+    return out;
+}
+
+bool is_wanted(const Kind& kind, const std::vector<std::string>& wanted) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
+}
+
 // Hessel et al. write 2.5 max(cos, 0); the paper's 29.0 is 100 cos.
 Measure clip_measure(const fs::path& folder, const std::string& prompt) {
     const auto clip = std::make_shared<ClipMeasure>(folder);
@@ -98,13 +117,17 @@ Measure make_measure(const Kind& kind, const std::vector<fs::path>& files, const
     return clip_measure(files[0], prompt);
 }
 
-ImageRgb8 partner_of(const fs::path& picture, const ImageRgb8& image, const fs::path& reference) {
-    const fs::path path = fs::is_directory(reference) ? reference / picture.filename() : reference;
-    if (!fs::exists(path)) throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
-    ImageRgb8 partner = load_rgb8(path);
-    if (!partner.same_size(image))
-        throw Error("{}: expected {} x {} as {} is, found {} x {}", path.string(), image.width, image.height, picture.string(), partner.width, partner.height);
-    return partner;
+fs::path partner_of(const fs::path& picture, const fs::path& reference) { return fs::is_directory(reference) ? reference / picture.filename() : reference; }
+
+// Known from the files' heads: better said before the first picture than after an hour.
+void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
+    for (const fs::path& picture : pictures) {
+        const fs::path partner = partner_of(picture, reference);
+        if (!fs::exists(partner)) throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
+        const PictureInfo a = picture_info(picture), b = picture_info(partner);
+        if (a.width != b.width || a.height != b.height)
+            throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), a.width, a.height, picture.string(), b.width, b.height);
+    }
 }
 
 // JSON has no infinity: equal pictures say so in words.
@@ -137,27 +160,22 @@ std::vector<fs::path> pictures_in(const fs::path& place, const std::string& flag
 
 Json measure_images(const ImageMeasures& inputs, const Run& run) {
     const std::vector<fs::path> pictures = pictures_in(inputs.pictures, "metrics images");
+    if (!inputs.reference.empty()) check_partners(pictures, inputs.reference);
     std::vector<std::pair<std::string, Measure>> measures;
     Json missing = Json::object();
     for (const Kind& kind : kinds()) {
-        const bool asked = std::find(inputs.wanted.begin(), inputs.wanted.end(), kind.name) != inputs.wanted.end();
-        if (!inputs.wanted.empty() && !asked) continue;
+        if (!is_wanted(kind, inputs.wanted)) continue;
         const bool possible = kind.needs == Needs::nothing || (kind.needs == Needs::reference ? !inputs.reference.empty() : !inputs.prompt.empty());
         if (!possible) {
-            if (asked) throw UsageError("--measure {}: expected {}, found none", kind.name, kind.needs == Needs::reference ? "--reference DIR" : "--prompt TEXT");
+            if (!inputs.wanted.empty())
+                throw UsageError("--measure {}: expected {}, found none", kind.name, kind.needs == Needs::reference ? "--reference DIR" : "--prompt TEXT");
             continue;
         }
-        std::vector<fs::path> files;
-        std::string absent;
-        for (const std::string& name : kind.files) {
-            const auto found = find(inputs.weights, name);
-            if (found) files.push_back(*found);
-            else absent += (absent.empty() ? "" : ", ") + name.substr(0, name.find('|'));
-        }
-        if (absent.empty())
-            measures.emplace_back(kind.name, make_measure(kind, files, inputs.prompt));
+        const Found found = look_for(kind, inputs.weights);
+        if (found.absent.empty())
+            measures.emplace_back(kind.name, make_measure(kind, found.files, inputs.prompt));
         else
-            missing[kind.name] = fmt::format("{} in {}: {}; or `fastscene models pull {}`", absent, inputs.weights.string(), kind.source, kind.model);
+            missing[kind.name] = found.absent;
     }
     for (const auto& [name, what] : missing.items()) run.warn(fmt::format("{} is not measured: fetch {}", name, what.get<std::string>()));
 
@@ -167,7 +185,8 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
     for (const fs::path& path : pictures) {
         run.check_stop();
         const ImageRgb8 image = load_rgb8(path);
-        const ImageRgb8 partner = inputs.reference.empty() ? ImageRgb8{} : partner_of(path, image, inputs.reference);
+        const ImageRgb8 partner = inputs.reference.empty() ? ImageRgb8{} : load_rgb8(partner_of(path, inputs.reference));
+        if (!load_alpha(path).empty()) run.note(fmt::format("{}: transparent in parts, measured over black", path.string()));
         Json row = {{"name", path.filename().string()}};
         for (const auto& [name, measure] : measures) try {
                 const double v = measure(image, partner);
@@ -185,6 +204,14 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
     for (const auto& [name, measure] : measures)
         mean[name] = sums[name].second ? Json(sums[name].first / sums[name].second) : Json();
     return {{"count", pictures.size()}, {"pictures", rows}, {"mean", mean}, {"missing", missing}, {"undefined", undefined}};
+}
+
+Json missing_measures(const fs::path& weights, const std::vector<std::string>& wanted) {
+    Json missing = Json::object();
+    for (const Kind& kind : kinds())
+        if (is_wanted(kind, wanted))
+            if (const Found found = look_for(kind, weights); !found.absent.empty()) missing[kind.name] = found.absent;
+    return missing;
 }
 
 std::string image_table(const Json& report) {

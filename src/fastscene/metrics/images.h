@@ -27,6 +27,9 @@ Json measure_images(const ImageMeasures& inputs, const Run& run);
 // The same as a table for people.
 std::string image_table(const Json& report);
 
+// Measures of `wanted` (empty: all) whose parameters or networks the folder lacks: name -> what to fetch.
+Json missing_measures(const std::filesystem::path& weights, const std::vector<std::string>& wanted);
+
 // $FASTSCENE_WEIGHTS, else metrics/ in the user's cache.
 std::filesystem::path default_metrics_weights();
 // Which files the folder should hold, and where they come from.

@@ -55,6 +55,16 @@ TEST_F(Images, UndefinedScoresAreNullWithAReason) {
     EXPECT_NE(report["undefined"]["c.png"]["ssim_wang"].get<std::string>().find("11 x 11"), std::string::npos);
 }
 
+TEST_F(Images, OnePixelAndOneColorAreAnsweredInWords) {
+    save_png(root_ / "empty/dot.png", ImageRgb8(1, 1, Rgb8{9, 9, 9}));
+    save_png(root_ / "empty/even.png", ImageRgb8(200, 200, Rgb8{9, 9, 9}));
+    const Json report = measure_images({root_ / "empty", root_ / "empty", "", root_, {"psnr", "ssim_wang", "ssim_3dgs"}}, {});
+    for (const Json& row : report["pictures"]) EXPECT_EQ(row["psnr"], "inf") << row;
+    EXPECT_TRUE(report["pictures"][0]["ssim_wang"].is_null());
+    EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
+    EXPECT_NEAR(report["mean"]["ssim_3dgs"].get<double>(), 1, 1e-12);
+}
+
 TEST_F(Images, WrongInputsAreErrors) {
     EXPECT_THROW(measure_images({root_ / "empty", "", "", root_, {}}, {}), Error) << "no pictures";
     EXPECT_THROW(measure_images({root_ / "ours", root_ / "empty", "", root_, {}}, {}), Error) << "no partners";

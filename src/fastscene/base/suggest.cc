@@ -1,9 +1,9 @@
-#include "fastscene/cli/suggest.h"
+#include "fastscene/base/suggest.h"
 
 #include <algorithm>
 #include <cstddef>
 
-namespace fastscene::cli {
+namespace fastscene {
 namespace {
 
 // Levenshtein's distance: letters inserted, removed or changed.
@@ -40,4 +40,4 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     return best;
 }
 
-}  // namespace fastscene::cli
+}  // namespace fastscene

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace fastscene::cli {
+namespace fastscene {
 
 // Empty when nothing known is near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-}  // namespace fastscene::cli
+}  // namespace fastscene

@@ -1,0 +1,53 @@
+// Measures of one scene: pictures are made and judged, figures come back by column. Everything is kept on disk under a key, so that
+// what was measured once is not measured again.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/evaluate/suite.h"
+
+namespace fastscene {
+
+// Figures of one scene for one row. A value is a number, or "inf" for equal pictures; a column without one has a note why.
+struct Sample {
+    std::string group;                 // which of the variant's rows; empty: its own
+    std::string series;                // with `at`: a point of a curve (holes along x over the step; PSNR over the radius)
+    std::optional<double> at;
+    std::map<std::string, Json> values{};
+    std::map<std::string, std::string> notes{};
+};
+// Pictures side by side, for the report; files relative to the output folder.
+struct Figure {
+    std::string caption;
+    std::vector<std::pair<std::string, std::filesystem::path>> pictures;  // label, file
+    bool wide = false;                 // panoramas: one below the other
+};
+struct Measured {
+    std::vector<Sample> samples;
+    std::vector<Figure> figures;
+};
+
+struct MeasureInputs {
+    const Suite* suite = nullptr;
+    std::filesystem::path out;         // figures' files are relative to this
+    std::filesystem::path work;        // where this scene's measures are kept
+    std::filesystem::path weights;     // parameters and networks
+    std::string prompt;                // for the CLIP score; empty: none
+};
+
+// The measures of the suite, on the run in `folder`. Throws Error when a picture or a file is wrong.
+Measured measure_scene(const MeasureInputs& inputs, const RunFolder& folder, const Run& run);
+// "stills" of pictures that another system made (pictures in `folder`).
+Measured measure_pictures(const MeasureInputs& inputs, const std::filesystem::path& folder, const Run& run);
+
+Json json_of(const Measured& measured);
+
+// Names of rows within a variant.
+inline constexpr const char* kOriginGroup = "seen from panorama 0's place";
+inline constexpr const char* kInputGroup = "panorama 0's own crops";
+
+}  // namespace fastscene

@@ -1,0 +1,50 @@
+#include "fastscene/evaluate/report_figures.h"
+
+#include <fmt/format.h>
+
+#include "fastscene/base/base64.h"
+#include "fastscene/base/file.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/evaluate/charts.h"
+#include "fastscene/evaluate/picture.h"
+#include "fastscene/io/image_io.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kStillWidth = 300, kPairWidth = 420, kSphereWidth = 1060, kJpegQuality = 84;
+
+}  // namespace
+
+std::string picture_data(const fs::path& out, const fs::path& picture, int width) {
+    const fs::path file = out / picture, kept = out / "measured" / "thumbnails";
+    if (!fs::exists(file)) return "";  // deleted since; the page says so by its gap
+    const std::string key = Hash().add(file.string()).add(fs::file_size(file)).add(fs::last_write_time(file).time_since_epoch().count()).add(width).hex();
+    const fs::path small = kept / (key + ".jpg");
+    if (!fs::exists(small)) {
+        make_directories(kept);
+        save_jpeg(small, thumbnail(load_rgb8(file), width), kJpegQuality);
+    }
+    return "data:image/jpeg;base64," + base64(read_file(small));
+}
+
+std::string figures_html(const Json& figures, const fs::path& out) {
+    std::string html;
+    for (const Json& figure : figures) {
+        const bool wide = figure.at("wide").get<bool>(), stills = figure.at("pictures").size() > 3;
+        const std::string caption = figure.at("caption");
+        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + fmt::format("<div class=\"row{}\">\n", wide ? " wide" : stills ? " stills" : "");
+        for (const Json& picture : figure.at("pictures")) {
+            const std::string label = html_escaped(picture.at("label"));
+            html += fmt::format("<div><img alt=\"{}\" loading=\"lazy\" src=\"{}\">{}</div>\n", label,
+                                picture_data(out, picture.at("file").get<std::string>(), wide ? kSphereWidth : stills ? kStillWidth : kPairWidth),
+                                label.empty() ? "" : "<span>" + label + "</span>");
+        }
+        html += "</div></figure>\n";
+    }
+    return html;
+}
+
+}  // namespace fastscene

@@ -1,0 +1,16 @@
+// Pictures inside the page.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "fastscene/base/json.h"
+
+namespace fastscene {
+
+// A picture (relative to `out`, or absolute) at no more than `width` pixels, as a data address. Reduced once, kept in out/measured/thumbnails.
+std::string picture_data(const std::filesystem::path& out, const std::filesystem::path& picture, int width);
+// The figures of a record (measures.h).
+std::string figures_html(const Json& figures, const std::filesystem::path& out);
+
+}  // namespace fastscene

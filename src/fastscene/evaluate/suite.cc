@@ -1,0 +1,225 @@
+#include "fastscene/evaluate/suite.h"
+
+#include <algorithm>
+#include <set>
+#include <type_traits>
+
+#include "fastscene/base/file.h"
+#include "fastscene/evaluate/columns.h"
+#include "fastscene/evaluate/toml_table.h"
+
+namespace fastscene {
+// suites/*.toml, by cmake/embed.cmake.
+extern const std::pair<std::string_view, std::string_view> kSuiteTexts[];
+extern const std::size_t kSuiteCount;
+
+namespace {
+namespace fs = std::filesystem;
+
+// The settings of make by their flags' names, without the dashes: walk, walk-viewpoints, splat-steps …
+template <class Visit>
+void visit_settings(SceneParams& params, const Visit& visit) {
+    visit_sections(params, [&](std::string_view section, auto& fields) {
+        visit_fields(fields, [&](std::string_view field, auto& value, const auto&...) {
+            visit(field == "kind" ? std::string(section) : fmt::format("{}-{}", section, field), value);
+        });
+    });
+}
+
+std::vector<std::string> setting_names() {
+    std::vector<std::string> names;
+    SceneParams params;
+    visit_settings(params, [&](const std::string& name, auto&) { names.push_back(name); });
+    return names;
+}
+
+void apply_settings(const TomlTable& table, SceneParams& params) {
+    visit_settings(params, [&](const std::string& name, auto& value) {
+        using T = std::decay_t<decltype(value)>;
+        if (!table.has(name)) return;
+        if constexpr (std::is_same_v<T, bool>) value = table.flag(name, value);
+        else if constexpr (std::is_same_v<T, std::string>) value = table.text(name);
+        else if constexpr (std::is_integral_v<T>) value = static_cast<T>(table.whole(name, 0, -2'000'000'000, 2'000'000'000));
+        else value = static_cast<T>(table.number(name, 0, -1e30, 1e30));
+    });
+    try {
+        check_params(params);
+    } catch (const UsageError& e) {  // "--walk-steps: expected …": the same name stands in the table
+        const std::string text = e.what(), name = text.starts_with("--") ? text.substr(2, text.find(':') - 2) : "";
+        throw Error("{}: {}", table.place(name), text.substr(std::min(text.size(), text.find(':') + 2)));
+    }
+}
+
+std::vector<std::string> with(std::vector<std::string> list, std::initializer_list<std::string> more) {
+    list.insert(list.begin(), more);
+    return list;
+}
+
+class Reader {
+  public:
+    Reader(const toml::table& document, std::string name, fs::path file, std::string quality)
+        : top_(document, file.string(), "", {"title", "about", "measures", "columns", "notes", "quality", "diffusion360", "settings", "stills", "held-out", "scene", "variant", "published", "peer"}),
+          name_(std::move(name)), file_(std::move(file)), forced_quality_(std::move(quality)) {}
+
+    Suite read() {
+        suite_.name = name_;
+        suite_.title = top_.text("title", name_);
+        suite_.about = top_.text("about");
+        suite_.notes = top_.texts("notes");
+        suite_.measures = chosen("measures", measure_names());
+        if (suite_.measures.empty()) top_.fail_missing("measures", fmt::format("a list of {}", fmt::join(measure_names(), ", ")));
+        suite_.columns = chosen("columns", column_keys());
+        if (suite_.columns.empty())
+            for (const Column& column : columns())
+                if (column.measure == "cost" || suite_.has(column.measure)) suite_.columns.push_back(column.key);
+        read_stills();
+        read_held_out();
+        for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
+        if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt or a panorama");
+        for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
+        if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr)});
+        for (const toml::table* row : top_.tables("published")) read_published(*row);
+        for (const toml::table* peer : top_.tables("peer")) read_peer(*peer);
+        return std::move(suite_);
+    }
+
+  private:
+    std::vector<std::string> chosen(std::string_view key, const std::vector<std::string>& known) const {
+        const std::vector<std::string> names = top_.texts(key);
+        for (const std::string& name : names)
+            if (std::find(known.begin(), known.end(), name) == known.end()) top_.fail(key, fmt::format("unknown \"{}\"{}", name, meant(name, known)));
+        return names;
+    }
+
+    void read_stills() {
+        const toml::table* found = top_.table("stills");
+        if (!found) return;
+        const TomlTable table(*found, file_.string(), "[stills]", {"count", "size", "fov", "radius"});
+        StillsParams& s = suite_.stills;
+        s.count = table.whole("count", s.count, 1, 1000);
+        s.size_px = table.whole("size", s.size_px, 0, 4096);
+        s.fov_deg = table.number("fov", s.fov_deg, 10, 140);
+        s.radius_m = table.number("radius", s.radius_m, 0, 10);
+    }
+    void read_held_out() {
+        const toml::table* found = top_.table("held-out");
+        if (!found) return;
+        const TomlTable table(*found, file_.string(), "[held-out]", {"views", "radii", "bounds"});
+        HeldOutParams& h = suite_.held_out;
+        h.views = table.whole("views", h.views, 1, 1000);
+        h.bounds = table.flag("bounds", h.bounds);
+        if (table.has("radii")) h.radii_m = table.numbers("radii");
+        if (h.radii_m.empty()) table.fail("radii", "expected at least one radius in metres, found none");
+        for (const double r : h.radii_m)
+            if (!(r >= 0.01 && r <= 10)) table.fail("radii", fmt::format("expected metres from 0.01 to 10, found {}", r));
+    }
+
+    void read_scene(const toml::table& found) {
+        const TomlTable table(found, file_.string(), "[[scene]]", {"name", "prompt", "panorama", "range", "seeds"});
+        SuiteScene scene;
+        scene.source.prompt = table.text("prompt");
+        scene.source.picture = path_of(table.text("panorama"));
+        scene.source.range_map = path_of(table.text("range"));
+        if (scene.source.picture.empty()) scene.source.weights = path_of(top_.text("diffusion360"));
+        if (scene.source.prompt.empty() && scene.source.picture.empty()) table.fail_missing("prompt", "a prompt or a panorama");
+        if (scene.source.picture.empty() && !scene.source.range_map.empty()) table.fail("range", "expected together with panorama, found alone");
+        for (const char* key : {"panorama", "range"})
+            if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path))) table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));
+        scene.name = slug_of(table.text("name", scene.source.picture.empty() ? scene.source.prompt : scene.source.picture.stem().string()));
+        if (!names_.insert(scene.name).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
+        if (table.has("seeds")) {
+            scene.seeds.clear();
+            for (const double seed : table.numbers("seeds")) {
+                if (!(seed >= 0 && seed < 9e15 && seed == static_cast<double>(static_cast<std::uint64_t>(seed)))) table.fail("seeds", fmt::format("expected whole numbers from 0, found {}", seed));
+                scene.seeds.push_back(static_cast<std::uint64_t>(seed));
+            }
+            if (scene.seeds.empty()) table.fail("seeds", "expected at least one, found none");
+        }
+        suite_.scenes.push_back(std::move(scene));
+    }
+
+    std::string quality_of(const TomlTable& table) const {
+        if (!forced_quality_.empty()) return forced_quality_;
+        const std::string quality = table.text("quality", top_.text("quality", "standard"));
+        const std::vector<std::string> known = qualities();
+        if (std::find(known.begin(), known.end(), quality) == known.end()) table.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
+        return quality;
+    }
+    SceneParams params_of(const TomlTable& table, const toml::table* own) const {
+        SceneParams params = params_of_quality(quality_of(table));
+        if (top_.has("diffusion360")) params.panorama.width = 1024;  // what the model was trained for
+        if (const toml::table* common = top_.table("settings")) apply_settings({*common, file_.string(), "[settings]", setting_names()}, params);
+        if (own) apply_settings({*own, file_.string(), "settings", setting_names()}, params);
+        return params;
+    }
+    void read_variant(const toml::table& found) {
+        const TomlTable table(found, file_.string(), "[[variant]]", {"name", "quality", "settings"});
+        if (table.text("name").empty()) table.fail_missing("name", "the row's name");
+        if (!rows_.insert(slug_of(table.text("name"))).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
+        suite_.variants.push_back({table.text("name"), quality_of(table), params_of(table, table.table("settings"))});
+    }
+
+    void read_published(const toml::table& found) {
+        const TomlTable table(found, file_.string(), "[[published]]", with(column_keys(), {"name", "ours"}));
+        PublishedRow row{table.text("name"), {}, table.flag("ours", false)};
+        if (row.name.empty()) table.fail_missing("name", "the row's name");
+        for (const std::string& key : column_keys())
+            if (table.has(key)) row.values[key] = table.number(key, 0, -1e9, 1e9);
+        suite_.published.push_back(std::move(row));
+    }
+    void read_peer(const toml::table& found) {
+        const TomlTable table(found, file_.string(), "[[peer]]", {"name", "folder"});
+        if (table.text("name").empty()) table.fail_missing("name", "the row's name");
+        if (table.text("folder").empty()) table.fail_missing("folder", "the folder of its pictures or splats");
+        suite_.peers.push_back({table.text("name"), path_of(table.text("folder"))});
+    }
+
+    fs::path path_of(const std::string& text) const { return text.empty() || fs::path(text).is_absolute() ? fs::path(text) : file_.parent_path() / text; }
+
+    TomlTable top_;
+    std::string name_;
+    fs::path file_;
+    std::string forced_quality_;
+    std::set<std::string> names_, rows_;
+    Suite suite_;
+};
+
+}  // namespace
+
+bool Suite::has(std::string_view measure) const { return std::find(measures.begin(), measures.end(), measure) != measures.end(); }
+
+const std::vector<std::string>& measure_names() {
+    static const std::vector<std::string> names{"stills", "source", "held-out", "holes"};
+    return names;
+}
+
+Suite read_suite(std::string_view text, const std::string& name, const fs::path& file, const std::string& quality) {
+    toml::table document;
+    try {
+        document = toml::parse(text, file.string());
+    } catch (const toml::parse_error& e) {
+        throw Error("{}:{}: expected TOML: {}", file.string(), static_cast<unsigned>(e.source().begin.line), e.description());
+    }
+    return Reader(document, name, file, quality).read();
+}
+
+std::vector<std::pair<std::string, std::string>> shipped_suites() {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (std::size_t i = 0; i < kSuiteCount; ++i) {
+        const std::string name(kSuiteTexts[i].first);
+        out.emplace_back(name, read_suite(kSuiteTexts[i].second, name, "suites/" + name + ".toml").title);
+    }
+    return out;
+}
+
+SuiteText find_suite(const std::string& name_or_file) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kSuiteCount; ++i) {
+        names.emplace_back(kSuiteTexts[i].first);
+        if (names.back() == name_or_file) return {names.back(), std::string(kSuiteTexts[i].second), "suites/" + names.back() + ".toml"};
+    }
+    if (fs::is_regular_file(name_or_file)) return {fs::path(name_or_file).stem().string(), read_file(name_or_file), name_or_file};
+    throw UsageError("evaluate: expected a suite file or the name of a suite that ships, found \"{}\"{}", name_or_file, meant(name_or_file, names));
+}
+
+}  // namespace fastscene

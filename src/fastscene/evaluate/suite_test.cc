@@ -1,0 +1,96 @@
+#include "fastscene/evaluate/suite.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+
+namespace fastscene {
+namespace {
+
+const std::string kHead = "title = \"T\"\nmeasures = [\"stills\"]\n";
+const std::string kScene = "[[scene]]\nprompt = \"a bedroom\"\n";
+
+Suite read(const std::string& text, const std::string& quality = "") { return read_suite(text, "mine", "mine.toml", quality); }
+
+// What the error of a wrong suite says; empty when there is none.
+std::string complaint(const std::string& text) {
+    try {
+        read(text);
+        return "";
+    } catch (const Error& e) {
+        return e.what();
+    }
+}
+
+TEST(Suite, EveryOneThatShipsIsWhole) {
+    std::vector<std::string> names;
+    for (const auto& [name, title] : shipped_suites()) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{"paper-table1", "paper-table2", "paper-table3", "paper-table4", "resolutions", "truth"}));
+    for (const std::string& name : names) {
+        const SuiteText found = find_suite(name);
+        const Suite suite = read_suite(found.text, found.name, found.file);
+        EXPECT_GE(suite.scenes.size(), 2u) << name;
+        EXPECT_FALSE(suite.columns.empty()) << name;
+        EXPECT_FALSE(suite.notes.empty()) << name << " says how its protocol differs";
+        for (const PublishedRow& row : suite.published)
+            for (const auto& [column, value] : row.values) EXPECT_NE(std::find(suite.columns.begin(), suite.columns.end(), column), suite.columns.end()) << name << ": " << column << " is published but not shown";
+    }
+    const SuiteText two = find_suite("paper-table2");
+    const Suite table2 = read_suite(two.text, two.name, two.file);
+    EXPECT_EQ(table2.stills.count, 30) << "as the paper renders";
+    EXPECT_EQ(table2.published.back().values.at("niqe"), 3.9);
+}
+
+TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
+    const std::string text = kHead + "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nquality = \"standard\"\n"
+                             "settings = { walk = \"paper\", splat-steps = 9 }\n" + kScene;
+    const Suite suite = read(text);
+    ASSERT_EQ(suite.variants.size(), 2u);
+    EXPECT_EQ(suite.variants[0].params.panorama.width, params_of_quality("draft").panorama.width);
+    EXPECT_EQ(suite.variants[0].params.splat.steps, 7);
+    EXPECT_EQ(suite.variants[1].params.panorama.width, params_of_quality("standard").panorama.width);
+    EXPECT_EQ(suite.variants[1].params.splat.steps, 9);
+    EXPECT_EQ(suite.variants[1].params.walk.viewpoints, 3);
+    EXPECT_EQ(suite.variants[1].params.walk.kind, "paper");
+    EXPECT_EQ(read(text, "draft").variants[1].params.panorama.width, params_of_quality("draft").panorama.width) << "--quality wins";
+}
+
+TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
+    const auto expect = [](const std::string& text, std::initializer_list<const char*> parts) {
+        const std::string said = complaint(text);
+        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+    };
+    expect(kHead + "[[scene]]\npromt = \"a bedroom\"\n", {"mine.toml:4:", "promt", "[[scene]]", "did you mean prompt?"});
+    expect("titel = \"T\"\n" + kHead + kScene, {"mine.toml:1:", "titel", "did you mean title?"});
+    expect(kHead + "[settings]\nwalk-viewpoint = 3\n" + kScene, {"mine.toml:4:", "walk-viewpoint", "did you mean walk-viewpoints?"});
+    expect(kHead + "[settings]\nwalk-viewpoints = \"many\"\n" + kScene, {"mine.toml:4:", "walk-viewpoints", "expected a number", "many"});
+    expect(kHead + "[settings]\nwalk-viewpoints = 100000\n" + kScene, {"mine.toml:4:", "walk-viewpoints", "from 0 to 200"});
+    expect(kHead + "[settings]\nsplat-steps = 2.5\n" + kScene, {"mine.toml:4:", "whole number"});
+    expect(kHead + "quality = \"drat\"\n" + kScene, {"mine.toml:3:", "quality", "did you mean draft?"});
+    expect("measures = [\"stils\"]\n" + kScene, {"mine.toml:1:", "measures", "did you mean stills?"});
+    expect(kHead + "columns = [\"niqqe\"]\n" + kScene, {"mine.toml:3:", "did you mean niqe?"});
+    expect(kHead + kScene + "[[published]]\nname = \"x\"\nbrisk = 3\n", {"mine.toml:7:", "brisk"});
+    expect(kHead + "[stills]\ncount = 0\n" + kScene, {"mine.toml:4:", "count", "from 1"});
+    expect(kHead + "[held-out]\nradii = [0.3, 50]\n" + kScene, {"mine.toml:4:", "radii", "50"});
+    expect(kHead + kScene + "seeds = [1, -2]\n", {"mine.toml:5:", "seeds", "-2"});
+    expect(kHead + kScene + kScene, {"mine.toml:5:", "twice"});
+    expect(kHead, {"mine.toml", "scene", "found none"});
+    expect(kScene, {"mine.toml", "measures", "found none"});
+    expect(kHead + "[[scene]]\npanorama = \"none.jpg\"\n", {"mine.toml:4:", "panorama", "none.jpg"});
+    expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
+    expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
+}
+
+TEST(Suite, AnUnknownNameSaysWhatWasMeant) {
+    try {
+        find_suite("paper-tabel2");
+        FAIL();
+    } catch (const UsageError& e) {
+        EXPECT_NE(std::string(e.what()).find("did you mean paper-table2?"), std::string::npos) << e.what();
+    }
+}
+
+}  // namespace
+}  // namespace fastscene

@@ -1,0 +1,93 @@
+# A suite from its file to its report: made, gone on with, with other systems' pictures, and with everything that can be wrong in it.
+. "$(dirname "$0")/lib.sh"
+unset FASTSCENE_WEIGHTS; export XDG_CACHE_HOME=$work/cache
+
+settings='[settings]
+panorama-width = 256
+panorama-cell = 0.25
+panorama-cell-samples = 8
+panorama-pixel-samples = 2
+walk-viewpoints = 2
+views-size = 64
+views-points = 4000
+splat-count = 2000
+splat-steps = 20
+'
+cat >small.toml <<TOML
+title = "Small"
+measures = ["stills", "source", "held-out", "holes"]
+columns = ["niqe", "clip_l14", "source_psnr", "lpips_alex", "psnr", "holes", "minutes"]
+quality = "draft"
+$settings
+[stills]
+count = 3
+[held-out]
+views = 2
+[[variant]]
+name = "Ours"
+[[variant]]
+name = "Fewer"
+settings = { walk-viewpoints = 1 }
+[[scene]]
+name = "bedroom"
+prompt = "$prompt"
+seeds = [3]
+[[published]]
+name = "Them"
+niqe = 3.9
+TOML
+
+expect 0 "$fastscene" evaluate small.toml -o eval
+prints "| Them (published) | 3.90 |"
+prints "fetch niqe.json"
+says "report.html"
+has eval/results.json eval/table.md eval/table.csv eval/table.tex eval/scenes.csv eval/report.html eval/scenes/ours/bedroom-3/splat/scene.ply
+grep -q '"psnr"' eval/results.json || fail "no psnr in results.json"
+grep -q "clip-vit-large-patch14" eval/report.html || fail "the report does not say what to fetch"
+! grep -qE '(src|href)="http' eval/report.html || fail "the report asks the network"
+# The second row starts from the first one's panorama.
+cmp -s eval/scenes/ours/bedroom-3/panorama/stage.json eval/scenes/fewer/bedroom-3/panorama/stage.json || fail "the panorama was made twice"
+
+# Again: nothing is made anew, and the result is the same.
+contents eval/scenes >before
+cp eval/table.csv first.csv
+expect 0 "$fastscene" evaluate small.toml -o eval
+says "splat: already made"
+contents eval/scenes | diff before - >log || fail "a finished scene changed"
+cmp -s first.csv eval/table.csv || fail "another table the second time"
+
+# Other systems: pictures, splats, time.
+mkdir -p peer/bedroom third
+expect 0 "$fastscene" render eval/scenes/ours/bedroom-3 --size 120x100 -o peer/bedroom/a.png
+echo 70 >peer/minutes.txt
+cp eval/scenes/ours/bedroom-3/splat/scene.ply third/bedroom.ply
+expect 0 "$fastscene" evaluate small.toml -o eval --peer "Some system=peer" --peer "Third=third"
+grep -q '^| Some system .*70.0 |$' eval/table.md || fail "the peer's minutes are not in the table"
+grep -q '^| Third ' eval/table.md || fail "the peer's splats are not in the table"
+expect 2 "$fastscene" evaluate small.toml -o eval --peer "Nobody=$work"
+says "bedroom"
+expect 2 "$fastscene" evaluate small.toml -o eval --peer nobody
+says "NAME=DIR"
+
+# One scene fails, the others go on, and the exit code says so.
+sed 's/^name = "bedroom"/name = "odd"/; s/^prompt = .*/panorama = "odd.png"/' small.toml >odd.toml
+"$fastscene" render eval/scenes/ours/bedroom-3 --size 90x80 -o odd.png >/dev/null 2>&1
+printf '\n[[scene]]\nname = "bedroom"\nprompt = "%s"\nseeds = [3]\n' "$prompt" >>odd.toml
+expect 1 "$fastscene" evaluate odd.toml -o eval2
+says "odd.png"
+has eval2/report.html eval2/scenes/ours/bedroom-3/splat/scene.ply
+grep -q "failed" eval2/report.html || fail "the report does not name the failure"
+
+# Suites that ship, and typos.
+expect 0 "$fastscene" evaluate
+prints paper-table2
+expect 0 "$fastscene" evaluate paper-table2 --show
+prints 'prompt = "a cozy bedroom'
+expect 2 "$fastscene" evaluate paper-tabel2
+says "did you mean paper-table2?"
+sed 's/^prompt/promt/' small.toml >typo.toml
+expect 1 "$fastscene" evaluate typo.toml -o p
+says "did you mean prompt?"
+grep -qE 'typo.toml:[0-9]+:' log || fail "no line number"
+lacks p
+no_rest eval
