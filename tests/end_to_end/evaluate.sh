@@ -22,12 +22,9 @@ $settings
 [stills]
 count = 3
 [held-out]
-views = 2
+views = 1
 [[variant]]
 name = "Ours"
-[[variant]]
-name = "Fewer"
-settings = { walk-viewpoints = 1 }
 [[scene]]
 name = "bedroom"
 prompt = "$prompt"
@@ -40,13 +37,12 @@ TOML
 expect 0 "$fastscene" evaluate small.toml -o eval
 prints "| Them (published) | 3.90 |"
 prints "fetch niqe.json"
+prints "| Ours, x +0.33 |"
 says "report.html"
 has eval/results.json eval/table.md eval/table.csv eval/table.tex eval/scenes.csv eval/report.html eval/scenes/ours/bedroom-3/splat/scene.ply
 grep -q '"psnr"' eval/results.json || fail "no psnr in results.json"
 grep -q "clip-vit-large-patch14" eval/report.html || fail "the report does not say what to fetch"
 ! grep -qE '(src|href)="http' eval/report.html || fail "the report asks the network"
-# The second row starts from the first one's panorama.
-cmp -s eval/scenes/ours/bedroom-3/panorama/stage.json eval/scenes/fewer/bedroom-3/panorama/stage.json || fail "the panorama was made twice"
 
 # Again: nothing is made anew, and the result is the same.
 contents eval/scenes >before
@@ -55,6 +51,14 @@ expect 0 "$fastscene" evaluate small.toml -o eval
 says "splat: already made"
 contents eval/scenes | diff before - >log || fail "a finished scene changed"
 cmp -s first.csv eval/table.csv || fail "another table the second time"
+
+# The page alone, from results.json.
+rm eval/report.html
+expect 0 "$fastscene" evaluate --redraw eval
+has eval/report.html
+cmp -s first.csv eval/table.csv || fail "another table when drawn again"
+expect 2 "$fastscene" evaluate --redraw nowhere
+says "results.json"
 
 # Other systems: pictures, splats, time.
 mkdir -p peer/bedroom third
@@ -69,13 +73,14 @@ says "bedroom"
 expect 2 "$fastscene" evaluate small.toml -o eval --peer nobody
 says "NAME=DIR"
 
-# One scene fails, the others go on, and the exit code says so.
-sed 's/^name = "bedroom"/name = "odd"/; s/^prompt = .*/panorama = "odd.png"/' small.toml >odd.toml
+# One scene fails, the others go on, and the exit code says so. A second row starts from the first one's panorama.
+sed 's/^measures.*/measures = ["stills"]/; s/^name = "bedroom"/name = "odd"/; s/^prompt = .*/panorama = "odd.png"/' small.toml >odd.toml
 "$fastscene" render eval/scenes/ours/bedroom-3 --size 90x80 -o odd.png >/dev/null 2>&1
-printf '\n[[scene]]\nname = "bedroom"\nprompt = "%s"\nseeds = [3]\n' "$prompt" >>odd.toml
+printf '\n[[scene]]\nname = "bedroom"\nprompt = "%s"\nseeds = [3]\n[[variant]]\nname = "Fewer"\nsettings = { walk-viewpoints = 1 }\n' "$prompt" >>odd.toml
 expect 1 "$fastscene" evaluate odd.toml -o eval2
 says "odd.png"
 has eval2/report.html eval2/scenes/ours/bedroom-3/splat/scene.ply
+cmp -s eval2/scenes/ours/bedroom-3/panorama/stage.json eval2/scenes/fewer/bedroom-3/panorama/stage.json || fail "the panorama was made twice"
 grep -q "failed" eval2/report.html || fail "the report does not name the failure"
 
 # Suites that ship, and typos.

@@ -9,7 +9,7 @@ namespace fastscene::cli {
 namespace {
 
 struct EvaluateFlags {
-    std::string suite, out, quality, weights, scenes = "0";
+    std::string suite, out, quality, weights, redraw, scenes = "0";
     std::vector<std::string> peers;
     bool show = false;
 };
@@ -26,7 +26,21 @@ std::string list_of_suites() {
     return text;
 }
 
+// A page as this version draws it, of what was measured before.
+void redraw(const std::filesystem::path& folder, const Session& session) {
+    if (!std::filesystem::exists(folder / "results.json"))
+        throw UsageError("--redraw: expected the folder of an evaluation, found no {}", (folder / "results.json").string());
+    const Json results = read_json(folder / "results.json");
+    try {
+        write_results(folder, results);
+    } catch (const Json::exception& e) {
+        throw Error("{}: expected what evaluate writes: {}", (folder / "results.json").string(), e.what());
+    }
+    session.print((folder / "report.html").string(), results);
+}
+
 void act(const EvaluateFlags& flags, const Session& session) {
+    if (!flags.redraw.empty()) return redraw(flags.redraw, session);
     if (flags.suite.empty()) {
         Json json = Json::array();
         for (const auto& [name, title] : shipped_suites()) json.push_back({{"name", name}, {"title", title}});
@@ -69,6 +83,7 @@ Verb add_evaluate(CLI::App& app) {
         ->type_name("NAME=DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("--weights", flags->weights, "Folder of the metrics' parameters and networks, as for `metrics images`.")->type_name("DIR");
+    verb->add_option("--redraw", flags->redraw, "Only write tables and page anew from DIR/results.json; nothing is made or measured.")->type_name("DIR");
     verb->add_flag("--show", flags->show, "Print the suite's text, to begin one's own with.");
     verb->footer(list_of_suites());
     return {verb, [flags](const Session& session) { act(*flags, session); }};

@@ -82,7 +82,8 @@ class SceneMeasures {
         const fs::path dir = made("holes", {}, folder, [&](const fs::path& to) {
             save_hole_table(to, hole_table_of_run(folder.root, recorded_run(folder).request.source.has_room(), run_));
         });
-        for (const Json& row : read_json(dir / "hole_table.json").at("rows")) {
+        const Json table = read_json(dir / "hole_table.json");
+        for (const Json& row : table.at("rows")) {
             const std::string axis = row.at("axis");
             Sample& sample = sample_of(fmt::format("{} {:+.2f}", axis, row.at("share").get<double>()));
             sample.series = "along " + axis;

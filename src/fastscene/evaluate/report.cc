@@ -22,6 +22,11 @@ std::string better_hint(const Json& column) {
     return better == "higher" ? "higher is better" : better == "lower" ? "lower is better" : "";
 }
 std::string unit_of(const Json& column) { return text_of(column, "unit").empty() ? "" : " " + text_of(column, "unit"); }
+// A label may already say its unit.
+std::string label_of(const Json& column) {
+    const std::string unit = text_of(column, "unit");
+    return text_of(column, "label") + (unit.empty() || unit == "min" ? "" : " (" + unit + ")");
+}
 
 std::string cell_html(const Json& results, const Json& row, const Json& column) {
     const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
@@ -38,7 +43,7 @@ std::string table_html(const Json& results) {
     std::string out = "<div class=\"scroll\"><table>\n<tr><th></th>";
     for (const Json& column : results.at("columns")) {
         const std::string better = column.at("better"), arrow = better == "higher" ? " ↑" : better == "lower" ? " ↓" : "";
-        out += fmt::format("<th title=\"{}\">{}{}{}</th>", escaped(column, "about"), escaped(column, "label"), text_of(column, "unit") == "min" ? "" : unit_of(column), arrow);
+        out += fmt::format("<th title=\"{}\">{}{}</th>", escaped(column, "about"), html_escaped(label_of(column)), arrow);
     }
     out += "</tr>\n";
     std::string before;
@@ -79,7 +84,7 @@ std::string bars_html(const Json& results) {
             if (cell.contains("value") && cell.at("value").is_number())
                 bars.push_back({row_title(row), text_of(row, "kind"), cell.at("value"), cell_text(cell, column.at("digits"))});
         }
-        if (bars.size() > 1) out += "<div>" + bar_chart(text_of(column, "label") + (text_of(column, "unit") == "min" ? "" : unit_of(column)), better_hint(column), bars) + "</div>\n";
+        if (bars.size() > 1) out += "<div>" + bar_chart(label_of(column), better_hint(column), bars) + "</div>\n";
     }
     return out;
 }
@@ -137,9 +142,12 @@ std::string scene_html(const Json& record, const Json& results, const fs::path& 
                                    prompt.empty() ? escaped(record, "scene") : "“" + html_escaped(prompt) + "”", escaped(record, "variant"), record.at("seed").get<std::uint64_t>(),
                                    record.contains("quality") ? ", quality " + escaped(record, "quality") : "", escaped(record, "folder"));
     if (record.contains("failed")) return html + "<div class=\"todo failed\"><p>Failed</p>" + escaped(record, "failed") + "</div></section>\n";
-    if (record.contains("panorama")) html += fmt::format("<img class=\"panorama\" alt=\"panorama 0\" src=\"{}\">\n", picture_data(out, text_of(record, "panorama"), 1060));
+    // A comparison all around shows panorama 0 anyway.
+    const auto& figures = record.at("figures");
+    const bool shown_below = std::any_of(figures.begin(), figures.end(), [](const Json& figure) { return figure.at("wide").get<bool>(); });
+    if (record.contains("panorama") && !shown_below) html += fmt::format("<img class=\"panorama\" alt=\"panorama 0\" src=\"{}\">\n", picture_data(out, text_of(record, "panorama"), 1060));
     html += facts_html(record, results);
-    if (!record.at("figures").empty()) html += "<details open><summary>Pictures</summary>" + figures_html(record.at("figures"), out) + "</details>";
+    if (!figures.empty()) html += "<details open><summary>Pictures</summary>" + figures_html(figures, out) + "</details>";
     return html + "</section>\n";
 }
 

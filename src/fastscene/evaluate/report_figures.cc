@@ -38,7 +38,7 @@ std::string figures_html(const Json& figures, const fs::path& out) {
         html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + fmt::format("<div class=\"row{}\">\n", wide ? " wide" : stills ? " stills" : "");
         for (const Json& picture : figure.at("pictures")) {
             const std::string label = html_escaped(picture.at("label"));
-            html += fmt::format("<div><img alt=\"{}\" loading=\"lazy\" src=\"{}\">{}</div>\n", label,
+            html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label,
                                 picture_data(out, picture.at("file").get<std::string>(), wide ? kSphereWidth : stills ? kStillWidth : kPairWidth),
                                 label.empty() ? "" : "<span>" + label + "</span>");
         }
