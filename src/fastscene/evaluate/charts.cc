@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr double kWidth = 460, kLabelWidth = 170, kBarHeight = 20, kBarStep = 27, kTop = 34;
+constexpr double kWidth = 460, kLabelWidth = 206, kBarHeight = 20, kBarStep = 27, kTop = 34;
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text, const std::string& style = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>", x, y, anchor, style.empty() ? "" : " class=\"" + style + "\"", html_escaped(text));
@@ -66,7 +66,7 @@ std::string bar_chart(const std::string& title, const std::string& hint, const s
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const double y = kTop + static_cast<double>(i) * kBarStep, length = std::max(1.0, room * std::max(0.0, bars[i].value) / most);
         inside += fmt::format("<g><title>{}: {}</title>", html_escaped(bars[i].label), html_escaped(bars[i].text));
-        inside += text_at(kLabelWidth - 10, y + 14, "end", shortened(bars[i].label, 26), "chart-label");
+        inside += text_at(kLabelWidth - 10, y + 14, "end", shortened(bars[i].label, 31), "chart-label");
         inside += fmt::format("<rect class=\"bar {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" rx=\"3\"/>", bars[i].kind, kLabelWidth, y, length, kBarHeight);
         inside += text_at(kLabelWidth + length + 6, y + 14, "start", bars[i].text, "chart-value") + "</g>";
     }

@@ -21,7 +21,6 @@ std::string better_hint(const Json& column) {
     const std::string better = column.at("better");
     return better == "higher" ? "higher is better" : better == "lower" ? "lower is better" : "";
 }
-std::string unit_of(const Json& column) { return text_of(column, "unit").empty() ? "" : " " + text_of(column, "unit"); }
 // A label may already say its unit.
 std::string label_of(const Json& column) {
     const std::string unit = text_of(column, "unit");
@@ -73,6 +72,14 @@ std::string missing_html(const Json& results) {
     return out;
 }
 
+// In a chart of one variant its rows need not repeat its name.
+std::string short_title(const Json& results, const Json& row) {
+    const std::string group = row.at("group");
+    const auto& rows = results.at("rows");
+    const bool alone = std::none_of(rows.begin(), rows.end(), [&](const Json& r) { return r.at("kind") != "published" && r.at("name") != row.at("name"); });
+    return alone && !group.empty() ? group : row_title(row);
+}
+
 // Bars for columns that at least two rows have a number in.
 std::string bars_html(const Json& results) {
     std::string out;
@@ -82,7 +89,7 @@ std::string bars_html(const Json& results) {
             if (row.contains("at")) continue;
             const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
             if (cell.contains("value") && cell.at("value").is_number())
-                bars.push_back({row_title(row), text_of(row, "kind"), cell.at("value"), cell_text(cell, column.at("digits"))});
+                bars.push_back({short_title(results, row), text_of(row, "kind"), cell.at("value"), cell_text(cell, column.at("digits"))});
         }
         if (bars.size() > 1) out += "<div>" + bar_chart(label_of(column), better_hint(column), bars) + "</div>\n";
     }
@@ -124,16 +131,31 @@ std::string curves_html(const Json& results) {
     return out;
 }
 
+// One scene's figures: a row for each of its groups, a column for what any of them has.
 std::string facts_html(const Json& record, const Json& results) {
-    std::string out;
-    for (const Json& column : results.at("columns"))
+    std::map<std::string, std::map<std::string, std::string>> rows;  // group -> column -> text
+    std::vector<std::string> groups;
+    std::vector<const Json*> shown;
+    for (const Json& column : results.at("columns")) {
+        const std::string key = column.at("key");
+        bool any = false;
         for (const Json& sample : record.at("samples")) {
-            const std::string key = column.at("key"), group = sample.at("group");
             if (sample.contains("at") || !sample.at("values").contains(key)) continue;
-            const std::string value = cell_text({{"value", sample.at("values").at(key)}}, column.at("digits"));
-            out += fmt::format("<div><span>{}{}</span> <b>{}</b>{}</div>", escaped(column, "label"), group.empty() ? "" : html_escaped(", " + group), value, unit_of(column));
+            const std::string group = sample.at("group");
+            if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+            rows[group][key] = cell_text({{"value", sample.at("values").at(key)}}, column.at("digits"));
+            any = true;
         }
-    return out.empty() ? "" : "<div class=\"facts\">" + out + "</div>\n";
+        if (any) shown.push_back(&column);
+    }
+    if (shown.empty()) return "";
+    std::string out = "<table class=\"facts\"><tr><th></th>";
+    for (const Json* column : shown) out += "<th>" + html_escaped(label_of(*column)) + "</th>";
+    for (const std::string& group : groups) {
+        out += "</tr>\n<tr><td>" + html_escaped(group.empty() ? text_of(record, "variant") : group) + "</td>";
+        for (const Json* column : shown) out += "<td>" + rows[group][column->at("key").get<std::string>()] + "</td>";
+    }
+    return out + "</tr></table>\n";
 }
 
 std::string scene_html(const Json& record, const Json& results, const fs::path& out) {
