@@ -27,12 +27,19 @@ std::string label_of(const Json& column) {
     return text_of(column, "label") + (unit.empty() || unit == "min" ? "" : " (" + unit + ")");
 }
 
+// What to do about a figure that is not there, in few words: the command, where the note names one in `quotes`.
+std::string short_note(const std::string& note) {
+    if (note.starts_with("failed")) return "failed";
+    if (!note.starts_with("fetch ")) return "–";
+    const std::size_t begin = note.find("`fastscene models pull"), end = begin == std::string::npos ? begin : note.find('`', begin + 1);
+    return end == std::string::npos ? "needs weights" : "needs " + note.substr(begin + 11, end - begin - 11);
+}
+
 std::string cell_html(const Json& results, const Json& row, const Json& column) {
     const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
     if (!cell.contains("value")) {
         const std::string note = text_of(cell, "note");
-        const bool to_fetch = note.starts_with("fetch ");
-        return fmt::format("<td class=\"none\" title=\"{}\">{}</td>", html_escaped(note), to_fetch ? "needs weights" : note.starts_with("failed") ? "failed" : "–");
+        return fmt::format("<td class=\"none\" title=\"{}\">{}</td>", html_escaped(note), html_escaped(short_note(note)));
     }
     const std::string sd = cell.contains("sd") ? fmt::format(" <small>± {:.{}f}</small>", cell.at("sd").get<double>(), column.at("digits").get<int>()) : "";
     return fmt::format("<td{}>{}{}</td>", is_best(results, row, column) ? " class=\"best\"" : "", cell_text(cell, column.at("digits")), sd);

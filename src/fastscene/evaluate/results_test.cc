@@ -20,7 +20,7 @@ Suite suite_of_two() {
 }
 Json record(const std::string& variant, double niqe, const Json& psnr) {
     return {{"variant", variant}, {"kind", "ours"}, {"scene", "a"}, {"seed", 0}, {"prompt", "a <b>"}, {"folder", "x"}, {"figures", Json::array()},
-            {"samples", {{{"group", ""}, {"values", {{"niqe", niqe}, {"source_psnr", psnr}}}, {"notes", {{"clip_l14", "fetch clip-vit-large-patch14"}}}}}}};
+            {"samples", {{{"group", ""}, {"values", {{"niqe", niqe}, {"source_psnr", psnr}}}, {"notes", {{"clip_l14", "fetch clip-vit-large-patch14; or `fastscene models pull clip`"}}}}}}};
 }
 Json results_of(const Suite& suite, const std::vector<Json>& records) {
     Json columns = Json::array();
@@ -41,7 +41,7 @@ TEST(Rows, MeansOverScenesAndReasonsWhereThereIsNothing) {
     EXPECT_EQ(rows[1]["scenes"], 2);
     EXPECT_EQ(rows[1]["cells"]["source_psnr"]["value"], 30.0) << "an equal picture does not swallow the mean";
     EXPECT_EQ(rows[2]["cells"]["source_psnr"]["value"], "inf");
-    EXPECT_EQ(rows[1]["cells"]["clip_l14"]["note"], "fetch clip-vit-large-patch14") << "the column stays";
+    EXPECT_EQ(rows[1]["cells"]["clip_l14"]["note"], "fetch clip-vit-large-patch14; or `fastscene models pull clip`") << "the column stays";
 }
 
 TEST(Rows, AFailedSceneLeavesItsReason) {
@@ -61,7 +61,7 @@ TEST(Tables, SayTheSameInEveryForm) {
     EXPECT_NE(latex.find("Them \\& us\\_1 & 3.90 & -- & -- \\\\"), std::string::npos) << latex;
     EXPECT_NE(latex.find("ours & \\textbf{4.00} & -- & 30.00 \\\\"), std::string::npos) << latex;
     EXPECT_NE(csv.find("\"ours\",\"\",ours,1,4,,30\n"), std::string::npos) << csv;
-    EXPECT_NE(scenes.find("\"ours\",\"\",\"a\",0,clip_l14,,\"fetch clip-vit-large-patch14\""), std::string::npos) << scenes;
+    EXPECT_NE(scenes.find("\"ours\",\"\",\"a\",0,clip_l14,,\"fetch clip-vit-large-patch14;"), std::string::npos) << scenes;
 }
 
 TEST(Report, StandsAlone) {
@@ -78,7 +78,7 @@ TEST(Report, StandsAlone) {
     EXPECT_EQ(html.find("url("), std::string::npos);
     EXPECT_NE(html.find("Two &lt;rows&gt;"), std::string::npos) << "text is escaped";
     EXPECT_NE(html.find("a &lt;b&gt;"), std::string::npos);
-    EXPECT_NE(html.find("needs weights"), std::string::npos) << "a metric without weights keeps its column";
+    EXPECT_NE(html.find(">needs models pull clip<"), std::string::npos) << "a metric without weights keeps its column";
     EXPECT_NE(html.find("<svg"), std::string::npos);
     fs::remove_all(out);
 }
