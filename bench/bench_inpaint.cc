@@ -33,13 +33,15 @@ using Method = std::function<ImageRgb8(const ImageRgb8& torn, const ImageMask& h
 
 Method ours(const std::string& name, const std::string& weights) {
     std::shared_ptr<Inpainter> inpainter = make_inpainter(name, weights);
-    return [inpainter](const ImageRgb8& torn, const ImageMask& hole) { return srgb8_from_linear(inpainter->fill(linear_from_srgb8(torn), hole, {})); };
+    return
+        [inpainter](const ImageRgb8& torn, const ImageMask& hole) { return srgb8_from_linear(inpainter->fill(linear_from_srgb8(torn), hole, {})); };
 }
 
 #ifdef FASTSCENE_BENCH_OPENCV
 Method of_opencv(int flag, double radius) {
     return [flag, radius](const ImageRgb8& torn, const ImageMask& hole) {
-        const cv::Mat in(torn.height, torn.width, CV_8UC3, const_cast<Rgb8*>(torn.pixels.data())), mask(hole.height, hole.width, CV_8UC1, const_cast<std::uint8_t*>(hole.pixels.data()));
+        const cv::Mat in(torn.height, torn.width, CV_8UC3, const_cast<Rgb8*>(torn.pixels.data())),
+            mask(hole.height, hole.width, CV_8UC1, const_cast<std::uint8_t*>(hole.pixels.data()));
         ImageRgb8 out(torn.width, torn.height);
         cv::Mat result(out.height, out.width, CV_8UC3, out.pixels.data()), painted;
         cv::inpaint(in, mask, painted, radius, flag);
@@ -55,7 +57,8 @@ double psnr_in_holes(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& ho
     double squares = 0, count = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (!hole.pixels[i]) continue;
-        for (const double d : {double(a.pixels[i].r) - b.pixels[i].r, double(a.pixels[i].g) - b.pixels[i].g, double(a.pixels[i].b) - b.pixels[i].b}) squares += d * d;
+        for (const double d : {double(a.pixels[i].r) - b.pixels[i].r, double(a.pixels[i].g) - b.pixels[i].g, double(a.pixels[i].b) - b.pixels[i].b})
+            squares += d * d;
         count += 3;
     }
     return 10 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-3));
@@ -67,7 +70,8 @@ double gmsd(const ImageRgb8& a, const ImageRgb8& b) {
         ImageF out(image.width / 2, image.height / 2);
         for (int y = 0; y < out.height; ++y)
             for (int x = 0; x < out.width; ++x)
-                out.at(x, y) = 0.25f * (gray(image.at(2 * x, 2 * y)) + gray(image.at(2 * x + 1, 2 * y)) + gray(image.at(2 * x, 2 * y + 1)) + gray(image.at(2 * x + 1, 2 * y + 1)));
+                out.at(x, y) = 0.25f * (gray(image.at(2 * x, 2 * y)) + gray(image.at(2 * x + 1, 2 * y)) + gray(image.at(2 * x, 2 * y + 1)) +
+                                        gray(image.at(2 * x + 1, 2 * y + 1)));
         return out;
     };
     const auto slope = [](const ImageF& image, int x, int y) {   // Prewitt
@@ -97,7 +101,8 @@ struct Sheet {
         const int gap = 4, width = static_cast<int>(row.size()) * (row[0].width + gap) - gap;
         ImageRgb8 strip(width, row[0].height + gap, Rgb8{255, 255, 255});
         for (std::size_t k = 0; k < row.size(); ++k)
-            for (int y = 0; y < row[k].height; ++y) std::copy_n(row[k].row(y), row[k].width, strip.row(y) + static_cast<int>(k) * (row[0].width + gap));
+            for (int y = 0; y < row[k].height; ++y)
+                std::copy_n(row[k].row(y), row[k].width, strip.row(y) + static_cast<int>(k) * (row[0].width + gap));
         all.width = width;
         all.height += strip.height;
         all.pixels.insert(all.pixels.end(), strip.pixels.begin(), strip.pixels.end());
@@ -153,7 +158,8 @@ int main(int argc, char** argv) {
     }
     fmt::print("{} faces of {}, {:.1f} % holes\n", count, size, 100 * open / count);
     for (std::size_t m = 0; m < methods.size(); ++m)
-        fmt::print("{:<32} PSNR {:.2f} dB  GMSD {:.4f}  {:.3f} CPU s a face\n", methods[m].first, psnr[m] / count, edges[m] / count, seconds[m] / count);
+        fmt::print("{:<32} PSNR {:.2f} dB  GMSD {:.4f}  {:.3f} CPU s a face\n", methods[m].first, psnr[m] / count, edges[m] / count,
+                   seconds[m] / count);
     if (!sheet_path.empty()) save_png(sheet_path, sheet.all);
     return 0;
 }

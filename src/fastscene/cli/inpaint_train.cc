@@ -12,7 +12,10 @@ Verb add_inpaint_train(CLI::App& inpaint) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = inpaint.add_subcommand("train", "Trains AOT-GAN on such a set; the same command goes on where it stopped.");
     verb->add_option("data", flags->data, "Folder that `fastscene inpaint dataset` made.")->type_name("DIR")->required();
-    verb->add_option("-o,--out", flags->out, "Folder of the training: generator.safetensors (for --walk-inpaint-weights), checkpoint, curves, sheets.")->type_name("DIR")->required();
+    verb->add_option("-o,--out", flags->out,
+                     "Folder of the training: generator.safetensors (for --walk-inpaint-weights), checkpoint, curves, sheets.")
+        ->type_name("DIR")
+        ->required();
     verb->add_option("--seed", flags->seed, "Same seed and settings, same training.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", InpaintTrainParams{}, flags->given, "Settings of the training");
     return {verb, [flags](const Session& session) {

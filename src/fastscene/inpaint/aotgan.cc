@@ -82,7 +82,8 @@ Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageM
     for (const auto& [size, group] : by_size) {
         const auto together = static_cast<std::size_t>(std::max<std::int64_t>(1, kMostPixels / (std::int64_t{size.first} * size.second)));
         for (std::size_t begin = 0; begin < group.size(); begin += together) {
-            const std::vector<Crop> some(group.begin() + static_cast<std::ptrdiff_t>(begin), group.begin() + static_cast<std::ptrdiff_t>(std::min(group.size(), begin + together)));
+            const std::vector<Crop> some(group.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         group.begin() + static_cast<std::ptrdiff_t>(std::min(group.size(), begin + together)));
             std::vector<Aotgan::Picture> pictures;
             for (const Crop& crop : some) pictures.push_back(cut(srgb, hole, crop));
             const std::vector<ImageColor> painted = network.paint(pictures, run);

@@ -25,7 +25,8 @@ struct Square {
 };
 
 double share_of(const ImageMask& hole) {
-    return static_cast<double>(std::count_if(hole.pixels.begin(), hole.pixels.end(), [](std::uint8_t v) { return v != 0; })) / static_cast<double>(hole.size());
+    return static_cast<double>(std::count_if(hole.pixels.begin(), hole.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+           static_cast<double>(hole.size());
 }
 
 Square cut(const ImageRgb8& image, const ImageMask& mask, int left, int top, int size, bool flip) {
@@ -78,23 +79,29 @@ InpaintExample with_fill(Square square, bool harmonic) {
     return out;
 }
 
-const fs::path& one_of(const std::vector<fs::path>& paths, Random& dice) { return paths[static_cast<std::size_t>(dice.index(static_cast<int>(paths.size())))]; }
+const fs::path& one_of(const std::vector<fs::path>& paths, Random& dice) {
+    return paths[static_cast<std::size_t>(dice.index(static_cast<int>(paths.size())))];
+}
 
 void add_holes(ImageMask& mask, const fs::path& path) {
     const ImageMask more = load_mask_png(path);
-    if (!more.same_size(mask)) throw Error("{}: expected the size of its picture, {} x {}, found {} x {}", path.string(), mask.width, mask.height, more.width, more.height);
+    if (!more.same_size(mask))
+        throw Error("{}: expected the size of its picture, {} x {}, found {} x {}", path.string(), mask.width, mask.height, more.width, more.height);
     for (std::size_t i = 0; i < mask.size(); ++i) mask.pixels[i] = mask.pixels[i] || more.pixels[i] ? 255 : 0;
 }
 
 std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice) {
-    const auto any_face = [&]() -> const HoleSet::Face& { return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))]; };
+    const auto any_face = [&]() -> const HoleSet::Face& {
+        return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))];
+    };
     const HoleSet::Face& face = any_face();
     const ImageRgb8 image = load_rgb8(face.image);
     ImageMask mask(image.width, image.height);
     add_holes(mask, one_of(face.masks, dice));
     if (!still && dice.chance(static_cast<float>(params.strange_masks))) add_holes(mask, one_of(any_face().masks, dice));
     if (image.width < params.size || image.height < params.size)
-        throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(), std::min(image.width, image.height), params.size);
+        throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(), std::min(image.width, image.height),
+                         params.size);
     std::optional<Square> square = crop_with_hole(image, mask, params, still, dice);
     if (!square) return {};
     if (!still) jitter_colors(square->truth, static_cast<float>(params.jitter), dice);
@@ -136,11 +143,12 @@ InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params
             last = e.what();
         }
     }
-    throw Error("inpaint train: expected faces of which {:.1f} to {:.0f} % is holes, found none in {} tries{}", 100 * kLeastOpen, 100 * params.most_open, kTries,
-                last.empty() ? "" : "; the last trouble: " + last);
+    throw Error("inpaint train: expected faces of which {:.1f} to {:.0f} % is holes, found none in {} tries{}", 100 * kLeastOpen,
+                100 * params.most_open, kTries, last.empty() ? "" : "; the last trouble: " + last);
 }
 
-std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params, const fs::path& folder, const Run& run) {
+std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params, const fs::path& folder,
+                                                            const Run& run) {
     if (params.size % 8 != 0) throw UsageError("--size: expected a multiple of 8, found {}", params.size);
     const HoleSet train = find_holes(data / "train"), held_out = find_holes(data / "held-out");
     std::atomic<std::int64_t> broken{0};

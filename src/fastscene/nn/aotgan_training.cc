@@ -74,14 +74,25 @@ Tensor mean_in_holes(const Tensor& values, const Tensor& hole) { return (values 
 class Trainer {
   public:
     Trainer(const AotganTrainingParams& params, const InpaintExamples& examples, std::filesystem::path folder, std::uint64_t seed)
-        : params_(params), examples_(examples), folder_(std::move(folder)), device_(training_device(params.training)), bf16_(trains_in_bf16(params.training)),
-          generator_("generator", first_generator(params, seed), at::TensorOptions(device_).dtype(at::kFloat),
-                     [&](const Scope& s) { (void)aotgan_generator(s, shape(), at::zeros({1, 3, kSmallest, kSmallest}, device_), at::zeros({1, 1, kSmallest, kSmallest}, device_)); },
-                     settings()) {
+        : params_(params),
+          examples_(examples),
+          folder_(std::move(folder)),
+          device_(training_device(params.training)),
+          bf16_(trains_in_bf16(params.training)),
+          generator_(
+              "generator", first_generator(params, seed), at::TensorOptions(device_).dtype(at::kFloat),
+              [&](const Scope& s) {
+                  (void)aotgan_generator(s, shape(), at::zeros({1, 3, kSmallest, kSmallest}, device_),
+                                         at::zeros({1, 1, kSmallest, kSmallest}, device_));
+              },
+              settings()) {
         if (params.adversarial > 0)
-            discriminator_ = std::make_unique<Learner>("discriminator", start_normal(seed, 0.02), at::TensorOptions(device_).dtype(at::kFloat),
-                                                       [&](const Scope& s) { (void)aotgan_discriminator(s, params_.width, at::zeros({1, 3, kSmallest, kSmallest}, device_), false); },
-                                                       settings());
+            discriminator_ = std::make_unique<Learner>(
+                "discriminator", start_normal(seed, 0.02), at::TensorOptions(device_).dtype(at::kFloat),
+                [&](const Scope& s) {
+                    (void)aotgan_discriminator(s, params_.width, at::zeros({1, 3, kSmallest, kSmallest}, device_), false);
+                },
+                settings());
         if (!params.vgg.empty()) vgg_ = std::make_unique<LoadedWeights>(load_weights(params.vgg), at::TensorOptions(device_).dtype(at::kFloat));
     }
 
@@ -104,13 +115,17 @@ class Trainer {
   private:
     AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}}; }
     bool harmonic() const { return params_.holes == "harmonic"; }
-    LearnerSettings settings() const { return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999}, params_.training.average, params_.training.clip}; }
+    LearnerSettings settings() const {
+        return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999}, params_.training.average, params_.training.clip};
+    }
 
     // A network that adds to the harmonic fill begins by adding nothing.
     static Start first_generator(const AotganTrainingParams& params, std::uint64_t seed) {
         const Start kernels = params.holes == "harmonic" ? start_he(seed) : start_normal(seed, 0.02);
         const bool nothing = params.holes == "harmonic";
-        const Start fresh = [kernels, nothing](const std::string& key, at::IntArrayRef shape) { return nothing && key == "decoder.4.weight" ? at::zeros(shape) : kernels(key, shape); };
+        const Start fresh = [kernels, nothing](const std::string& key, at::IntArrayRef shape) {
+            return nothing && key == "decoder.4.weight" ? at::zeros(shape) : kernels(key, shape);
+        };
         return params.start.empty() ? fresh : start_from(unwrapped(load_weights(params.start), "encoder.1.weight"), fresh);
     }
 
@@ -172,7 +187,8 @@ class Trainer {
                 psnr += psnr_in_holes(made[i], p.truth[i], p.hole[i]);
                 psnr_fill += psnr_in_holes(p.shown[i], p.truth[i], p.hole[i]);
                 l1 += mean_in_holes((made[i] - p.truth[i]).abs().unsqueeze(0), p.hole[i].unsqueeze(0)).item<double>();
-                if (rows.size() < kRowsOfSheet) rows.push_back(picture_of(at::cat({p.shown[i] * (1 - p.hole[i]) + p.hole[i], p.shown[i], made[i], p.truth[i]}, 2)));
+                if (rows.size() < kRowsOfSheet)
+                    rows.push_back(picture_of(at::cat({p.shown[i] * (1 - p.hole[i]) + p.hole[i], p.shown[i], made[i], p.truth[i]}, 2)));
             }
         }
         keep();
@@ -192,7 +208,8 @@ class Trainer {
         ImageRgb8 out(static_cast<int>(x.size(2)), static_cast<int>(x.size(1)));
         for (int row = 0; row < out.height; ++row)
             for (int col = 0; col < out.width; ++col)
-                out.at(col, row) = {static_cast<std::uint8_t>(v[0][row][col]), static_cast<std::uint8_t>(v[1][row][col]), static_cast<std::uint8_t>(v[2][row][col])};
+                out.at(col, row) = {static_cast<std::uint8_t>(v[0][row][col]), static_cast<std::uint8_t>(v[1][row][col]),
+                                    static_cast<std::uint8_t>(v[2][row][col])};
         return out;
     }
     static ImageRgb8 stacked(const std::vector<ImageRgb8>& rows) {
@@ -223,7 +240,8 @@ class Trainer {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params, const InpaintExamples& examples, const std::filesystem::path& folder, const Run& run) {
+std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params, const InpaintExamples& examples,
+                                                         const std::filesystem::path& folder, const Run& run) {
     FASTSCENE_CHECK(examples.draw != nullptr && !examples.held_out.empty());
     Trainer trainer(params, examples, folder, run.seed);
     return train(trainer.task(), params.training, folder, run).held_out;

@@ -28,7 +28,8 @@ Start start_with(std::uint64_t seed, std::function<double(double inputs)> deviat
             const Tensor v = normal_numbers(seed, key, shape, 1);
             return v / v.norm().clamp_min(1e-12);
         }
-        if (shape.size() >= 2) return normal_numbers(seed, key, shape, deviation(static_cast<double>(c10::multiply_integers(shape)) / static_cast<double>(shape[0])));
+        if (shape.size() >= 2)
+            return normal_numbers(seed, key, shape, deviation(static_cast<double>(c10::multiply_integers(shape)) / static_cast<double>(shape[0])));
         const bool one = key.ends_with("weight") || key.ends_with("running_var");
         return one ? at::ones(shape) : at::zeros(shape);
     };
@@ -52,7 +53,9 @@ Start start_he(std::uint64_t seed, double gain) {
 
 Start start_from(Weights weights, Start otherwise) {
     auto source = std::make_shared<LoadedWeights>(std::move(weights));
-    return [source, otherwise = std::move(otherwise)](const std::string& key, at::IntArrayRef shape) { return source->has(key) ? source->get(key, shape).clone() : otherwise(key, shape); };
+    return [source, otherwise = std::move(otherwise)](const std::string& key, at::IntArrayRef shape) {
+        return source->has(key) ? source->get(key, shape).clone() : otherwise(key, shape);
+    };
 }
 
 bool is_buffer(std::string_view key) { return is_spectral_vector(key) || key.ends_with("running_mean") || key.ends_with("running_var"); }
@@ -68,9 +71,13 @@ Tensor TrainableWeights::get(const std::string& key, at::IntArrayRef shape) {
     return all_[key] = made.set_requires_grad(!is_buffer(key));
 }
 
-Learner::Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once, LearnerSettings settings)
-    : name_(std::move(name)), weights_(start, options), average_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); }, options),
-      adam_((run_once(Scope(weights_)), learning(weights_)), settings.adam), settings_(settings) {
+Learner::Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once,
+                 LearnerSettings settings)
+    : name_(std::move(name)),
+      weights_(start, options),
+      average_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); }, options),
+      adam_((run_once(Scope(weights_)), learning(weights_)), settings.adam),
+      settings_(settings) {
     for (const auto& [key, tensor] : weights_.all()) average_.get(key, tensor.sizes()).set_requires_grad(false);
 }
 

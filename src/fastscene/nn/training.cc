@@ -41,7 +41,8 @@ void save_checkpoint(const TrainingTask& task, std::int64_t step, const fs::path
 std::int64_t metadata_number(const Weights& checkpoint, const std::string& name) {
     const auto found = checkpoint.metadata.find(name);
     if (found == checkpoint.metadata.end() || found->second.find_first_not_of("0123456789") != std::string::npos || found->second.empty())
-        throw Error("{}: expected a number as {} in its metadata, found {}", checkpoint.path.string(), name, found == checkpoint.metadata.end() ? "none" : found->second);
+        throw Error("{}: expected a number as {} in its metadata, found {}", checkpoint.path.string(), name,
+                    found == checkpoint.metadata.end() ? "none" : found->second);
     return std::stoll(found->second);
 }
 
@@ -64,8 +65,8 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
     const Json found = read_json(path);
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
-            throw UsageError("{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name, value.dump(),
-                             found.contains(name) ? found[name].dump() : "none");
+            throw UsageError("{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder", path.string(),
+                             name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
 // Means of the numbers of several steps.
@@ -177,7 +178,8 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
             keep();
             kept = Clock::now();
         }
-        const double share = std::max(static_cast<double>(outcome.steps - first) / static_cast<double>(params.steps - first), params.minutes > 0 ? minutes_since(begin) / params.minutes : 0.0);
+        const double share = std::max(static_cast<double>(outcome.steps - first) / static_cast<double>(params.steps - first),
+                                      params.minutes > 0 ? minutes_since(begin) / params.minutes : 0.0);
         const int now = std::min(kShares, static_cast<int>(share * kShares));
         if (now > shown) progress.advance(now - shown);
         shown = std::max(shown, now);

@@ -80,7 +80,8 @@ void TrainingLog::save() const {
     text += "\n";
     for (const Row& row : rows_) {
         text += fmt::format("{},{:.2f}", row.step, row.minutes);
-        for (std::size_t i = 0; i < columns_.size(); ++i) text += i < row.values.size() && std::isfinite(row.values[i]) ? fmt::format(",{:.6g}", row.values[i]) : ",";
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            text += i < row.values.size() && std::isfinite(row.values[i]) ? fmt::format(",{:.6g}", row.values[i]) : ",";
         text += "\n";
     }
     write_file(folder_ / "curves.csv", text);
@@ -91,7 +92,8 @@ void TrainingLog::save_plots() const {
     const auto curve = [&](std::size_t column) {
         PlotCurve out{columns_[column].starts_with(kHeldOut) ? "held out" : "training", {}, false};
         for (const Row& row : rows_)
-            if (column < row.values.size() && std::isfinite(row.values[column])) out.points.push_back({static_cast<double>(row.step), row.values[column]});
+            if (column < row.values.size() && std::isfinite(row.values[column]))
+                out.points.push_back({static_cast<double>(row.step), row.values[column]});
         out.points = thinned(out.points);
         return out;
     };

@@ -31,7 +31,11 @@ struct Lesson {
     Learner learner;
     TrainingTask task;
     explicit Lesson(std::uint64_t seed = 3)
-        : learner("net", start_he(seed), at::kFloat, [](const Scope& s) { small_network(s, at::zeros({1, 2})); }, {{.rate = 1e-2, .beta1 = 0.9}, 0.98, 10}) {
+        : learner("net", start_he(seed), at::kFloat,
+                  [](const Scope& s) {
+                      small_network(s, at::zeros({1, 2}));
+                  },
+                  {{.rate = 1e-2, .beta1 = 0.9}, 0.98, 10}) {
         task.learners = {&learner};
         task.draw = [](Random& dice) -> Batch {
             at::Tensor x = at::empty({32, 2});

@@ -29,7 +29,8 @@ std::vector<double> numbers_in(const std::string& flag, const std::string& list)
         const std::string word = list.substr(begin, end - begin);
         char* stop = nullptr;
         const double value = std::strtod(word.c_str(), &stop);
-        if (word.empty() || *stop != 0 || !(value > 0 && value < 100)) throw UsageError("{}: expected distances above 0 with commas between them, found \"{}\"", flag, list);
+        if (word.empty() || *stop != 0 || !(value > 0 && value < 100))
+            throw UsageError("{}: expected distances above 0 with commas between them, found \"{}\"", flag, list);
         out.push_back(value);
         begin = end + 1;
     }
@@ -51,7 +52,8 @@ ImageMask published_hole(const ImageRgb8& color, const ImageF& range, Vec3d dire
     const double free = kMostOfTheWay * distance_ahead(range, normalize(in_float(world_from_published(direction)))) / most / length(direction);
     const PublishedWarp warp = published_warp(color, units, direction * std::min(share, free));
     ImageMask hole(color.width, color.height);
-    std::transform(warp.source.pixels.begin(), warp.source.pixels.end(), hole.pixels.begin(), [](std::int32_t s) { return s == kNoSource ? std::uint8_t{255} : std::uint8_t{0}; });
+    std::transform(warp.source.pixels.begin(), warp.source.pixels.end(), hole.pixels.begin(),
+                   [](std::int32_t s) { return s == kNoSource ? std::uint8_t{255} : std::uint8_t{0}; });
     return hole;
 }
 
@@ -76,8 +78,8 @@ void settle_settings(const Plan& plan) {
     const Json found = read_json(path);
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
-            throw UsageError("{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name, value.dump(),
-                             found.contains(name) ? found[name].dump() : "none");
+            throw UsageError("{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name,
+                             value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
 // Nothing, with a warning, when the picture cannot be read or walked in: its trouble is its own. (A disk that cannot be written is not.)
@@ -117,20 +119,23 @@ std::vector<ImageMask> walk_holes(const Panorama& panorama, const HoleDatasetPar
     if (params.warp != "ours") {
         const ImageRgb8 color = srgb8_from_linear(panorama.color);
         for (const double share : numbers_in("--shares", params.shares))
-            for (const PublishedDirection& direction : kPublishedDirections) out.push_back(published_hole(color, panorama.range, direction.move, share));
+            for (const PublishedDirection& direction : kPublishedDirections)
+                out.push_back(published_hole(color, panorama.range, direction.move, share));
     }
     if (params.warp != "paper") {
         const WarpSource source = make_warp_source(panorama.color, panorama.range, {}, {}, {});
         for (const double metres : numbers_in("--metres", params.metres))
             for (const PublishedDirection& direction : kPublishedDirections) {
                 const Vec3f towards = normalize(in_float(world_from_published(direction.move)));
-                out.push_back(our_holes(source, panorama.size(), towards * std::min(static_cast<float>(metres), kMostOfTheWay * distance_ahead(panorama.range, towards))));
+                out.push_back(our_holes(source, panorama.size(),
+                                        towards * std::min(static_cast<float>(metres), kMostOfTheWay * distance_ahead(panorama.range, towards))));
             }
     }
     return out;
 }
 
-HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const fs::path& folder, const Run& run) {
+HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const fs::path& folder,
+                                   const Run& run) {
     numbers_in("--shares", params.shares);
     numbers_in("--metres", params.metres);
     const Plan plan{params, folder, run.seed};
@@ -154,7 +159,8 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
         }
         const Json about = read_json(plan.done(i));
         if (about.value("color", "") != files.color.string())
-            throw UsageError("{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder", folder.string(), i, about.value("color", ""), files.color.string());
+            throw UsageError("{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder", folder.string(),
+                             i, about.value("color", ""), files.color.string());
         ++state.there;
         state.faces += about.value("faces", std::int64_t{0});
         state.masks += about.value("masks", std::int64_t{0});

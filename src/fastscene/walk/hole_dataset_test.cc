@@ -80,7 +80,8 @@ TEST(HoleDataset, SixFacesAndSixteenMasksOfEach) {
     const auto faces = published_faces(warp.color, hole, 32);
     std::ptrdiff_t open = 0;
     for (std::size_t f = 0; f < 6; ++f) {
-        EXPECT_EQ(load_mask_png(folder.path / fmt::format("out/train/masks/shard-00000/00000000-{}-02.png", name_of(kPublishedFaces[f]))), faces[f].hole);
+        EXPECT_EQ(load_mask_png(folder.path / fmt::format("out/train/masks/shard-00000/00000000-{}-02.png", name_of(kPublishedFaces[f]))),
+                  faces[f].hole);
         open += std::count(faces[f].hole.pixels.begin(), faces[f].hole.pixels.end(), 255);
     }
     EXPECT_GT(open, 20);
@@ -102,7 +103,8 @@ TEST(HoleDataset, BothWarps) {
     params.metres = "0.3";
     const auto holes = walk_holes(load_panorama(find_panoramas(folder.path / "in")[0]), params);
     ASSERT_EQ(holes.size(), 16u);
-    for (const ImageMask& hole : holes) EXPECT_LT(std::count(hole.pixels.begin(), hole.pixels.end(), 255), static_cast<std::ptrdiff_t>(hole.size() / 2));
+    for (const ImageMask& hole : holes)
+        EXPECT_LT(std::count(hole.pixels.begin(), hole.pixels.end(), 255), static_cast<std::ptrdiff_t>(hole.size() / 2));
     // A step to the side shows what stood behind the post.
     EXPECT_GT(std::count(holes[10].pixels.begin(), holes[10].pixels.end(), 255), 20);
     params.metres = "0.3,x";

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 // A picture of the set that `fastscene rooms dataset` makes: its JSON, written last.
 std::optional<PanoramaFiles> from_our_set(const fs::path& json_path) {
     const Json about = read_json(json_path);
-    if (!about.is_object() || about.value(Json::json_pointer("/camera/model"), "") != "EQUIRECTANGULAR" || !about.contains("color") || !about.contains("range")) return {};
+    if (!about.is_object() || about.value(Json::json_pointer("/camera/model"), "") != "EQUIRECTANGULAR" || !about.contains("color") ||
+        !about.contains("range"))
+        return {};
     return PanoramaFiles{json_path.parent_path() / about["color"].get<std::string>(), json_path.parent_path() / about["range"].get<std::string>(),
                          fmt::format("room {}", about.value("room", 0))};
 }
@@ -56,17 +58,21 @@ std::vector<PanoramaFiles> find_panoramas(const fs::path& folder) {
         if (files) found.push_back(std::move(*files));
     }
     if (found.empty())
-        throw UsageError("{}: expected panoramas with range maps (a set of `fastscene rooms dataset`, Structured3D's folders, or NAME.png beside NAME.range.png), found none",
-                         folder.string());
+        throw UsageError(
+            "{}: expected panoramas with range maps (a set of `fastscene rooms dataset`, Structured3D's folders, or NAME.png beside NAME.range.png), "
+            "found none",
+            folder.string());
     std::sort(found.begin(), found.end(), [](const PanoramaFiles& a, const PanoramaFiles& b) { return a.color < b.color; });
     return found;
 }
 
 Panorama load_panorama(const PanoramaFiles& files) {
     const ImageRgb8 color = load_rgb8(files.color);
-    if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
+    if (color.width != 2 * color.height)
+        throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
     const ImageF range = load_float(files.range);
-    if (range.width != 2 * range.height) throw Error("{}: expected a range map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
+    if (range.width != 2 * range.height)
+        throw Error("{}: expected a range map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
     Panorama out;
     out.color = linear_from_srgb8(color);
     out.range = ImageF(color.width, color.height);
