@@ -152,6 +152,7 @@ class Trainer {
         const Tensor made = painted(generator_.scope(), p), difference = made - p.truth;
         add("l1", params_.l1, difference.abs().mean());
         add("l1 in holes", params_.l1_holes, mean_in_holes(difference.abs(), p.hole));
+        add("l2 in holes", params_.l2_holes, mean_in_holes(difference.square(), p.hole));
         if (vgg_) {
             const Maps a = vgg19_maps(Scope(*vgg_), made), b = vgg19_maps(Scope(*vgg_), p.truth);
             add("style", params_.style, style_loss(a, b));

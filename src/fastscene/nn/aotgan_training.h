@@ -19,7 +19,7 @@ struct AotganTrainingParams {
     int width = 64, blocks = 8;
     std::string holes = "white";
     std::string start, vgg;
-    double l1 = 1, l1_holes = 0, style = 250, perceptual = 0.1, pyramid = 1, adversarial = 0.01;
+    double l1 = 1, l1_holes = 0, l2_holes = 0, style = 250, perceptual = 0.1, pyramid = 1, adversarial = 0.01;
     int adversarial_from = 0;
     TrainingParams training{.clip = 0};
 };
@@ -33,6 +33,7 @@ void visit_fields(AotganTrainingParams& p, V&& v) {
     v("vgg", p.vgg, "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and the perceptual loss; empty: --pyramid stands in for them.");
     v("l1", p.l1, Bounds{0, 1e6}, "Weight of the mean absolute difference of all pixels.");
     v("l1-holes", p.l1_holes, Bounds{0, 1e6}, "Weight of that of the holes' pixels; 0 as published.");
+    v("l2-holes", p.l2_holes, Bounds{0, 1e6}, "Weight of the mean square of their differences; 0 as published.");
     v("style", p.style, Bounds{0, 1e6}, "Weight of the style loss.");
     v("perceptual", p.perceptual, Bounds{0, 1e6}, "Weight of the perceptual loss.");
     v("pyramid", p.pyramid, Bounds{0, 1e6}, "Without --vgg: weight of the mean absolute differences of a Laplacian pyramid.");
@@ -55,6 +56,7 @@ struct InpaintExamples {
 // Trains in `folder` (nn/training.h says what is written there), and keeps the averaged generator as generator.safetensors (f16), which the
 // program loads. Throws what train() throws. Returns the figures of the held-out examples by name: "psnr" (dB, 8 bit, in the holes, mean over
 // the examples), "psnr of the harmonic fill", "l1".
-std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params, const InpaintExamples& examples, const std::filesystem::path& folder, const Run& run);
+std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params, const InpaintExamples& examples,
+                                                         const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene
