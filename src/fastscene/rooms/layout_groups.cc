@@ -333,8 +333,10 @@ class Furnisher {
         if (const auto basin = wall("washbasin", 1, {.center_pull = 0.6f, .window_pull = -1})) above(*basin, "mirror", 1);
         wall("toilet", 1, {.center_pull = 0});
         wall("towel_rail", 0.9f, {.window_pull = -0.5f});
+        if (const auto stool = wall("stool", 0.6f, {.center_pull = 0})) top(*stool, "towel_stack", 0.8f);
+        wall("ladder_shelf", 0.6f, {.window_pull = -1});
         wall("basket", 0.7f, {.corner = true});
-        wall("ladder_shelf", 0.4f, {.window_pull = -1});
+        put("shelf", 0.7f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
         if (const auto tub = l_.find("bathtub")) rug(*tub, 0.8f, 0.9f, 0.55f, size(*tub).z / 2 + 0.35f);
     }
     void study() {
@@ -361,7 +363,11 @@ class Furnisher {
     }
     void laundry() {
         wall("washing_machine", 1, {.window_pull = 0.3f});
-        if (const auto first = l_.find("washing_machine")) beside(*first, "washing_machine", 0.7f, 1, 0.02f);
+        if (const auto first = l_.find("washing_machine")) {
+            beside(*first, "washing_machine", 0.85f, 1, 0.02f);
+            above(*first, "shelf", 0.9f);
+        }
+        wall("washbasin", 0.5f, {.window_pull = -0.5f});
         wall("basket", 1, {.corner = true});
         wall("basket", 0.7f, {.corner = true});
         wall("sideboard", 0.7f);
@@ -418,6 +424,16 @@ class Furnisher {
         return i;
     }
 
+    // When no top has room for a small thing, it brings one of its own.
+    std::optional<int> on_some_top(const PieceRequest& r, const PromptObject& wish) {
+        if (const auto i = l_.on_any_top(r, wish)) return i;
+        for (const char* klass : {"side_table", "stool"})
+            if (!wishes_.forbids(klass))
+                if (const auto table = l_.against_wall(l_.request(klass), {.center_pull = 0}))
+                    if (const auto i = l_.on_top(*table, r, wish)) return i;
+        return {};
+    }
+
     // A wish that no group has used: placed by what kind of piece it is.
     std::optional<int> anywhere(const PromptObject& wish) {
         const PieceRequest r = l_.request(wish.klass, &wish);
@@ -437,7 +453,7 @@ class Furnisher {
         if (wish.klass == "tv") return television(r, wish);
         if (const auto i = where_asked(wish, r, piece)) return i;
         switch (piece.mount) {
-            case Mount::surface: return l_.on_any_top(r, wish);
+            case Mount::surface: return on_some_top(r, wish);
             case Mount::wall: return l_.on_wall(r, {}, wish);
             case Mount::ceiling:
                 for (const Vec2f at : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
@@ -510,7 +526,7 @@ class Furnisher {
         for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
         const int pictures = 1 + static_cast<int>(std::lround(clutter_ * 3.f));
         for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
-        put("shelf", room == "bathroom" ? 0.f : 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+        put("shelf", 0.4f * clutter_, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
         wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
         // After sunset a room wants light from more than its ceiling.
         const PromptSpec& spec = l_.spec();

@@ -29,6 +29,7 @@ constexpr Habit kHabits[] = {
     {"kitchen_counter", "bowl", 0.6f},    {"kitchen_counter", "pot", 0.6f},        {"kitchen_counter", "plant_small", 0.5f}, {"kitchen_counter", "storage_box", 0.4f}, {"kitchen_island", "bowl", 0.8f},
     {"kitchen_island", "cutting_board", 0.6f}, {"kitchen_island", "bottles", 0.5f}, {"kitchen_island", "plant_small", 0.5f}, {"washbasin", "toiletries", 0.9f},     {"washbasin", "candle", 0.3f},
     {"washing_machine", "towel_stack", 0.7f}, {"washing_machine", "bottles", 0.7f}, {"washing_machine", "storage_box", 0.5f}, {"bathtub", "toiletries", 0.5f},       {"bench", "towel_stack", 0.25f},
+    {"washbasin", "bottles", 0.5f},       {"washbasin", "plant_small", 0.4f},
     {"bench", "magazines", 0.3f},         {"bench", "storage_box", 0.3f},          {"shoe_rack", "storage_box", 0.6f},    {"shoe_rack", "bowl", 0.4f},             {"toy_box", "teddy_bear", 0.9f},
     {"ottoman", "tray", 0.6f},            {"ottoman", "magazines", 0.4f},          {"stool", "plant_small", 0.3f},
 };
@@ -44,11 +45,11 @@ constexpr Filling kFillings[] = {
     {"kids", {"bookshelf", "toy_box", "dresser", "pouf", "basket", "bench", "rocking_horse", "plant"}},
     {"kitchen", {"cabinet", "sideboard", "plant", "console_table", "ladder_shelf", "basket", "bench", "stool"}},
     {"dining", {"cabinet", "console_table", "plant_tree", "bookshelf", "bench", "ladder_shelf", "plant", "basket"}},
-    {"bathroom", {"cabinet", "stool", "plant", "towel_rail", "basket", "bench", "", ""}},
+    {"bathroom", {"cabinet", "plant", "bench", "towel_rail", "basket", "plant_tree", "", ""}},
     {"study", {"bookshelf", "cabinet", "console_table", "plant_tree", "ladder_shelf", "bookshelf", "pouf", "basket"}},
     {"hallway", {"console_table", "bench", "cabinet", "plant", "stool", "basket", "bookshelf", ""}},
     {"loft", {"bookshelf", "console_table", "plant_tree", "cabinet", "bookshelf", "bench", "ladder_shelf", "pouf"}},
-    {"laundry", {"cabinet", "ladder_shelf", "towel_rail", "basket", "stool", "plant", "", ""}},
+    {"laundry", {"cabinet", "ladder_shelf", "towel_rail", "bench", "basket", "stool", "plant", ""}},
     {"sunroom", {"plant_tree", "plant", "stool", "basket", "plant_tree", "pouf", "bench", "plant"}},
     {"attic", {"dresser", "bookshelf", "bench", "pouf", "plant", "basket", "console_table", "toy_box"}},
 };

@@ -12,7 +12,7 @@ namespace fastscene {
 enum class WordKind : unsigned char {
     room, style, object, structure, color, material, pattern, time, weather, light, size, mood, count, negation, relation,
     detail,    // a part of a piece ("legs", "bedding"): takes adjectives, is no piece of its own
-    nuance,    // understood, but nothing in the room shows it ("dusty", "ocean view")
+    nuance,    // understood, but nothing in the room shows it ("dusty"), or only its windows do ("ocean view")
     filler,    // speaks of the picture or the room as such ("photo", "interior")
     function,  // articles, prepositions, forms of "to be"
 };

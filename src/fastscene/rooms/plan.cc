@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/plan_parts.h"
 
 namespace fastscene {
 namespace {
@@ -16,8 +17,8 @@ struct Proportions {
 // Usual inside sizes in metres.
 constexpr Proportions kProportions[] = {
     {"living", 4.4f, 5.6f, 4.8f, 6.2f},  {"bedroom", 3.8f, 4.6f, 4.0f, 5.0f}, {"kids", 3.4f, 4.2f, 3.8f, 4.6f},    {"kitchen", 3.6f, 4.6f, 4.0f, 5.2f},
-    {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.8f, 3.4f, 3.2f, 4.0f}, {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f},
-    {"loft", 5.4f, 6.6f, 6.0f, 7.2f},    {"laundry", 2.8f, 3.4f, 3.2f, 4.0f},  {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
+    {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.5f, 3.1f, 3.0f, 3.7f}, {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f},
+    {"loft", 5.4f, 6.6f, 6.0f, 7.2f},    {"laundry", 2.4f, 3.0f, 3.0f, 3.6f},  {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
 };
 
 const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
@@ -123,6 +124,18 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     plan.openings.push_back(door);
 }
 
+// Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.
+float room_for_wishes(const PromptSpec& spec) {
+    static constexpr std::array<std::pair<std::string_view, float>, 14> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
+        {"dining_table", 4.f}, {"piano", 3.f}, {"grand_piano", 5.f}, {"wardrobe", 1.6f}, {"bookshelf", 1.f}, {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
+    float wanted = 0;
+    for (const PromptObject& o : spec.objects)
+        for (const auto& [klass, area] : kNeeds)
+            if (o.klass == klass && !o.forbidden) wanted += area * static_cast<float>(std::min(o.count, 12));
+    constexpr float kUsual = 9.f, kGain = 0.022f, kMost = 1.28f;
+    return std::clamp(1.f + kGain * (wanted - kUsual), 1.f, kMost);
+}
+
 }  // namespace
 
 bool is_shell(std::string_view klass) {
@@ -165,7 +178,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const Proportions* size = &kProportions[0];
     for (const Proportions& p : kProportions)
         if (spec.room == p.room) size = &p;
-    const float factor = spec.size == "large" ? 1.18f : spec.size == "small" ? 0.88f : 1.f;
+    const float factor = spec.size == "large" ? std::max(1.18f, room_for_wishes(spec)) : spec.size == "small" ? 0.88f : room_for_wishes(spec);
     plan.width = dice.uniform(size->width_low, size->width_high) * factor;
     plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
     plan.height = spec.room == "loft" ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
@@ -179,17 +192,9 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
     }
 
-    // Wet rooms have tiles where others have boards.
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
-    if (wet) {
-        if (const auto tile = material_named("tile")) plan.style.accent_wall = *tile, plan.accent = true;
-        if (plan.style.floor.pattern == Pattern::herringbone || plan.style.floor.pattern == Pattern::parquet || plan.style.floor.pattern == Pattern::carpet || plan.style.floor.pattern == Pattern::planks || plan.style.floor.pattern == Pattern::wood)
-            if (const auto stone = material_named("tile")) {
-                plan.style.floor = *stone;
-                plan.style.floor.scale_m = 0.45f;
-                plan.style.floor.color_a = plan.style.floor.color_a * 0.75f;
-            }
-    }
+    choose_paint(spec, plan, dice);
+    if (wet) tile_wet_room(plan, dice);
     for (const PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
         if (wish.klass == "wall") {

@@ -133,7 +133,7 @@ Json to_json(const PromptSpec& spec) {
         const auto colon = line.find(": ");
         assumed.push_back({{"what", line.substr(0, colon)}, {"value", colon == std::string::npos ? "" : line.substr(colon + 2)}});
     }
-    return {{"text", spec.text}, {"language", spec.language.empty() ? "en" : spec.language}, {"room", spec.room}, {"style", spec.style}, {"time", spec.time}, {"weather", spec.weather},
+    return {{"text", spec.text}, {"language", spec.language.empty() ? "en" : spec.language}, {"room", spec.room}, {"style", spec.style}, {"time", spec.time}, {"weather", spec.weather}, {"outlook", spec.outlook},
             {"mood", spec.mood}, {"light", spec.light}, {"clutter", spec.clutter}, {"size", spec.size}, {"colors", spec.colors}, {"objects", objects}, {"understood", understood},
             {"assumed", assumed}, {"approximated", approximated}, {"not_placed", not_placed}, {"not_understood", not_understood}};
 }

@@ -60,7 +60,14 @@ void read_style(Reading& r, std::size_t i) {
 
 void read_nuance(Reading& r, std::size_t i) {
     const std::string& what = r.m[i].word->meaning;
-    if (what == "outside") r.tell_near(i, "what lies outside: the windows show the sky and a plain outlook");
+    constexpr std::string_view kView = "view=";
+    const std::string& adds = r.m[i].word->adds;
+    if (what == "outside" && adds.starts_with(kView) && !r.m[i].negated) {
+        const std::string view = adds.substr(kView.size());
+        if (r.spec.outlook.empty()) r.spec.outlook = view;
+        if (r.spec.outlook == view && r.m[i].word->exact) r.tell(i, "outlook: " + view);
+        else r.tell_near(i, "outlook: " + r.spec.outlook);
+    } else if (what == "outside") r.tell_near(i, "what lies outside");
     else if (what == "house") r.tell(i, "the house around the room");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");

@@ -73,8 +73,14 @@ Matches match(const std::vector<std::string>& tokens, Language language, const F
         bool found = false;
         for (std::size_t n = phrase_length(tokens, i, kLongestTerm); n > 0 && !found; --n) {
             const std::string term = joined(tokens, i, n);
-            if (n == 1 && is_owner(tokens[i]) && !look_up(tokens[i].substr(0, tokens[i].size() - 2) + " room")) {
-                matches.push_back({.words = term, .word = Word{WordKind::nuance, "owner"}});
+            if (n == 1 && is_owner(tokens[i])) {
+                // Some rooms are named by who lives there ("a student's den"), unless another room's name follows.
+                const auto of_owner = look_up(tokens[i].substr(0, tokens[i].size() - 2) + " room");
+                const bool room_follows = std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(), [&](const std::string& t) {
+                    const auto word = look_up(t, language);
+                    return word && word->kind == WordKind::room;
+                });
+                matches.push_back({.words = term, .word = of_owner && of_owner->kind == WordKind::room && !room_follows ? *of_owner : Word{WordKind::nuance, "owner"}});
                 ++i;
                 found = true;
                 break;

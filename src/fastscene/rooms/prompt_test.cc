@@ -141,6 +141,15 @@ TEST(Prompt, RoomStyleTimeAndMood) {
     EXPECT_EQ(read("a home office in art deco style").style, "art deco");
 }
 
+TEST(Prompt, WhatTheWindowsShow) {
+    EXPECT_EQ(read("a living room overlooking the sea").outlook, "sea");
+    EXPECT_EQ(read("a loft with a skyline view").outlook, "city");
+    EXPECT_EQ(read("a cabin in the mountains, snowy").outlook, "mountains");
+    EXPECT_EQ(read("a cabin in the mountains, snowy").weather, "snowy");
+    EXPECT_EQ(read("a bedroom with a forest view").outlook, "forest");
+    EXPECT_EQ(read("a bedroom").outlook, "");
+}
+
 TEST(Prompt, EveryStyleAndRoomIsSayable) {
     for (const std::string style : {"modern", "scandinavian", "japandi", "industrial", "classic", "boho", "rustic", "mid-century", "mediterranean", "art deco"})
         for (const std::string& room : room_types()) {

@@ -1,6 +1,7 @@
 #include "fastscene/rooms/rooms.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,7 +24,7 @@ constexpr Daylight kDaylight[] = {
     {"day", Sky::Time::day, 38, {11.f, 10.1f, 8.8f}, {1.1f, 1.8f, 3.1f}, {3.0f, 3.3f, 3.7f}, {0.75f, 0.70f, 0.58f}},
     {"evening", Sky::Time::evening, 11, {8.f, 4.7f, 2.4f}, {0.6f, 0.8f, 1.4f}, {2.6f, 1.7f, 1.0f}, {0.35f, 0.27f, 0.20f}},
     {"dusk", Sky::Time::dusk, 4, {}, {0.05f, 0.08f, 0.19f}, {0.36f, 0.22f, 0.18f}, {0.03f, 0.025f, 0.03f}},
-    {"night", Sky::Time::night, 30, {}, {0.0012f, 0.0018f, 0.0045f}, {0.004f, 0.005f, 0.008f}, {0.0012f, 0.0012f, 0.0016f}},
+    {"night", Sky::Time::night, 30, {}, {0.0007f, 0.001f, 0.0022f}, {0.003f, 0.0032f, 0.0045f}, {0.0008f, 0.0008f, 0.001f}},
 };
 
 // The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
@@ -34,8 +35,23 @@ void assume_time(PromptSpec& spec, std::uint64_t seed) {
     spec.assumed.push_back("time: " + spec.time);
 }
 
+// What the windows show, when the prompt does not say it: it goes with the style.
+Sky::View outlook_of(PromptSpec& spec, const std::string& style, Random& dice) {
+    static constexpr std::array<std::pair<const char*, Sky::View>, 5> kViews{{{"garden", Sky::View::garden}, {"city", Sky::View::city}, {"sea", Sky::View::sea}, {"mountains", Sky::View::mountains}, {"forest", Sky::View::forest}}};
+    const float draw = dice.uniform();
+    if (spec.outlook.empty()) {
+        const bool urban = style == "industrial" || style == "modern" || style == "art deco" || spec.room == "loft";
+        const char* wild = style == "mediterranean" ? "sea" : style == "rustic" ? "mountains" : style == "scandinavian" || style == "japandi" ? "forest" : "city";
+        spec.outlook = urban ? (draw < 0.75f ? "city" : "garden") : draw < 0.45f ? wild : "garden";
+        spec.assumed.push_back("outlook: " + spec.outlook);
+    }
+    for (const auto& [name, view] : kViews)
+        if (spec.outlook == name) return view;
+    return Sky::View::garden;
+}
+
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the floor.
-Sky make_sky(const PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
+Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
     const Daylight* light = &kDaylight[1];
     for (const Daylight& d : kDaylight)
         if (spec.time == d.name) light = &d;
@@ -45,8 +61,11 @@ Sky make_sky(const PromptSpec& spec, const Plan& plan, const Mat3f& world_from_r
     sky.horizon = light->horizon;
     sky.ground = light->ground;
     sky.sun_irradiance = light->sun;
-    sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" ? 1.f : 0.3f;
+    sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f : 0.3f;
     sky.seed = dice.next_u32();
+    sky.snow = spec.weather == "snowy";
+    sky.seen = light->sun_elevation_deg > 5 && light->time != Sky::Time::night ? 0.3f : 1.f;
+    sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
         const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 * (spec.weather == "rainy" ? 0.5f : 0.75f);

@@ -48,6 +48,7 @@ struct PromptSpec {
     std::string mood;                   // cozy airy colorful
     std::string light;                  // bright dim "lamps on"
     std::string clutter;                // cluttered bare
+    std::string outlook;                // what the windows show: garden city sea mountains forest
     std::vector<PromptObject> objects;
     std::vector<std::string> colors;    // global accents, bound to no object
     // The report: written to panorama/prompt.json.

@@ -79,8 +79,8 @@ std::vector<Style> make_styles() {
     all.push_back({"japandi", boards(Pattern::planks, "natural", 0.15f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
                    cloth("oatmeal"), cloth("stone"), hide("taupe"), veil("linen", 0.5f), carpet_of(Pattern::carpet, "oatmeal", "sand", "taupe"),
                    palette_of({"clay", "sage", "charcoal", "oatmeal", "taupe", "olive"}), LampFamily::paper, LegType::tapered, SofaType::slim, Mouldings::none, 1, 3, 0.5f, 0.25f, 2.5f, false, {9.f, 7.f, 4.8f}});
-    all.push_back({"industrial", make("concrete floor", Pattern::concrete, {0.3f, 0.28f, 0.255f}, {0.21f, 0.195f, 0.18f}, 0.6f, 0.55f, 0.0006f), paint("ash"),
-                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, named("ash"), named("gray"), 0.6f, 0.8f, 0.0006f), black_metal(),
+    all.push_back({"industrial", make("concrete floor", Pattern::concrete, {0.2f, 0.183f, 0.162f}, {0.135f, 0.122f, 0.108f}, 0.6f, 0.5f, 0.0006f), paint("ash"),
+                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, {0.36f, 0.345f, 0.32f}, {0.27f, 0.255f, 0.235f}, 0.6f, 0.8f, 0.0006f), black_metal(),
                    timber("teak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
                    palette_of({"rust", "charcoal", "mustard", "denim", "umber", "stone"}), LampFamily::cage, LegType::metal_frame, SofaType::block, Mouldings::none, 3, 4, 0.4f, 0.6f, 3.2f, true, {11.f, 7.2f, 3.8f}});
     all.push_back({"classic", boards(Pattern::herringbone, "oak", 0.09f), paint("ivory"), make("damask wallpaper", Pattern::damask, named("sage"), named("eucalyptus"), 0.45f, 0.7f), white_ceiling, white_trim,

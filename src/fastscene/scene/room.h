@@ -75,7 +75,10 @@ struct Sky {
     Vec3f sun_dir{0, -1, 0};        // world, unit, towards the sun (or the moon)
     Vec3f sun_irradiance{};         // on a surface that faces it; zero = hidden
     Vec3f zenith{}, horizon{}, ground{};  // radiances
-    std::uint32_t seed = 0;         // the outline of what stands outside
+    enum class View : std::uint8_t { garden, city, sea, mountains, forest } view = View::garden;
+    bool snow = false;              // lies on all of it
+    float seen = 1.f;               // share of its radiance that a camera sees: windows burn out less, as behind a photographer's filter
+    std::uint32_t seed = 0;         // of what stands outside
 };
 
 // How radiance becomes a picture; fixed once a room so that all its views agree.

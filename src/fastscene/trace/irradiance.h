@@ -51,7 +51,8 @@ class IrradianceCache {
     void drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed);
     void index();
     void despeckle(bool indirect);
-    void smooth(bool indirect, int radius, float tolerance);
+    std::vector<float> pooled(const std::vector<float>& error) const;
+    void smooth(bool indirect, int step, std::vector<float>& error);
 
     float cell_m_ = 0.03f;
     Vec3f origin_;

@@ -20,6 +20,41 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
+// How well a mean is known by the numbers that it was made of.
+struct Spread {
+    float sum = 0, squares = 0, count = 0;
+    void add(float v) { sum += v, squares += v * v, ++count; }
+    float of_mean() const {
+        if (!(count > 0)) return 0;
+        const float mean = sum / count;
+        return std::sqrt(std::max(0.f, squares / count - mean * mean) / count);
+    }
+};
+
+// In a white room a tenth of the light has bounced more than eight times. After a few bounces each adds to the last in the same
+// proportion, so the sum of all that follow is known: a geometric series.
+class Rest {
+  public:
+    // The light of a room after one more pass -> what to multiply it by.
+    Vec3f factor(Vec3f sum) {
+        Vec3f out{1, 1, 1};
+        const Vec3f step = sum - before_;
+        for (std::size_t a = 0; a < 3; ++a) {
+            // The ratio is seen while the passes are whole bounces; after that only small steps are left.
+            if (passes_ == 1 || passes_ == 2) ratio_[a] = std::clamp(step[a] / std::max(1e-9f, step_[a]), 0.f, 0.9f);
+            if (passes_ >= 2 && sum[a] > 0) out[a] = std::clamp(1 + step[a] * ratio_[a] / (1 - ratio_[a]) / sum[a], 0.5f, 3.f);
+        }
+        ++passes_;
+        step_ = step;
+        before_ = sum * out;
+        return out;
+    }
+
+  private:
+    int passes_ = 0;
+    Vec3f before_{}, step_{}, ratio_{};
+};
+
 }  // namespace
 
 // Cells that the sun reaches; curtains shine on both sides.
@@ -64,11 +99,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     // An odd offset, so that walls do not lie on the borders of cells.
     cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
     std::vector<Vec3f> albedo;
-    for (const Material& m : room.materials) {
-        // Metals and mirrors pass their light on as well, if not in all directions.
-        const bool mirror = m.metal > 0 || m.mirror > 0;
-        albedo.push_back(mean_albedo(m) * (mirror ? 0.7f : 1.f));
-    }
+    for (const Material& m : room.materials) albedo.push_back(mean_reflectance(m, mean_albedo(m)));
     cache.build(room, albedo);
     std::vector<bool> closed;
     for (const Mesh& mesh : room.meshes) closed.push_back(is_closed(mesh));
@@ -83,7 +114,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
         return cache.samples_[first + static_cast<std::uint32_t>(i) % n];
     };
     // Gathering is three quarters of the work: progress counts cells over all passes.
-    constexpr int kPasses = 8;
+    constexpr int kPasses = 6;
     Progress progress(run, "light", (count / 1024 + 1) * (kPasses + 1));
 
     // The sun first: what it lights is bright and small, and lights the rest of the room.
@@ -106,8 +137,24 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     // A sunlit cell close by is asked too rarely and answers too loudly: within eight cells gathering finds it instead.
     const float near_sun = 8 * params.cell_m;
 
+    // What arrives from one sunlit patch, drawn by its power and usefulness.
+    const auto sunlit = [&](const Sample& at, float which) -> Vec3f {
+        const auto found = static_cast<std::size_t>(std::upper_bound(cumulative.begin(), cumulative.end(), which * cumulative.back()) - cumulative.begin());
+        const std::size_t picked = std::min(found, patches.size() - 1);
+        const SunPatch& patch = patches[picked];
+        const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
+        const float d2 = dot(to, to), far = std::sqrt(d2);
+        if (!(far > near_sun)) return {};
+        const Vec3f direction = to / far;
+        const float here = dot(at.normal, direction), there = -dot(patch.normal, direction);
+        if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) return {};
+        const float chance = luminance(patch.leaving) * patch.area * useful[picked] / cumulative.back();
+        return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
+    };
+
     // Then lamps, windows and the first bounce of the sun, each asked directly.
     const int direct_samples = std::max(8, params.cell_samples / 2);
+    std::vector<float> error(cache.cells_.size());   // standard errors of what was gathered
     parallel_for(count, 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
@@ -117,39 +164,33 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
             const Lights::Choice choice = lights.choice_at(cell.center, cell.normal);
             const Vec2f shift{random.uniform(), random.uniform()};
             Vec3f direct{};
+            Spread spread;
             for (int s = 0; s < direct_samples; ++s) {
+                const Vec3f before = direct;
                 const Sample& at = sample_of(c, s);
                 const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
                 const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(direct_samples);
                 direct += lights.sample(room, bvh, choice, at.position, at.normal, {which, random.uniform()}, uv);
-                if (!sunny) continue;
-                // One sunlit patch, by its power and usefulness.
-                const auto found = static_cast<std::size_t>(std::upper_bound(cumulative.begin(), cumulative.end(), which * cumulative.back()) - cumulative.begin());
-                const std::size_t picked = std::min(found, patches.size() - 1);
-                const SunPatch& patch = patches[picked];
-                const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
-                const float d2 = dot(to, to), far = std::sqrt(d2);
-                if (!(far > near_sun)) continue;
-                const Vec3f direction = to / far;
-                const float here = dot(at.normal, direction), there = -dot(patch.normal, direction);
-                if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far - 0.3f * cache.cell_m_)) continue;
-                const float chance = luminance(patch.leaving) * patch.area * useful[picked] / cumulative.back();
-                direct += patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
+                if (sunny) direct += sunlit(at, which);
+                spread.add(luminance(direct - before));
             }
+            error[c] = spread.of_mean();
             cell.direct = direct / static_cast<float>(direct_samples);
         }
         progress.advance();
     });
     cache.despeckle(false);
-    cache.smooth(false, 1, 0.3f);
-    cache.smooth(false, 2, 0.15f);
+    error = cache.pooled(error);
+    for (const int step : {1, 2, 1}) cache.smooth(false, step, error);
 
-    // Everything else: what each entry sees of the others, pass by pass one bounce more. The first six passes only bring the
-    // light round the room (in a bright room a tenth of it has bounced more than four times); the mean of the last two is kept.
+    // Everything else: what each entry sees of the others, pass by pass one bounce more. The first passes only bring the light
+    // round the room, and what further bounces will add is foreseen (Rest); the mean of the last ones is kept.
     std::vector<Vec3f> gathered(cache.cells_.size());
     std::vector<Vec3f> kept(cache.cells_.size());
+    std::vector<float> spoiled(cache.cells_.size());   // squared error of `kept`
     const int total = std::max(8, params.cell_samples);
-    constexpr int kKept = 2;
+    constexpr int kKept = 3;
+    Rest rest;
     for (int pass = 0; pass < kPasses; ++pass) {
         const bool keep = pass >= kPasses - kKept;
         const int n = std::max(2, keep ? total / 4 : total / 12);
@@ -160,14 +201,17 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                 Random random(key(c, static_cast<std::uint64_t>(pass) + 1));
                 const Vec2f shift{random.uniform(), random.uniform()};
                 Vec3f sum{};
+                Spread spread;
                 int valid = 0;
                 for (int s = 0; s < n; ++s) {
+                    const Vec3f before = sum;
                     const Sample& at = sample_of(c, s);
                     const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
                     const Vec3f direction = cosine_direction(at.normal, uv);
                     const Vec3f from = at.position + at.normal * distance_epsilon(at.position);
                     const RayHit hit = bvh.first_hit(from, direction);
                     if (!hit) {  // through a window: counted with the windows
+                        spread.add(0);
                         ++valid;
                         continue;
                     }
@@ -185,7 +229,10 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
                     if (m.transmission > 0) arriving += cache.near(p, -normal, with_sun) * m.transmission;
                     sum += albedo[static_cast<std::size_t>(mesh.material)] * arriving;
                     if (lights.is_large(hit.mesh)) sum += m.emission * kPi;
+                    spread.add(luminance(sum - before));
                 }
+                error[c] = spread.of_mean();
+                if (keep) spoiled[c] += error[c] * error[c] * (1.f / (kKept * kKept));
                 gathered[c] = valid ? sum / static_cast<float>(valid) : Vec3f{};
             }
             progress.advance();
@@ -194,15 +241,22 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
             cache.cells_[c].indirect = gathered[c];
             if (keep) kept[c] += gathered[c] * (1.f / kKept);
         }
-        if (!keep) cache.smooth(true, 2, 0.8f);
+        if (!keep) {
+            error = cache.pooled(error);
+            for (const int step : {1, 2}) cache.smooth(true, step, error);
+        }
+        Vec3f sum{};
+        for (const Cell& cell : cache.cells_) sum += cell.indirect * cell.area;
+        const Vec3f more = rest.factor(sum);
+        for (Cell& cell : cache.cells_) cell.indirect = cell.indirect * more;
     }
     for (std::size_t c = 0; c < cache.cells_.size(); ++c) cache.cells_[c].indirect = kept[c];
     cache.despeckle(true);
     // Entries are gathered one by one; what remains of their noise is spread over the neighbours, widely because bounced
-    // light changes slowly. The tolerance is a few standard deviations of a gather of this many rays.
-    const float tolerance = std::clamp(3.f / std::sqrt(static_cast<float>(total)), 0.12f, 0.6f);
-    cache.smooth(true, 2, tolerance);
-    cache.smooth(true, 2, tolerance);
+    // light changes slowly.
+    for (std::size_t c = 0; c < cache.cells_.size(); ++c) error[c] = std::sqrt(spoiled[c]);
+    error = cache.pooled(error);
+    for (const int step : {1, 2, 4, 1}) cache.smooth(true, step, error);
     cache.samples_ = {};
     return cache;
 }

@@ -40,38 +40,66 @@ void IrradianceCache::despeckle(bool indirect) {
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
-// Averages each entry with its neighbours on the same surface; those that differ by much more than noise does count less.
-void IrradianceCache::smooth(bool indirect, int radius, float tolerance) {
+// A few samples know little of their own error: where none of them met the lamp they seem to agree. Neighbours know together.
+std::vector<float> IrradianceCache::pooled(const std::vector<float>& error) const {
+    std::vector<float> out(cells_.size());
+    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto c = static_cast<std::size_t>(i);
+            const auto [x, y, z, facing] = place_of(keys_[c]);
+            float sum = 0;
+            int count = 0;
+            for (int k = 0; k < 27; ++k) {
+                const int n = find(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1, facing);
+                if (n < 0) continue;
+                sum += error[static_cast<std::size_t>(n)] * error[static_cast<std::size_t>(n)];
+                ++count;
+            }
+            out[c] = std::sqrt(sum / static_cast<float>(count));
+        }
+    });
+    return out;
+}
+
+// Averages each entry with its neighbours on the same surface, `step` cells apart; those that differ by more than noise explains
+// count less. Steps of 1, 2, 4 … one after the other make a wide filter of few taps (Dammertz et al. 2010), guided by the
+// standard error of each entry's luminance (Schied et al. 2017), which falls by what averaging gains.
+void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error) {
+    constexpr float kDeviations = 2.f, kAlways = 0.02f;
     std::vector<Vec3f> out(cells_.size());
+    std::vector<float> left(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
             const Cell& cell = cells_[c];
             const Vec3f here = indirect ? cell.indirect : cell.direct;
             const auto [x, y, z, facing] = place_of(keys_[c]);
-            const float base = luminance(here);
+            const float base = luminance(here), always = kAlways * base + 1e-6f;
             Vec3f sum{};
-            float weight = 0;
-            for (int dz = -radius; dz <= radius; ++dz)
-                for (int dy = -radius; dy <= radius; ++dy)
-                    for (int dx = -radius; dx <= radius; ++dx) {
-                        const int n = find(x + dx, y + dy, z + dz, facing);
-                        if (n < 0) continue;
-                        const Cell& other = cells_[static_cast<std::size_t>(n)];
-                        const float agree = dot(other.normal, cell.normal);
-                        if (!(agree > 0.7f)) continue;
-                        // A step between two levels (table top and floor) is no neighbour.
-                        const float off = std::abs(dot(other.center - cell.center, cell.normal)) / cell_m_;
-                        const Vec3f value = indirect ? other.indirect : other.direct;
-                        const float difference = (luminance(value) - base) / (tolerance * (base + 0.02f));
-                        const float r2 = static_cast<float>(dx * dx + dy * dy + dz * dz) / static_cast<float>(radius * radius);
-                        const float w = std::exp(-1.2f * r2 - difference * difference - 2.f * off * off) * agree * agree;
-                        sum += value * w;
-                        weight += w;
-                    }
-            out[c] = weight > 0 ? sum / weight : here;
+            float weight = 0, squares = 0;
+            for (int k = 0; k < 27; ++k) {
+                const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
+                const int n = k == 13 ? static_cast<int>(c) : find(x + dx * step, y + dy * step, z + dz * step, facing);
+                if (n < 0) continue;
+                const auto j = static_cast<std::size_t>(n);
+                const Cell& other = cells_[j];
+                const float agree = dot(other.normal, cell.normal);
+                if (!(agree > 0.7f)) continue;
+                // A step between two levels (table top and floor) is no neighbour.
+                const float off = std::abs(dot(other.center - cell.center, cell.normal)) / cell_m_;
+                const Vec3f value = indirect ? other.indirect : other.direct;
+                const float difference = luminance(value) - base;
+                const float tolerance = kDeviations * kDeviations * (error[c] * error[c] + error[j] * error[j]) + always * always;
+                const float w = std::exp(-0.55f * static_cast<float>(dx * dx + dy * dy + dz * dz) - difference * difference / tolerance - 2.f * off * off) * agree * agree;
+                sum += value * w;
+                weight += w;
+                squares += w * w * error[j] * error[j];
+            }
+            out[c] = sum / weight;
+            left[c] = std::sqrt(squares) / weight;
         }
     });
+    error = std::move(left);
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 

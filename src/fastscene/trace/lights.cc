@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fastscene/trace/sky.h"
 
 namespace fastscene {
 namespace {
@@ -66,6 +65,7 @@ Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large
         }
         light_of_mesh_[m] = index;
     }
+    if (!room.portals.empty()) sky_.emplace(room.sky);
     for (std::size_t i = 0; i < room.portals.size(); ++i) {
         const Portal& p = room.portals[i];
         Light light;
@@ -143,7 +143,7 @@ Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f posit
         const Vec3f to = p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from;
         out.direction = normalize(to);
         out.far = kFar;
-        out.radiance = sky_radiance(room.sky, out.direction);
+        out.radiance = sky_->at(out.direction);
         out.density = portal_density(room, choice, from, out.direction);
         return out;
     }

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/scene_bvh.h"
+#include "fastscene/trace/sky.h"
 
 namespace fastscene {
 
@@ -54,6 +56,7 @@ class Lights {
         std::vector<float> cumulative;    // their powers
     };
     float portal_density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction) const;
+    std::optional<SkyTable> sky_;         // where there are portals
     std::vector<Light> lights_;
     std::vector<int> light_of_mesh_;      // -1: none
     std::vector<bool> large_;

@@ -88,7 +88,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const RayHit hit = scene.bvh.first_hit(origin, direction);
         float by_chance = 1;
         if (arrival.lights) by_chance = weight_of(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
-        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * by_chance;
+        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * (by_chance * (arrival.density > 0 ? 1.f : scene.room.sky.seen));
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), bounce == 0);

@@ -44,6 +44,18 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     return r;
 }
 
+Vec3f mean_reflectance(const Material& m, Vec3f albedo) {
+    if (m.mirror > 0.5f) return Vec3f{0.92f, 0.93f, 0.92f};
+    // Schlick's formula, averaged over the hemisphere by the cosine: its fifth power becomes 1/21.
+    const Vec3f f0 = lerp(Vec3f{m.specular, m.specular, m.specular}, albedo, m.metal);
+    const float smoothness = 1.f - m.roughness;
+    Vec3f fresnel;
+    for (std::size_t a = 0; a < 3; ++a) fresnel[a] = f0[a] + (std::max(smoothness, f0[a]) - f0[a]) / 21;
+    const bool rough = m.metal < 0.5f && m.roughness > kMirrorRoughness;
+    const Vec3f base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * (rough ? 0.5f : 1.f)));
+    return base + fresnel * (rough ? 0.8f : 1.f);
+}
+
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
     if (!(alpha > 0)) return n;
     const float phi = 2 * kPi * u.y;

@@ -14,6 +14,9 @@ struct Response {
 };
 Response response_of(const SurfacePointInfo& surface, Vec3f direction);
 
+// What a surface of this albedo sends back of even light, the coat's share included: for light on its second way.
+Vec3f mean_reflectance(const Material& material, Vec3f albedo);
+
 // A half vector of the GGX distribution about n; u in [0, 1)^2.
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u);
 // Density per solid angle of the direction that mirroring `direction` in such a half vector gives.

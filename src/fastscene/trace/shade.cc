@@ -13,26 +13,63 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// What the mirrored ray meets; its light comes from the cache, its own mirror images are left out.
-Vec3f mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, float angle, int mirrors) {
+// Veach's power heuristic for one sample of each kind.
+float weight_of(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
+
+// What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
+struct Mirrored {
+    Vec3f light, rest;
+    RayHit hit;
+};
+// Its light comes from the cache, its own gloss is taken for matt. `sharp`: seen as clearly as by the camera itself.
+Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, float angle, bool sharp, int mirrors) {
     const RayHit hit = scene.bvh.first_hit(origin, direction);
-    if (!hit) return sky_radiance(scene.room.sky, direction);
+    if (!hit) return {sky_radiance(scene.room.sky, direction) * (sharp ? scene.room.sky.seen : 1.f), {}, hit};
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, angle * hit.distance, false);
     const Material& m = *s.material;
     if (m.mirror > 0.5f && mirrors > 0) {
         const Vec3f out = direction - s.normal * (2 * dot(direction, s.normal));
-        return mirrored_radiance(scene, s.position + s.normal * 1e-3f, out, angle, mirrors - 1);
+        const Mirrored behind = mirrored_radiance(scene, s.position + s.normal * 1e-3f, out, angle, sharp, mirrors - 1);
+        return {{}, behind.light + behind.rest, hit};
     }
     Vec3f front = scene.light.near(s.position, s.normal, true), back{};
     if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, true);
-    return s.texture.albedo * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi) + m.emission;
+    return {m.emission, mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
+}
+
+// What a glossy surface mirrors, by one ray into its mirror cone and one to a lamp or window, each weighed by how well it finds
+// such light: small lights are found by asking, near and smooth ones by the cone.
+Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const Response& r, Vec3f direction, float pixel_angle, Vec3f front, Random& random) {
+    const Vec3f half = ggx_half(s.bumped, r.alpha, {random.uniform(), random.uniform()});
+    Vec3f out = direction - half * (2 * dot(direction, half));
+    if (!(dot(out, s.normal) > 0.01f)) out = direction - s.normal * (2 * dot(direction, s.normal));
+    out = normalize(out);
+    const Vec3f origin = offset_from(s.position, s.normal);
+    Mirrored seen = mirrored_radiance(scene, origin, out, pixel_angle + 0.3f * r.alpha, r.alpha == 0, 3);
+    if (r.alpha == 0) return seen.light + seen.rest;
+    const Lights::Choice choice = scene.lights.choice_at(s.position, s.normal);
+    Vec3f asked{};
+    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, s.normal, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()});
+    if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
+        const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
+        if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far)) asked = light.radiance * (cone * weight_of(light.density, cone) / light.density);
+    }
+    if (max_component(seen.light) > 0) {
+        const float density = scene.lights.density(scene.room, choice, origin, out, seen.hit);
+        seen.light = seen.light * weight_of(ggx_density(s.bumped, r.alpha, direction, out), density);
+    }
+    Vec3f met = seen.light + seen.rest;
+    // A single bright thing met by chance would sparkle: it is held to a few times the light around.
+    const float limit = 6.f * (luminance(front) / kPi + 0.05f), bright = luminance(met);
+    if (bright > limit) met = met * (limit / bright);
+    return asked + met;
 }
 
 }  // namespace
 
 Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Random& random) {
     const RayHit hit = scene.bvh.first_hit(origin, direction);
-    if (!hit) return {sky_radiance(scene.room.sky, direction), {}};
+    if (!hit) return {sky_radiance(scene.room.sky, direction) * scene.room.sky.seen, {}};
     // A surface seen at a slant lies under a longer footprint; the geometric mean keeps patterns crisp and calm.
     const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, pixel_angle * hit.distance / std::sqrt(slant), true);
@@ -50,14 +87,7 @@ Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float p
     if (m.transmission > 0) out.radiance += r.behind * (scene.light.at(s.position, -s.normal) + sun(-s.normal)) * (1.f / kPi);
     if (!(max_component(r.shine) > 0)) return out;
 
-    const Vec3f half = ggx_half(s.bumped, r.alpha, {random.uniform(), random.uniform()});
-    Vec3f mirrored = direction - half * (2 * dot(direction, half));
-    if (!(dot(mirrored, s.normal) > 0.01f)) mirrored = direction - s.normal * (2 * dot(direction, s.normal));
-    Vec3f seen = mirrored_radiance(scene, offset_from(s.position, s.normal), normalize(mirrored), pixel_angle + 0.3f * r.alpha, 3);
-    // A single bright thing met by chance would sparkle: it is held to a few times the light around.
-    const float limit = 6.f * (luminance(front) / kPi + 0.05f), bright = luminance(seen);
-    if (r.alpha > 0 && bright > limit) seen = seen * (limit / bright);
-    out.radiance += r.shine * seen;
+    out.radiance += r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front, random);
     return out;
 }
 

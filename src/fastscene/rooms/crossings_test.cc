@@ -1,0 +1,48 @@
+#include "fastscene/rooms/crossings.h"
+
+#include <gtest/gtest.h>
+
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/rooms.h"
+#include "fastscene/rooms/style.h"
+#include "fastscene/scene/box.h"
+
+namespace fastscene {
+namespace {
+
+// A table of 1 m x 0.8 m x 1 m on the ground, and a box at `low` with edges `size`. y is down.
+Room with_box(Vec3f low, Vec3f size, const char* klass = "vase") {
+    Room room;
+    room.materials.resize(1);
+    room.objects.resize(2);
+    room.objects[0].klass = "table";
+    room.objects[1].klass = klass;
+    room.meshes.push_back(box_mesh({-0.5f, -0.8f, -0.5f}, {0.5f, 0, 0.5f}, 0, 0));
+    room.meshes.push_back(box_mesh(low, low + size, 0, 1));
+    return room;
+}
+
+TEST(Crossings, WhatReachesIntoASolidIsFoundHowDeepItIs) {
+    EXPECT_TRUE(room_crossings(with_box({-0.1f, -1.f, -0.1f}, {0.2f, 0.2f, 0.2f})).empty()) << "stands on it";
+    const auto sunk = room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}));
+    ASSERT_EQ(sunk.size(), 1u);
+    EXPECT_EQ(sunk[0].object, 1);
+    EXPECT_EQ(sunk[0].into, 0);
+    EXPECT_NEAR(sunk[0].depth_m, 0.05f, 1e-3f);
+    EXPECT_TRUE(room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}, "cushion")).empty()) << "soft things may sink";
+}
+
+TEST(Crossings, APoleThroughATableHasItsEndsOutside) {
+    const auto through = room_crossings(with_box({0.2f, -2.f, 0.1f}, {0.05f, 3.f, 0.05f}));
+    ASSERT_FALSE(through.empty());
+    EXPECT_GT(through[0].depth_m, 0.2f);
+}
+
+TEST(Crossings, ASheetHasNoInside) {
+    Room room = with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f});
+    room.meshes[0].triangles.resize(6);   // one side of the table
+    EXPECT_TRUE(room_crossings(room).empty());
+}
+
+}  // namespace
+}  // namespace fastscene
