@@ -14,7 +14,7 @@ struct Box {
     void add(Vec3f p) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
     }
-    bool holds(Vec3f p) const { return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z; }
+    bool holds(Vec3f p) const { return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z; }
     bool empty() const { return !(low.x < high.x && low.y < high.y && low.z < high.z); }
     Box shrunk(float by) const { return {low + Vec3f{by, by, by}, high - Vec3f{by, by, by}}; }
 };
@@ -31,6 +31,7 @@ struct Body {
     int object = -1;
     bool soft = false;      // others may sink into it, and it into others
     bool of_shell = false;
+    bool hung = false;      // its rose is let into the ceiling
     Box box;
     std::vector<Triangle> triangles;
 };
@@ -106,18 +107,22 @@ bool is_soft(std::string_view klass) {
     return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
 }
 
+bool is_hung(std::string_view klass) { return klass == "pendant_lamp" || klass == "ceiling_lamp" || klass == "chandelier"; }
+
 std::vector<Body> bodies_of(const Room& room) {
     std::vector<Body> objects(room.objects.size()), shell;
     for (const Mesh& mesh : room.meshes) {
         Body* body = nullptr;
-        if (mesh.object >= 0) {
+        // Panelling and beams reach all around the room: their boxes say something mesh by mesh only.
+        const bool part = mesh.object >= 0 && is_shell(room.objects[static_cast<std::size_t>(mesh.object)].klass);
+        if (mesh.object >= 0 && !part) {
             body = &objects[static_cast<std::size_t>(mesh.object)];
             body->object = mesh.object;
-            const std::string& klass = room.objects[static_cast<std::size_t>(mesh.object)].klass;
-            body->soft = is_soft(klass);
-            body->of_shell = is_shell(klass);
+            body->soft = is_soft(room.objects[static_cast<std::size_t>(mesh.object)].klass);
+            body->hung = is_hung(room.objects[static_cast<std::size_t>(mesh.object)].klass);
         } else {
             body = &shell.emplace_back();
+            body->object = mesh.object;
             body->of_shell = true;
         }
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
@@ -136,7 +141,7 @@ std::vector<Crossing> room_crossings(const Room& room, float tolerance) {
     std::vector<Crossing> found;
     for (const Body& a : bodies)
         for (const Body& b : bodies)
-            if (&a != &b && !a.soft && !b.soft && !(a.of_shell && b.of_shell)) look_inside(a, b, tolerance, found);
+            if (&a != &b && !a.soft && !b.soft && !(a.of_shell && b.of_shell) && !(a.hung && b.of_shell)) look_inside(a, b, tolerance, found);
     return found;
 }
 

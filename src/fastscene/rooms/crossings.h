@@ -16,7 +16,8 @@ struct Crossing {
 };
 
 // Pairs of things of which one has points deeper than `tolerance_m` inside the other. Looked at are corners and points along
-// edges, every 2 cm. What may sink (rugs under legs, cushions) and what is hung into the shell (windows, doors) is left out.
+// edges, every 2 cm. What may sink (rugs under legs, cushions), what belongs
+// to the shell (windows, doors, panels) against the shell, and the roses of hanging lamps are left out.
 std::vector<Crossing> room_crossings(const Room& room, float tolerance_m = 0.012f);
 
 }  // namespace fastscene

@@ -20,6 +20,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     Placed p;
     p.piece = make_piece(request);
     const Vec3f size = p.piece.size_m;
+    // Panelling and its rail stand proud of the wall.
+    const float gap = plan_.panelling ? 0.037f : kWallGap;
     for (const bool clearance : {true, false}) {
         std::optional<Placed> best;
         float best_score = -std::numeric_limits<float>::infinity();
@@ -27,8 +29,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
             // A wall is also what stands before it: the chimney breast, the side of an L's corner.
             if (wish.wall >= 0 && dot(face.inward, plan_.wall(wish.wall).inward) < 0.99f) continue;
             p.yaw = yaw_of(face.inward);
-            for (float u = size.x / 2 + kWallGap; u <= face.length - size.x / 2 - kWallGap; u += kSlotStep) {
-                p.position = face.point(u, 0) + face.inward * (size.z / 2 + kWallGap);
+            for (float u = size.x / 2 + gap; u <= face.length - size.x / 2 - gap; u += kSlotStep) {
+                p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap);
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, clearance)) continue;
                 if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y)) continue;
