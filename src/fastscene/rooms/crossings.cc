@@ -75,7 +75,9 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     for (const Triangle& t : b.triangles) {
         Box box;
         for (const Vec3f p : t) box.add(p);
-        if (box.low.x < part.high.x && box.high.x > part.low.x && box.low.z < part.high.z && box.high.z > part.low.z) column.push_back(t);
+        // A hand wider than needed for counting, so that sides near by limit the depth.
+        constexpr float kBeside = 0.05f;
+        if (box.low.x < part.high.x + kBeside && box.high.x > part.low.x - kBeside && box.low.z < part.high.z + kBeside && box.high.z > part.low.z - kBeside) column.push_back(t);
     }
     if (column.empty()) return;
     Crossing deepest{a.object, b.object, {}, 0.f};

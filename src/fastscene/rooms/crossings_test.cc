@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
@@ -25,10 +27,9 @@ Room with_box(Vec3f low, Vec3f size, const char* klass = "vase") {
 TEST(Crossings, WhatReachesIntoASolidIsFoundHowDeepItIs) {
     EXPECT_TRUE(room_crossings(with_box({-0.1f, -1.f, -0.1f}, {0.2f, 0.2f, 0.2f})).empty()) << "stands on it";
     const auto sunk = room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}));
-    ASSERT_EQ(sunk.size(), 1u);
-    EXPECT_EQ(sunk[0].object, 1);
-    EXPECT_EQ(sunk[0].into, 0);
-    EXPECT_NEAR(sunk[0].depth_m, 0.05f, 1e-3f);
+    const auto vase = std::find_if(sunk.begin(), sunk.end(), [](const Crossing& c) { return c.object == 1 && c.into == 0; });
+    ASSERT_NE(vase, sunk.end());
+    EXPECT_NEAR(vase->depth_m, 0.05f, 1e-3f);
     EXPECT_TRUE(room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}, "cushion")).empty()) << "soft things may sink";
 }
 
@@ -42,6 +43,22 @@ TEST(Crossings, ASheetHasNoInside) {
     Room room = with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f});
     room.meshes[0].triangles.resize(6);   // one side of the table
     EXPECT_TRUE(room_crossings(room).empty());
+}
+
+// What boxes cannot tell: a twentieth of the rooms may have a handle or a leaf somewhere in something, by less than a hand.
+TEST(Crossings, FewThingsReachIntoOthersOver120Rooms) {
+    const std::vector<std::string> rooms = room_types(), all = styles();
+    int crossed = 0;
+    std::string list;
+    for (std::uint64_t seed = 0; seed < 120; ++seed) {
+        PromptSpec spec = understand_prompt("a " + all[(seed + seed / 60) % all.size()] + " " + room_title(rooms[seed % rooms.size()]), false);
+        const Room room = make_room(spec, {seed, nullptr, {}});
+        const std::vector<Crossing> found = room_crossings(room);
+        crossed += !found.empty();
+        const auto name = [&](int object) { return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].klass; };
+        for (const Crossing& c : found) list += "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " + name(c.into) + " " + std::to_string(c.depth_m);
+    }
+    EXPECT_LE(crossed, 6) << list;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace fastscene {
 namespace {
 
+constexpr float kBesideDoor = 0.1f;       // its casing, and a finger
 constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
 
 }  // namespace
@@ -41,7 +42,7 @@ bool Layout::blocks_opening(const Footprint& box, float height) const {
         const float deep = door ? 0.85f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
-        Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 + (door ? 0.05f : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
+        Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 + (door ? kBesideDoor : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
         if (!door) zone.y0 = o.y0 + kAboveSill;
         if (overlap(box, zone)) return true;
     }

@@ -297,11 +297,11 @@ class Furnisher {
         reading_corner(0.2f);
     }
     void kitchen() {
-        // The run of units fills the longest wall that has no door.
-        for (const int w : {0, 1, 3}) {
+        // The run of units fills a wall, as far as windows and the door leave it; a short one is better than none.
+        for (const int w : {0, 1, 3, 2}) {
             const float length = l_.plan().wall(w).length;
             const auto counter = put("kitchen_counter", 1, [&](PieceRequest r, const PromptObject& o) -> std::optional<int> {
-                for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f}) {
+                for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
                     r.size_m = {width, 0, 0};
                     if (const auto i = l_.against_wall(r, {.wall = w}, o)) return i;
                 }

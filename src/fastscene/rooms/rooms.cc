@@ -173,10 +173,8 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
             object.placed = object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
 }
 
-}  // namespace
-
-FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
-    Random dice(run.seed, "room:" + spec.text);
+FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw) {
+    Random dice(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
     FurnishedRoom out{make_plan(spec, dice), {}, {}, {}};
     Layout layout(out.plan, spec, dice);
@@ -203,6 +201,27 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
         }
     }
     return out;
+}
+
+// Whether one can walk from the door to where the camera stands.
+bool has_a_way(const FurnishedRoom& room) {
+    Ways ways(room.plan);
+    for (const Placed& p : room.placed) ways.add(p);
+    return ways.open() && ways.reaches(flat(room.camera));
+}
+
+}  // namespace
+
+FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
+    // Now and then the plan itself leaves no way between its corners and what was asked for: then another one is drawn.
+    constexpr int kDraws = 4;
+    for (int draw = 0;; ++draw) {
+        PromptSpec read = spec;
+        FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw));
+        if (draw + 1 < kDraws && !has_a_way(room)) continue;
+        spec = std::move(read);
+        return room;
+    }
 }
 
 Room make_room(PromptSpec& spec, const Run& run) {

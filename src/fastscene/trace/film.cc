@@ -59,7 +59,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     const float key = sky.time == Sky::Time::night ? 0.15f : sky.time == Sky::Time::dusk ? 0.20f : 0.35f;
     look.exposure_ev = wish.exposure_ev + std::log2(key) - average;
     // White is pulled most of the way towards gray by day, less where warm light is the point.
-    const float pull = sky.time == Sky::Time::day || sky.time == Sky::Time::morning ? 0.8f : 0.65f;
+    const float pull = sky.time == Sky::Time::day || sky.time == Sky::Time::morning ? 0.55f : 0.5f;
     const Vec3f tint = mean / std::max(1e-6f, luminance(mean));
     for (std::size_t a = 0; a < 3; ++a) look.white[a] = std::pow(std::clamp(tint[a], 0.4f, 2.5f), pull) / wish.white[a];
     const float l = luminance(look.white);

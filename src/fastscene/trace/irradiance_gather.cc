@@ -181,7 +181,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     });
     cache.despeckle(false);
     error = cache.pooled(error);
-    for (const int step : {1, 2, 1}) cache.smooth(false, step, error);
+    for (const int step : {1, 2}) cache.smooth(false, step, error);
 
     // Everything else: what each entry sees of the others, pass by pass one bounce more. The first passes only bring the light
     // round the room, and what further bounces will add is foreseen (Rest); the mean of the last ones is kept.

@@ -53,7 +53,11 @@ constexpr EquirectSize kTable{512, 256};
 SkyTable::SkyTable(const Sky& sky) : radiance_(kTable.width, kTable.height) {
     parallel_for(kTable.height, 8, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < kTable.width; ++x) radiance_.at(x, y) = sky_radiance(sky, direction_of_pixel(x, y, kTable));
+            for (int x = 0; x < kTable.width; ++x) {
+                // Anywhere in the pixel: the horizon's outlines lie along its rows.
+                const Vec2f p{static_cast<float>(x) + lattice_unit(x, y, 0, sky.seed), static_cast<float>(y) + lattice_unit(x, y, 1, sky.seed)};
+                radiance_.at(x, y) = sky_radiance(sky, direction_at(p, kTable));
+            }
     });
 }
 
