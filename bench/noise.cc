@@ -39,6 +39,7 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 
 // Flat triangles and matt colors: what any two renderers agree on.
 void make_plain(Room& room) {
+    room.sky.seen = 1;
     for (Material& m : room.materials) {
         const Vec3f albedo = mean_albedo(m), emission = m.emission;
         m = {};
