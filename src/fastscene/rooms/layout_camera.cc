@@ -58,7 +58,7 @@ Vec3f Layout::camera_position() const {
             if (score <= best_score) continue;
             if (!ways_.reaches({x, z})) score -= 50.f;
             if (score <= best_score) continue;
-            score -= 1.6f * static_cast<float>(hidden_wishes({x, kEyeHeight, z}));
+            score -= 0.6f * static_cast<float>(hidden_wishes({x, kEyeHeight, z}));
             if (score > best_score) best_score = score, best = {x, kEyeHeight, z};
         }
     return best;

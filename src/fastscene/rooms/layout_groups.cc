@@ -424,16 +424,6 @@ class Furnisher {
         return i;
     }
 
-    // When no top has room for a small thing, it brings one of its own.
-    std::optional<int> on_some_top(const PieceRequest& r, const PromptObject& wish) {
-        if (const auto i = l_.on_any_top(r, wish)) return i;
-        for (const char* klass : {"side_table", "stool"})
-            if (!wishes_.forbids(klass))
-                if (const auto table = l_.against_wall(l_.request(klass), {.center_pull = 0}))
-                    if (const auto i = l_.on_top(*table, r, wish)) return i;
-        return {};
-    }
-
     // A wish that no group has used: placed by what kind of piece it is.
     std::optional<int> anywhere(const PromptObject& wish) {
         const PieceRequest r = l_.request(wish.klass, &wish);
@@ -453,7 +443,7 @@ class Furnisher {
         if (wish.klass == "tv") return television(r, wish);
         if (const auto i = where_asked(wish, r, piece)) return i;
         switch (piece.mount) {
-            case Mount::surface: return on_some_top(r, wish);
+            case Mount::surface: return l_.on_any_top(r, wish);
             case Mount::wall: return l_.on_wall(r, {}, wish);
             case Mount::ceiling:
                 for (const Vec2f at : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
