@@ -1,12 +1,15 @@
 #include "fastscene/pipeline/stages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "fastscene/base/file.h"
 #include "fastscene/depth/depth.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/image/color.h"
+#include "fastscene/image/colormap.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
@@ -44,6 +47,17 @@ Json json_from_pose(const Rigid& pose) {
 Rigid pose_from_json(const Json& rows) {
     const auto row = [&](std::size_t i) { return Vec3f{rows.at(i).at(0), rows.at(i).at(1), rows.at(i).at(2)}; };
     return {{row(0), row(1), row(2)}, {rows.at(0).at(3), rows.at(1).at(3), rows.at(2).at(3)}};
+}
+
+// For people: near is blue, far is red, what has no range is black. A window's far view does not stretch the colors.
+ImageRgb8 picture_of_range(const ImageF& range) {
+    std::vector<float> known;
+    for (const float r : range.pixels)
+        if (r > 0.f && std::isfinite(r)) known.push_back(r);
+    if (known.empty()) return ImageRgb8(range.width, range.height);
+    const auto at = known.begin() + static_cast<std::ptrdiff_t>(known.size() * 98 / 100);
+    std::nth_element(known.begin(), at, known.end());
+    return colored(reduced_range(range, 1024), 0.f, *at);
 }
 
 std::string name_of_viewpoint(std::size_t i) { return fmt::format("{:03}", i); }
@@ -95,6 +109,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
     save_exr(out / "range.exr", found.range);
+    save_png(out / "range.png", picture_of_range(found.range));
     write_json(out / "about.json", found.assumptions);
 }
 
