@@ -341,7 +341,7 @@ void check_refine(Case& c) {
     const auto scheduler = nn::make_scheduler(nn::Sampler::unipc, nn::schedule_config(kSchedule, "", nn::Sampler::unipc), steps);
     nn::RefinePanorama how;
     how.guidance = number_after(R"(guidance ([\d.]*\d))", 15);
-    how.control = j.value("controlnet_conditioning_scale", 0.8);  // the pipeline's default
+    how.control = j.value("controlnet_conditioning_scale", 1.0);  // as the published program calls it
     how.tile = j.at("context_size").get<std::int64_t>() / 8;
     how.first_step = steps - std::min(static_cast<int>(steps * strength), steps);
     how.batch = 3;  // not the published rows: the result must not depend on it
@@ -352,8 +352,7 @@ void check_refine(Case& c) {
             if (name.starts_with("latents after") && name.ends_with(fmt::format("t={}", std::lround(t)))) c.tensor(name, x);
     };
     const Tensor bytes = at::floor(unit(c.input() + "/img", {height, width, 3}) * 256);
-    if (const char* e = getenv("FS_CTRL")) how.control = std::atof(e);
-    const Tensor picture = (bytes / (getenv("FS_DIV") ? std::atof(getenv("FS_DIV")) : 255)).permute({2, 0, 1}).unsqueeze(0).contiguous();
+    const Tensor picture = (bytes / 255).permute({2, 0, 1}).unsqueeze(0).contiguous();
     const Tensor text = tiny.prompts(c, text_after("prompt '([^']*)'", ""), text_after("negative '([^']*)'", ""));
     const Tensor latents = nn::refine_panorama(Scope(tiny.unet), tiny.unet_config, Scope(tiny.control), tiny.control_config, *scheduler,
                                                raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), picture, text, how);
