@@ -49,11 +49,11 @@ Tensor deformable_attention(const Scope& s, const Tensor& x, Grid grid, std::int
 // Feed-forward with a depthwise 3 x 3 between: the picture closes at its sides.
 Tensor local_feed_forward(const Scope& s, const Tensor& x, Grid grid) {
     const std::int64_t c = x.size(2), wide = 4 * c;
-    const Tensor picture = picture_from_tokens(at::gelu(linear(s / "linear1" / 0, x, wide)), grid);
+    const Tensor picture = picture_from_tokens(exact_gelu(linear(s / "linear1" / 0, x, wide)), grid);
     const Tensor round = at::cat({picture.narrow(3, grid.width - 1, 1), picture, picture.narrow(3, 0, 1)}, 3);
     const Scope depthwise = s / "dwconv" / 0;
     const Tensor mixed = at::conv2d(round, depthwise.parameter("weight", {wide, 1, 3, 3}), depthwise.parameter("bias", {wide}), 1, {1, 0}, 1, wide);
-    return s.out(linear(s / "linear2" / 0, tokens_from_picture(at::gelu(mixed)), c));
+    return s.out(linear(s / "linear2" / 0, tokens_from_picture(exact_gelu(mixed)), c));
 }
 
 Tensor panoformer_layer(const Scope& s, Tensor x, Grid grid, std::int64_t heads, const Tensor& patch) {
@@ -97,7 +97,7 @@ Tensor equirect_block(const Scope& s, const Tensor& x, Grid grid, std::int64_t h
     const std::int64_t c = x.size(2);
     const Tensor qkv = linear(s / "qkv", layer_norm(s / "norm1", x), 3 * c);
     const Tensor y = x + linear(s / "proj", equirect_attention(s, qkv, x, grid, heads, windows, bias), c);
-    const Tensor fed = linear(s / "mlp" / "fc2", at::gelu(linear(s / "mlp" / "fc1", layer_norm(s / "norm2", y), 4 * c)), c);
+    const Tensor fed = linear(s / "mlp" / "fc2", exact_gelu(linear(s / "mlp" / "fc1", layer_norm(s / "norm2", y), 4 * c)), c);
     return s.out(y + fed);
 }
 
@@ -125,7 +125,7 @@ Tensor run_stage(const Scope& root, const Stage& stage, const Tensor& x, const E
 
 // conv3x3, GELU, LayerNorm -> tokens.
 Tensor merged(const Scope& s, const Tensor& picture, std::int64_t channels, std::int64_t stride) {
-    return layer_norm(s / "norm", tokens_from_picture(at::gelu(conv(s / "conv", picture, channels, {.stride = stride}))));
+    return layer_norm(s / "norm", tokens_from_picture(exact_gelu(conv(s / "conv", picture, channels, {.stride = stride}))));
 }
 Tensor doubled_nearest(const Tensor& picture) { return at::upsample_nearest2d(picture, {2 * picture.size(2), 2 * picture.size(3)}); }
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
@@ -77,6 +79,18 @@ std::vector<float> all_numbers(const Learner& learner) {
     for (const auto& [name, tensor] : learner.state())
         for (const float v : weight_of(tensor).floats()) out.push_back(v);
     return out;
+}
+
+// A picture goes through GELU and leaves as tokens: the gradient comes back in another layout than the input had.
+TEST(Training, GeluHasItsGradientInAnyLayout) {
+    const at::Tensor picture = at::randn({2, 8, 16, 32}), weight = at::randn({2, 16 * 32, 8});
+    const auto gradient = [&](at::ScalarType type, const std::function<at::Tensor(const at::Tensor&)>& activation) {
+        const at::Tensor x = picture.to(type).clone().set_requires_grad(true);
+        (activation(x).flatten(2).transpose(1, 2).contiguous() * weight.to(type)).sum().backward();
+        return x.grad().to(at::kDouble);
+    };
+    const at::Tensor exact = gradient(at::kDouble, [](const at::Tensor& x) { return x * 0.5 * (1 + at::erf(x * M_SQRT1_2)); });
+    EXPECT_LT((gradient(at::kFloat, exact_gelu) - exact).abs().max().item<double>(), 1e-5);
 }
 
 TEST(Training, Learns) {

@@ -79,6 +79,8 @@ class Layout {
 
     // Where the camera stands: eye height, free of things, in sight of what was asked for.
     Vec3f camera_position() const;
+    // Pieces asked for that other pieces hide from there.
+    int hidden_wishes(Vec3f eye) const;
 
   private:
     bool fits(const Placed& placed, bool with_clearance) const;
@@ -90,7 +92,6 @@ class Layout {
     bool may_leave(std::size_t index) const;
     void remove(std::size_t index);
     std::optional<int> keep(Placed placed, const PromptObject& from);
-    int hidden_wishes(Vec3f eye) const;
     bool wall_is_free(const WallFace& face, float u0, float u1, float y0, float y1) const;
 
     const Plan& plan_;
@@ -115,6 +116,7 @@ struct FurnishedRoom {
     Vec3f camera;
     // The room behind the doorway, if there is one.
     std::vector<Placed> placed_next;
+    int hidden_wishes = 0;   // pieces asked for that other pieces hide from the camera
 };
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run);

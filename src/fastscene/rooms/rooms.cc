@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -181,6 +183,7 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
     furnish(layout);
     out.placed = layout.placed();
     out.camera = layout.camera_position();
+    out.hidden_wishes = layout.hidden_wishes(out.camera);
     if (out.plan.next) {
         // A room of the same house: its own type, the same style and hour, nothing asked for.
         PromptSpec next;
@@ -213,15 +216,24 @@ bool has_a_way(const FurnishedRoom& room) {
 }  // namespace
 
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
-    // Now and then the plan itself leaves no way between its corners and what was asked for: then another one is drawn.
+    // Now and then the plan itself leaves no way between its corners and what was asked for, or something that was asked for stands
+    // behind something else: then another one is drawn, and the best is kept.
     constexpr int kDraws = 4;
-    for (int draw = 0;; ++draw) {
+    std::optional<FurnishedRoom> best;
+    PromptSpec best_read;
+    std::pair<bool, std::size_t> fewest;   // no way; pieces hidden or left out
+    for (int draw = 0; draw < kDraws; ++draw) {
         PromptSpec read = spec;
         FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw));
-        if (draw + 1 < kDraws && !has_a_way(room)) continue;
-        spec = std::move(read);
-        return room;
+        const std::pair faults{!has_a_way(room), static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size()};
+        if (best && faults >= fewest) continue;
+        fewest = faults;
+        best = std::move(room);
+        best_read = std::move(read);
+        if (!faults.first && best->hidden_wishes == 0) break;
     }
+    spec = std::move(best_read);
+    return *std::move(best);
 }
 
 Room make_room(PromptSpec& spec, const Run& run) {

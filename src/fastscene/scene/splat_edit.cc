@@ -39,6 +39,8 @@ Similarity compose(const Similarity& c_from_b, const Similarity& b_from_a) {
 void transform(Splats& splats, const Similarity& s) {
     FASTSCENE_CHECK(s.scale > 0);
     const Mat3d& m = s.new_from_old;
+    // What is not moved keeps every bit, the signs of zeros included.
+    if (m == Mat3d{} && s.scale == 1 && s.translation == Vec3d{}) return;
     // A Gaussian is its own mirror image through its middle, so -m turns it as m does; one of the two is a rotation.
     const Quatd turn = quaternion_of(determinant(m) < 0 ? negated(m) : m);
     const Quatf q{static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y), static_cast<float>(turn.z)};
