@@ -100,23 +100,26 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
 }
 
 // Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in something
-// solid (every ray meets a back face), and the bottom of a crevice narrower than half a cell where the cell has a better place
-// (the wall behind a door's panel). A cell that keeps such places beside visible ones is dark where people look. A cell without
-// any place left is no cell: it would only darken its neighbours and draw samples to itself.
+// solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a crevice (most rays end
+// within half a cell: the wall between two boards, behind a door's panel). A cell that keeps such places beside visible ones is dark
+// where people look. A cell without any place left is no cell: it would only darken its neighbours and draw samples to itself.
 void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed) {
-    constexpr int kRays = 12;
-    enum : std::uint8_t { kBuried, kCrevice, kOpen };
+    constexpr int kRays = 8;
+    enum : std::uint8_t { kBuried, kCrevice };   // and above: 1 + the rays that go further than half a cell
     std::vector<std::uint8_t> sight(samples_.size(), kBuried);
     parallel_for(static_cast<std::int64_t>(samples_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const Sample& at = samples_[static_cast<std::size_t>(i)];
-            std::uint8_t& seen = sight[static_cast<std::size_t>(i)];
-            for (std::uint32_t s = 0; s < kRays && seen != kOpen; ++s) {
+            bool seen = false;
+            std::uint8_t open = 0;
+            for (std::uint32_t s = 0; s < kRays; ++s) {
                 const Vec3f toward = cosine_direction(at.normal, r2_point(s, {0.5f, 0.5f}));
                 const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), toward);
                 if (!hit || (hit.back && closed[static_cast<std::size_t>(hit.mesh)])) continue;
-                seen = hit.distance > 0.5f * cell_m_ ? kOpen : kCrevice;
+                seen = true;
+                open += hit.distance > 0.5f * cell_m_;
             }
+            if (seen) sight[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(kCrevice + open);
         }
     });
     std::vector<Cell> cells;
@@ -131,7 +134,7 @@ void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& 
         cell.center = cell.normal = Vec3f{};
         const std::size_t before = samples.size();
         for (std::uint32_t s = first_sample_[c]; s < first_sample_[c + 1]; ++s) {
-            if (sight[s] != best) continue;
+            if (sight[s] == kBuried || 2 * sight[s] < best) continue;
             cell.center += samples_[s].position;
             cell.normal += samples_[s].normal;
             samples.push_back(samples_[s]);
