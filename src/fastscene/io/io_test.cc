@@ -11,6 +11,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_splats.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
 
@@ -38,22 +39,6 @@ ImageRgb8 ramp(int width, int height) {
         for (int x = 0; x < width; ++x) image.at(x, y) = {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height), 90};
     return image;
 }
-Splats some_splats(std::size_t count, int degree) {
-    Random random(2, "splats");
-    Splats s;
-    s.sh_degree = degree;
-    s.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        s.mean_m[i] = {random.uniform(-3, 3), random.uniform(-1, 2), random.uniform(-3, 3)};
-        s.log_scale[i] = {random.uniform(-6, -2), random.uniform(-6, -2), random.uniform(-6, -2)};
-        s.rotation[i] = {random.normal(), random.normal(), random.normal(), random.normal()};
-        s.opacity_logit[i] = random.uniform(-3, 3);
-        s.sh0[i] = {random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f)};
-    }
-    for (float& f : s.sh_rest) f = random.uniform(-0.5f, 0.5f);
-    return s;
-}
-
 TEST(Png, RoundTripsAreExactAndDeterministic) {
     for (const auto& [w, h] : {std::pair{1, 1}, std::pair{17, 5}, std::pair{64, 32}}) {
         const ImageRgb8 image = noise(w, h);

@@ -13,6 +13,7 @@
 #include "fastscene/io/bytes.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_splats.h"
 #include "fastscene/scene/sh.h"
 
 namespace fastscene {
@@ -24,22 +25,6 @@ fs::path scratch(const std::string& name) {
     const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_splat_formats_test";
     fs::create_directories(dir);
     return dir / name;
-}
-
-Splats some_splats(std::size_t count, int degree) {
-    Random random(2, "splats");
-    Splats s;
-    s.sh_degree = degree;
-    s.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        s.mean_m[i] = {random.uniform(-3, 3), random.uniform(-1, 2), random.uniform(-3, 3)};
-        s.log_scale[i] = {random.uniform(-6, -2), random.uniform(-6, -2), random.uniform(-6, -2)};
-        s.rotation[i] = {random.normal(), random.normal(), random.normal(), random.normal()};
-        s.opacity_logit[i] = random.uniform(-3, 3);
-        s.sh0[i] = {random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f)};
-    }
-    for (float& f : s.sh_rest) f = random.uniform(-0.5f, 0.5f);
-    return s;
 }
 
 // Largest differences; the rotations by the axes they turn to.
