@@ -66,6 +66,7 @@ Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, bool with_sun) const {
 }
 
 Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
+    constexpr float kSameSurface = 0.2f;   // of a cell: how far from an entry's plane a point may lie
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);
@@ -80,7 +81,10 @@ Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
             const int c = find(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2), facing);
             if (c < 0) continue;
             const Cell& cell = cells_[static_cast<std::size_t>(c)];
-            const float w = share * (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz) * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
+            // A groove behind the surface, or a board before it, faces the same way and is another surface.
+            const float off = dot(cell.center - position, cell.normal) / (kSameSurface * cell_m_);
+            const float same = 1 / (1 + off * off * off * off);
+            const float w = share * same * (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz) * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
             sum += (cell.direct + cell.indirect) * w;
             weight += w;
         }
