@@ -24,13 +24,6 @@ double minutes_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 fs::path checkpoint_of(const fs::path& folder) { return folder / "checkpoint.safetensors"; }
 
-// Gradients that several threads gather in one place are summed in one order: else a training gone on with would end elsewhere.
-struct OneOrder {
-    bool before = at::globalContext().deterministicAlgorithms(), warned = at::globalContext().deterministicAlgorithmsWarnOnly();
-    OneOrder() { at::globalContext().setDeterministicAlgorithms(true, /*warn_only=*/true); }
-    ~OneOrder() { at::globalContext().setDeterministicAlgorithms(before, warned); }
-};
-
 NamedTensors whole_state(const TrainingTask& task) {
     NamedTensors all;
     for (const Learner* learner : task.learners)
@@ -137,7 +130,6 @@ double rate_at(const TrainingParams& params, std::int64_t step) {
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
-    const OneOrder one_order;
     make_directories(folder / "sheets");
     settle_settings(task, params, folder, run);
     const std::int64_t first = load_checkpoint(task, folder);
