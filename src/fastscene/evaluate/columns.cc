@@ -28,6 +28,7 @@ const std::vector<Column>& columns() {
         {"psnr_worst", "PSNR, worst view", "dB", up, 2, "held-out", "", "of the worst pose"},
         {"psnr_a", "A: true panoramas", "dB", none, 2, "held-out", "", "the same trainer on true panoramas at the walked poses: about the most that a walk can reach"},
         {"psnr_b", "B: panorama 0 alone", "dB", none, 2, "held-out", "", "the same trainer on panorama 0 alone: what a walk starts from"},
+        {"gap_a", "gap to A", "dB", down, 2, "held-out", "", "A - ours, of the same poses"},
         {"closed", "closed", "%", up, 0, "held-out", "", "(ours - B) / (A - B)"},
         {"floor", "floor", "dB", none, 2, "held-out", "", "two sets of camera rays of one true view against each other: noise of the truth itself"},
         {"holes_paper", "holes, paper's scenes", "%", none, 1, "holes", "", "holes in % of the picture, as the paper's Table 1 has them for its own scenes"},

@@ -87,6 +87,9 @@ class Evaluation {
     }
 
   private:
+    // Rows that differ in what comes after the panorama are judged by the same true pictures; another preset lights its room otherwise.
+    std::filesystem::path truth_of(const Job& job) const { return options_.out / "truth" / fmt::format("{}-{}-{}", job.scene->name, job.seed, job.variant->quality); }
+
     Json record_of(const Job& job, const Run& run) {
         const RunFolder folder{job.folder(options_.out)};
         Json record{{"variant", job.variant->name}, {"kind", "ours"}, {"scene", job.scene->name}, {"seed", job.seed}, {"quality", job.variant->quality},
@@ -98,7 +101,7 @@ class Evaluation {
             if (!request.source.picture.empty()) request.params.panorama.backend = "image";
             if (!request.source.weights.empty()) request.params.panorama.backend = "diffusion360";
             const Json report = make_scene(request, folder, run);
-            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, options_.weights, job.scene->source.prompt};
+            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, options_.weights, job.scene->source.prompt};
             Measured measured = measure_scene(inputs, folder, run);
             measured.samples.push_back(cost_of(report));
             record.update(json_of(measured));

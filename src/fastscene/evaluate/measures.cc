@@ -67,10 +67,12 @@ class SceneMeasures {
             return;
         }
         const HeldOutParams& p = in_.suite->held_out;
+        const Run poses_run{0, run_.events, run_.stop};
+        RunTruth room(folder.root, in_.truth, poses_run);
         for (const double radius : p.radii_m) {
             const std::string group = p.radii_m.size() > 1 ? fmt::format("within {} m", radius) : "";
-            const fs::path dir = made(fmt::format("held-out-{}", radius), {{"views", p.views}, {"bounds", p.bounds}, {"radius", radius}}, folder,
-                                      [&](const fs::path& to) { make_held_out(folder, radius, to); });
+            const fs::path dir = made(fmt::format("held-out-{}", radius), {{"views", p.views}, {"bounds", in_.bounds}, {"radius", radius}}, folder,
+                                      [&](const fs::path& to) { make_held_out(room, folder, radius, to); });
             add_truth(group, read_json(dir / "truth.json"));
             if (!group.empty()) sample_of(group).at = radius;
             scores("held-out", group, dir / "splats", dir / "truth");
@@ -151,10 +153,10 @@ class SceneMeasures {
             if (reasons.contains(measure)) sample.notes[key] = fmt::format("{}: {}", picture, reasons.at(measure).get<std::string>());
     }
 
-    void make_held_out(const RunFolder& folder, double radius, const fs::path& to) {
+    void make_held_out(RunTruth& room, const RunFolder& folder, double radius, const fs::path& to) {
         const HeldOutParams& p = in_.suite->held_out;
-        const TruthParams params{.views = p.views, .radius_m = static_cast<float>(radius), .bounds = p.bounds};
-        Json truth = measure_run(folder.root, params, Run{0, run_.events, run_.stop}).at("truth");
+        const TruthParams params{.views = p.views, .radius_m = static_cast<float>(radius), .bounds = in_.bounds};
+        const Json truth = room.measure(params).at("truth");
         make_directories(to / "truth");
         make_directories(to / "splats");
         for (const fs::path& strip : pictures_in(folder.metrics() / "truth", "held-out")) {
@@ -180,11 +182,12 @@ class SceneMeasures {
         put("psnr_worst", truth, "psnr_worst");
         put("floor", truth, "floor_db");
         if (!truth.contains("bounds")) {
-            for (const char* key : {"psnr_a", "psnr_b", "closed"}) sample.notes[key] = "not asked: bounds = true in [held-out]";
+            for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed"}) sample.notes[key] = "not asked: bounds = true in [held-out]";
             return;
         }
         put("psnr_a", truth.at("bounds").at("A"), "psnr_mean");
         put("psnr_b", truth.at("bounds").at("B"), "psnr_mean");
+        put("gap_a", truth, "gap_to_a_db");
         put("closed", truth, "closed_share", 100);
     }
 

@@ -35,6 +35,8 @@ struct MeasureInputs {
     const Suite* suite = nullptr;
     std::filesystem::path out;         // figures' files are relative to this
     std::filesystem::path work;        // where this scene's measures are kept
+    std::filesystem::path truth;       // where true pictures are kept that scenes of one room share
+    bool bounds = false;               // held out: also A and B
     std::filesystem::path weights;     // parameters and networks
     std::string prompt;                // for the CLIP score; empty: none
 };

@@ -66,7 +66,7 @@ std::vector<Json> peer_records(const SuitePeer& peer, const Suite& suite, const 
         try {
             const fs::path work = out / "measured" / "peers" / slug_of(peer.name) / scene.name;
             const fs::path pictures = fs::is_directory(given) ? given : drawn(given, work, suite.stills, run);
-            Measured measured = measure_pictures({&suite, out, work, weights, scene.source.prompt}, pictures, run);
+            Measured measured = measure_pictures({&suite, out, work, {}, false, weights, scene.source.prompt}, pictures, run);
             if (fs::exists(peer.folder / "minutes.txt")) measured.samples.push_back({"", "", {}, {{"minutes", minutes_of(peer)}}, {}});
             record.update(json_of(measured));
         } catch (const Error& e) {

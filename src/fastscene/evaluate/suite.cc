@@ -77,7 +77,7 @@ class Reader {
         for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
         if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt or a panorama");
         for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
-        if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr)});
+        if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
         for (const toml::table* row : top_.tables("published")) read_published(*row);
         for (const toml::table* peer : top_.tables("peer")) read_peer(*peer);
         return std::move(suite_);
@@ -153,10 +153,10 @@ class Reader {
         return params;
     }
     void read_variant(const toml::table& found) {
-        const TomlTable table(found, file_.string(), "[[variant]]", {"name", "quality", "settings"});
+        const TomlTable table(found, file_.string(), "[[variant]]", {"name", "quality", "settings", "bounds"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
         if (!rows_.insert(slug_of(table.text("name"))).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
-        suite_.variants.push_back({table.text("name"), quality_of(table), params_of(table, table.table("settings"))});
+        suite_.variants.push_back({table.text("name"), quality_of(table), params_of(table, table.table("settings")), table.flag("bounds", suite_.held_out.bounds)});
     }
 
     void read_published(const toml::table& found) {

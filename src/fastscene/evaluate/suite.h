@@ -22,6 +22,7 @@ struct SuiteVariant {
     std::string name;
     std::string quality;               // the preset that `params` came from
     SceneParams params;
+    bool bounds = false;               // held out: also A and B
 };
 // Another system's pictures or splats (peers.h).
 struct SuitePeer {

@@ -45,7 +45,7 @@ TEST(Suite, EveryOneThatShipsIsWhole) {
 
 TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
     const std::string text = kHead + "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nquality = \"standard\"\n"
-                             "settings = { walk = \"paper\", splat-steps = 9 }\n" + kScene;
+                             "settings = { walk = \"paper\", splat-steps = 9 }\nbounds = true\n" + kScene;
     const Suite suite = read(text);
     ASSERT_EQ(suite.variants.size(), 2u);
     EXPECT_EQ(suite.variants[0].params.panorama.width, params_of_quality("draft").panorama.width);
@@ -54,6 +54,8 @@ TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
     EXPECT_EQ(suite.variants[1].params.splat.steps, 9);
     EXPECT_EQ(suite.variants[1].params.walk.viewpoints, 3);
     EXPECT_EQ(suite.variants[1].params.walk.kind, "paper");
+    EXPECT_TRUE(suite.variants[1].bounds);
+    EXPECT_FALSE(suite.variants[0].bounds);
     EXPECT_EQ(read(text, "draft").variants[1].params.panorama.width, params_of_quality("draft").panorama.width) << "--quality wins";
 }
 

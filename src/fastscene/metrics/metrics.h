@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,18 @@ struct TruthPicture {
 };
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run);
 
+// The truth of one room within one radius: whatever splats are judged, it stays the same.
+struct TruthSet {
+    std::vector<TruthPose> poses;
+    std::vector<TruthPicture> pictures;   // one a pose
+    double floor_db = 0;                  // two sets of camera rays of one view against each other, least of three views
+};
+// `seed` of the run chooses the poses. Needs the room's light.
+TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const Run& run);
+// poses.json, NN.png and NN-unseen.png. Load throws Error naming a file that is absent or not of that kind.
+void save_truth_set(const std::filesystem::path& dir, const TruthSet& set);
+TruthSet load_truth_set(const std::filesystem::path& dir);
+
 struct Likeness {
     double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN where there is nothing to compare
 };
@@ -57,7 +70,8 @@ ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose);
 
 // What is judged, and what the bounds are made from.
 struct TruthInputs {
-    const TracedRoom* room = nullptr;     // its light gathered
+    TruthSet truth;
+    std::function<const TracedRoom&()> room;  // its light gathered; asked for only when bounds have to be trained
     Panorama first;                       // panorama 0 as the walk saw it, with range
     std::vector<Rigid> world_from_pano;   // the walked poses, panorama 0 first
     Splats splats;
@@ -68,7 +82,7 @@ struct TruthInputs {
 };
 // Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,
 // `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: psnr_mean, ssim_mean, psnr_worst, psnr_seen_mean,
-// psnr_unseen_mean, floor_db (two sets of camera rays of one view against each other, least of three views), views, and with bounds
+// psnr_unseen_mean, floor_db, views, and with bounds
 // bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B).
 //   A: trained on true panoramas at the walked poses. B: trained on panorama 0 alone.
 Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir, const Run& run);

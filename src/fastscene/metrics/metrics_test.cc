@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/scene/box.h"
@@ -72,6 +73,31 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
     EXPECT_GT(unseen, 2000);
     EXPECT_LT(unseen, 60000);
     EXPECT_TRUE(std::isinf(compare(there.color, there).psnr));
+}
+
+TEST(TruthSet, ComesBackFromDiskAsItWas) {
+    TracedRoom room(box_room());
+    TraceParams trace;
+    trace.cell_m = 0.3f;
+    trace.cell_samples = 4;
+    trace.pixel_samples = 1;
+    fastscene::Run run;
+    run.seed = 5;
+    room.gather_light(trace, run);
+    TruthParams params;
+    params.views = 2;
+    const TruthSet set = make_truth_set(room, params, run);
+    const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "truth-set";
+    save_truth_set(dir, set);
+    const TruthSet back = load_truth_set(dir);
+    ASSERT_EQ(back.poses.size(), 2u);
+    EXPECT_EQ(back.poses[1].world_from_camera, set.poses[1].world_from_camera);
+    EXPECT_EQ(back.pictures[1].color.pixels, set.pictures[1].color.pixels);
+    EXPECT_EQ(back.pictures[1].unseen.pixels, set.pictures[1].unseen.pixels);
+    EXPECT_DOUBLE_EQ(back.floor_db, set.floor_db);
+    std::filesystem::remove(dir / "01.png");
+    EXPECT_THROW(load_truth_set(dir), Error);
+    std::filesystem::remove_all(dir);
 }
 
 TEST(SideBySide, ShowsAllAndTheDifference) {

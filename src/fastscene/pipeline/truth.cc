@@ -21,32 +21,72 @@ Json previous_report(const std::filesystem::path& path) {
 
 }  // namespace
 
-Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run) {
+struct RunTruth::Impl {
+    RunFolder folder;
+    std::filesystem::path kept;
+    const Run& run;
+    RecordedRun recorded;
+    StageRecord walk;
+    std::shared_ptr<const TracedRoom> room;
+    int lit_samples = 0;
+
+    // The same room under the same light as the panorama; a truth that asks for more samples gets them.
+    PanoramaParams panorama_with(int samples) const {
+        PanoramaParams panorama = recorded.request.params.panorama;
+        panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, samples);
+        return panorama;
+    }
+
+    const TracedRoom& lit_room(int samples) {
+        if (!room || lit_samples != samples) {
+            const PanoramaParams panorama = panorama_with(samples);
+            PromptSpec prompt = read_prompt(recorded.request.source.prompt, panorama);
+            room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
+            lit_samples = samples;
+        }
+        return *room;
+    }
+
+    TruthSet truth_set(const TruthParams& params) {
+        // The panorama's own key stands for the program that traced it.
+        const std::string result = finished_stage(folder.root, "panorama").value_or(StageRecord{}).result;
+        TruthParams asked = params;
+        asked.bounds = false;
+        const std::string key = stage_key("metrics", {{"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}}, {result}, run.seed);
+        const std::string name = fmt::format("radius-{}", params.radius_m);
+        make_directories(kept);
+        run_stage(kept, name, key, run, [&](const std::filesystem::path& out) { save_truth_set(out, make_truth_set(lit_room(params.samples), params, run)); });
+        return load_truth_set(kept / name);
+    }
+};
+
+RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path kept, const Run& run) {
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
-    const SceneRequest& request = recorded.request;
-    if (!request.source.has_room())
+    if (!recorded.request.source.has_room())
         throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with", run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
     if (!walk || !splat) throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
+    if (kept.empty()) kept = folder.metrics() / "kept";
+    impl_ = std::make_unique<Impl>(Impl{folder, std::move(kept), run, recorded, *walk, nullptr, 0});
+}
 
-    // The same room under the same light as the panorama; a truth that asks for more samples gets them.
-    const Run room_run{recorded.seed, run.events, run.stop};
-    PanoramaParams panorama = request.params.panorama;
-    panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, params.samples);
-    PromptSpec prompt = read_prompt(request.source.prompt, panorama);
-    const auto room = make_traced_room(prompt, panorama, room_run);
+RunTruth::~RunTruth() = default;
 
+Json RunTruth::measure(const TruthParams& params) {
+    const RunFolder& folder = impl_->folder;
+    const SceneParams& settings = impl_->recorded.request.params;
     TruthInputs inputs;
-    inputs.room = room.get();
+    inputs.truth = impl_->truth_set(params);
+    inputs.room = [&]() -> const TracedRoom& { return impl_->lit_room(params.samples); };
     inputs.first = load_first_panorama(folder);
     inputs.world_from_pano = load_walk_poses(folder);
     inputs.splats = load_splat_ply(folder.scene_ply());
-    inputs.views = request.params.views;
-    inputs.splat = request.params.splat;
-    inputs.shot = panorama_parts(panorama.trace);
-    inputs.key = stage_key("metrics", json_of_params(request.params), {walk->result}, recorded.seed);
-    const Json truth = measure_truth(inputs, params, folder.metrics(), run);
+    inputs.views = settings.views;
+    inputs.splat = settings.splat;
+    inputs.shot = panorama_parts(impl_->panorama_with(params.samples).trace);
+    inputs.key = stage_key("metrics", json_of_params(settings), {impl_->walk.result}, impl_->recorded.seed);
+    const Json truth = measure_truth(inputs, params, folder.metrics(), impl_->run);
 
     Json report = previous_report(folder.metrics() / "report.json");
     report["truth"] = truth;
@@ -54,5 +94,7 @@ Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params
     write_json(folder.metrics() / "report.json", report);
     return report;
 }
+
+Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run) { return RunTruth(run_dir, {}, run).measure(params); }
 
 }  // namespace fastscene
