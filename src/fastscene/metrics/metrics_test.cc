@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fastscene/base/random.h"
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/scene/box.h"
 
@@ -76,17 +77,14 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
 }
 
 TEST(TruthSet, ComesBackFromDiskAsItWas) {
-    TracedRoom room(box_room());
-    TraceParams trace;
-    trace.cell_m = 0.3f;
-    trace.cell_samples = 4;
-    trace.pixel_samples = 1;
-    fastscene::Run run;
-    run.seed = 5;
-    room.gather_light(trace, run);
-    TruthParams params;
-    params.views = 2;
-    const TruthSet set = make_truth_set(room, params, run);
+    TruthSet set{{{}, {{rotation_about(Vec3f{0, 1, 0}, 0.7f), {0.1f, -0.2f, 1.f / 3}}}}, {}, 41.25};
+    Random random(3, "truth set");
+    for (int k = 0; k < 2; ++k) {
+        TruthPicture picture{ImageRgb8(20, 20), ImageMask(20, 20)};
+        for (Rgb8& p : picture.color.pixels) p.r = static_cast<std::uint8_t>(random.index(256));
+        for (std::uint8_t& v : picture.unseen.pixels) v = random.index(2) ? 255 : 0;
+        set.pictures.push_back(picture);
+    }
     const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "truth-set";
     save_truth_set(dir, set);
     const TruthSet back = load_truth_set(dir);

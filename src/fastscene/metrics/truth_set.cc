@@ -22,7 +22,8 @@ Json json_of(const Rigid& pose) {
 }
 
 Rigid rigid_from(const Json& rows) {
-    const auto row = [&](std::size_t i) { return Vec3f{rows.at(i).at(0).get<float>(), rows.at(i).at(1).get<float>(), rows.at(i).at(2).get<float>()}; };
+    const auto number = [&](std::size_t i, std::size_t j) { return rows.at(i).at(j).get<float>(); };
+    const auto row = [&](std::size_t i) { return Vec3f{number(i, 0), number(i, 1), number(i, 2)}; };
     return {{row(0), row(1), row(2)}, row(3)};
 }
 
@@ -37,8 +38,10 @@ TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const
     for (std::size_t i = 0; i < set.poses.size(); ++i) {
         run.check_stop();
         set.pictures.push_back(truth_picture(room, set.poses[i], Run{run.seed, nullptr, run.stop}));
-        // What the truth itself is worth: other camera rays, same pose.
-        if (i < kFloorViews) set.floor_db = std::min(set.floor_db, psnr(set.pictures[i].color, truth_picture(room, set.poses[i], Run{run.seed ^ 0x5eed, nullptr, run.stop}).color));
+        if (i < kFloorViews) {  // what the truth itself is worth: other camera rays, same pose
+            const TruthPicture other = truth_picture(room, set.poses[i], Run{run.seed ^ 0x5eed, nullptr, run.stop});
+            set.floor_db = std::min(set.floor_db, psnr(set.pictures[i].color, other.color));
+        }
         progress.advance();
     }
     return set;

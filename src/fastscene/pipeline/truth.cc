@@ -52,10 +52,12 @@ struct RunTruth::Impl {
         const std::string result = finished_stage(folder.root, "panorama").value_or(StageRecord{}).result;
         TruthParams asked = params;
         asked.bounds = false;
-        const std::string key = stage_key("metrics", {{"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}}, {result}, run.seed);
+        const Json what{{"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}};
+        const std::string key = stage_key("metrics", what, {result}, run.seed);
         const std::string name = fmt::format("radius-{}", params.radius_m);
         make_directories(kept);
-        run_stage(kept, name, key, run, [&](const std::filesystem::path& out) { save_truth_set(out, make_truth_set(lit_room(params.samples), params, run)); });
+        const auto make = [&](const std::filesystem::path& out) { save_truth_set(out, make_truth_set(lit_room(params.samples), params, run)); };
+        run_stage(kept, name, key, run, make);
         return load_truth_set(kept / name);
     }
 };
@@ -66,7 +68,8 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
     if (!recorded.request.source.has_room())
         throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with", run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
-    if (!walk || !splat) throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
+    if (!walk || !splat)
+        throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
     if (kept.empty()) kept = folder.metrics() / "kept";
     impl_ = std::make_unique<Impl>(Impl{folder, std::move(kept), run, recorded, *walk, nullptr, 0});
 }
@@ -95,6 +98,8 @@ Json RunTruth::measure(const TruthParams& params) {
     return report;
 }
 
-Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run) { return RunTruth(run_dir, {}, run).measure(params); }
+Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run) {
+    return RunTruth(run_dir, {}, run).measure(params);
+}
 
 }  // namespace fastscene
