@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostSamples = 64;        // a side; a target pixel so much larger than the source's is nearly the whole picture
 constexpr float kUnit = 65536.f;
 // Next to the poles and in turned pictures the source is read along columns, which no processor foresees.
-constexpr std::size_t kPrefetchAhead = 96, kPrefetchEach = 4;
+constexpr std::size_t kPrefetchAhead = 96;
 constexpr int kGrain = 8;               // rows a piece
 
 }  // namespace
@@ -154,43 +154,70 @@ template <class T>
 }
 
 namespace {
-// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them.
+// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them; and such pairs of two targets.
 using Lanes = float __attribute__((vector_size(32)));
+using TwoLanes = float __attribute__((vector_size(64)));
 constexpr std::int64_t kLanePixels = 3;   // pixels that a load of Lanes touches
-Lanes lanes_at(const Vec3f* p) {
+constexpr std::size_t kAtOnce = 4;        // targets
+using Wholes = std::uint32_t __attribute__((vector_size(2 * kAtOnce * 4)));   // first and v << 16 | u of each target
+
+inline Lanes lanes_at(const Vec3f* p) {
     Lanes out;
     std::memcpy(&out, p, sizeof out);
     return out;
 }
+inline TwoLanes two(const Vec3f* a, const Vec3f* b) {
+    return __builtin_shufflevector(lanes_at(a), lanes_at(b), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+// Two blends of rows, then of the two pixels in them, which leaves the targets in lanes 0-2 and 8-10.
+inline TwoLanes blend(TwoLanes top, TwoLanes low, TwoLanes u, TwoLanes v) {
+    const TwoLanes left = top + (low - top) * v;
+    const TwoLanes right = __builtin_shufflevector(left, left, 3, 4, 5, 6, 7, 7, 7, 7, 11, 12, 13, 14, 15, 15, 15, 15);
+    return left + (right - left) * u;
+}
+// Four targets: eight wide loads, four blends, two stores.
+template <class Quad>
+inline void blend_four(const Quad* quads, const Vec3f* pixels, std::int64_t row, Vec3f* out) {
+    Wholes words;
+    std::memcpy(&words, quads, sizeof words);
+    const Lanes u = __builtin_convertvector(words & 0xffffu, Lanes) * (1.f / kUnit);
+    const Lanes v = __builtin_convertvector(words >> 16, Lanes) * (1.f / kUnit);
+    const Vec3f *const a = pixels + quads[0].first, *const b = pixels + quads[1].first;
+    const Vec3f *const c = pixels + quads[2].first, *const d = pixels + quads[3].first;
+    const TwoLanes ab = blend(two(a, b), two(a + row, b + row), __builtin_shufflevector(u, u, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3, 3, 3),
+                              __builtin_shufflevector(v, v, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3, 3, 3));
+    const TwoLanes cd = blend(two(c, d), two(c + row, d + row), __builtin_shufflevector(u, u, 5, 5, 5, 5, 5, 5, 5, 5, 7, 7, 7, 7, 7, 7, 7, 7),
+                              __builtin_shufflevector(v, v, 5, 5, 5, 5, 5, 5, 5, 5, 7, 7, 7, 7, 7, 7, 7, 7));
+    const Lanes first = __builtin_shufflevector(ab, cd, 0, 1, 2, 8, 9, 10, 16, 17);
+    const auto last = __builtin_shufflevector(ab, cd, 18, 24, 25, 26);
+    std::memcpy(static_cast<void*>(out), &first, sizeof first);
+    std::memcpy(static_cast<void*>(&out[2].z), &last, sizeof last);
+}
 }  // namespace
 
-// Two wide loads, a blend of the rows, a blend of the two pixels in them, and a wide store.
 void ResamplePlan::apply_to(const ImageColor& source, ImageColor& out) const {
     FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_ && out.width == width_ && out.height == height_);
     // Wide loads must not end beyond the picture.
     const std::int64_t wide = cubic_ ? 0 : std::max<std::int64_t>(0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);
+    const auto plain = [wide](const Quad& quad) { return quad.first >= 0 && quad.first < wide; };
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
         const std::size_t from = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_), to = static_cast<std::size_t>(end) * static_cast<std::size_t>(width_);
         const Vec3f* const pixels = source.pixels.data();
         const std::int64_t row = source_width_;
-        for (std::size_t i = from; i < to; ++i) {
-            const Quad quad = quads_[i];
-            if (i % kPrefetchEach == 0 && i + kPrefetchAhead < to) {
-                const std::int64_t ahead = std::max(0, quads_[i + kPrefetchAhead].first);
+        std::size_t i = from;
+        for (; i + kAtOnce <= to; i += kAtOnce) {
+            const Quad* const quads = &quads_[i];
+            if (i + kPrefetchAhead < to) {
+                const std::int64_t ahead = std::max(0, quads[kPrefetchAhead].first);
                 __builtin_prefetch(pixels + ahead);
                 __builtin_prefetch(pixels + ahead + row);
             }
-            if (static_cast<std::uint64_t>(static_cast<std::int64_t>(quad.first)) >= static_cast<std::uint64_t>(wide) || i + 1 == to) [[unlikely]] {
-                out.pixels[i] = general(source, quad);
-                continue;
-            }
-            const float u = static_cast<float>(quad.u) * (1.f / kUnit), v = static_cast<float>(quad.v) * (1.f / kUnit);
-            const Lanes top = lanes_at(pixels + quad.first), low = lanes_at(pixels + quad.first + row);
-            const Lanes left = top + (low - top) * v;
-            const Lanes right = __builtin_shufflevector(left, left, 3, 4, 5, 6, 3, 4, 5, 6);
-            const Lanes value = left + (right - left) * u;
-            std::memcpy(static_cast<void*>(&out.pixels[i]), &value, 16);   // the fourth lane is overwritten by the next pixel
+            if (plain(quads[0]) && plain(quads[1]) && plain(quads[2]) && plain(quads[3])) [[likely]]
+                blend_four(quads, pixels, row, &out.pixels[i]);
+            else
+                for (std::size_t k = 0; k < kAtOnce; ++k) out.pixels[i + k] = general(source, quads[k]);
         }
+        for (; i < to; ++i) out.pixels[i] = general(source, quads_[i]);
     });
 }
 
