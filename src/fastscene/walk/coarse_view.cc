@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <limits>
 
 #include "fastscene/base/parallel.h"
@@ -15,6 +16,26 @@ constexpr float kDeepestFold_m = 0.25f;   // chosen on walked rooms with known t
 constexpr float kDeepestGuess_m = 0.6f;   // before the sky: a gap between a curtain's folds is rarely a window
 constexpr float kBridgeYields = 1.05f;    // of the jump: the far surface of the same cell, and a little of its slope
 constexpr float kSkyRange = 0.5f * kFarthestRange;
+
+// Directions of all pixels, from the sines of rows and columns.
+struct Directions {
+    std::vector<Vec2f> column, row;   // sine and cosine of longitude and latitude
+
+    explicit Directions(EquirectSize size) : column(static_cast<std::size_t>(size.width)), row(static_cast<std::size_t>(size.height)) {
+        for (int x = 0; x < size.width; ++x) {
+            const Vec3f d = direction_at(Vec2f{static_cast<float>(x) + 0.5f, 0.5f * static_cast<float>(size.height)}, size);
+            column[static_cast<std::size_t>(x)] = {d.x, d.z};
+        }
+        for (int y = 0; y < size.height; ++y) {
+            const Vec3f d = direction_at(Vec2f{0.5f * static_cast<float>(size.width), static_cast<float>(y) + 0.5f}, size);
+            row[static_cast<std::size_t>(y)] = {d.y, d.z};
+        }
+    }
+    Vec3f at(int x, int y) const {
+        const Vec2f lon = column[static_cast<std::size_t>(x)], lat = row[static_cast<std::size_t>(y)];
+        return {lat.y * lon.x, lat.x, lat.y * lon.y};
+    }
+};
 
 struct Corner {
     Vec3f point;   // from the target position
@@ -34,7 +55,7 @@ bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 struct Band {
     CoarseView& view;
     ImageF& order;   // range plus behind_m of what was drawn: the least wins
-    const Image<Vec3f>& direction;
+    const Directions& directions;
     int begin, end;
 };
 
@@ -67,26 +88,33 @@ std::array<float, 4> cubic_weights(float t) {
     return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)), t * t * (-0.5f + 0.5f * t)};
 }
 
-// Cubic inside a surface: a panorama warped with bilinear values is visibly softer than the one it came from.
-Vec3f color_in_cell(const Colors& c, float u, float v) {
-    if (is_bridge(c.cover)) return c.corners[(u > 0.5f ? 1 : 0) + (v > 0.5f ? 2 : 0)];
-    if (!c.around) return lerp(lerp(c.corners[0], c.corners[1], u), lerp(c.corners[2], c.corners[3], u), v);
-    const auto wu = cubic_weights(u), wv = cubic_weights(v);
-    const ImageColor& image = c.around->color;
+// Five pixels of three channels and one channel more; of the sums over them only the first four pixels are used.
+using Lanes = float __attribute__((vector_size(64)));
+
+Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<float, 4>& wu, const std::array<float, 4>& wv) {
+    const auto w = static_cast<std::size_t>(image.width), first = static_cast<std::size_t>(y - 1) * w + static_cast<std::size_t>(x - 1);
     Vec3f sum;
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i)
-            sum += image.at(wrap_column(c.x - 1 + i, image.width), c.y - 1 + j) * (wu[static_cast<std::size_t>(i)] * wv[static_cast<std::size_t>(j)]);
+    if (x >= 1 && x + 2 < image.width && first + 3 * w + 6 <= image.size()) [[likely]] {
+        Lanes rows{};
+        for (std::size_t j = 0; j < 4; ++j) {
+            Lanes line;
+            std::memcpy(&line, static_cast<const void*>(&image.pixels[first + j * w]), sizeof line);
+            rows += line * wv[j];
+        }
+        for (int i = 0; i < 4; ++i) sum += Vec3f{rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]} * wu[static_cast<std::size_t>(i)];
+    } else {
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i)
+                sum += image.at(wrap_column(x - 1 + i, image.width), y - 1 + j) * (wu[static_cast<std::size_t>(i)] * wv[static_cast<std::size_t>(j)]);
+    }
     return {std::max(0.f, sum.x), std::max(0.f, sum.y), std::max(0.f, sum.z)};
 }
 
-// Do the sixteen pixels about a cell lie on one surface?
-bool is_inside(const WarpSource& s, int x, int y) {
-    if (!s.used.empty() || y < 1 || y + 2 >= s.color.height) return false;
-    for (int j = y - 1; j <= y + 2; ++j)
-        for (int i = x - 1; i <= x + 2; ++i)
-            if (s.cuts.at(wrap_column(i, s.color.width), j) & (kFarSide | kNearSide)) return false;
-    return true;
+// Cubic inside a surface: a panorama warped with bilinear values is visibly softer than the one it came from.
+Vec3f color_in_cell(const Colors& c, float u, float v) {
+    if (c.around) return cubic_in_cell(c.around->color, c.x, c.y, cubic_weights(u), cubic_weights(v));
+    if (is_bridge(c.cover)) return c.corners[(u > 0.5f ? 1 : 0) + (v > 0.5f ? 2 : 0)];
+    return lerp(lerp(c.corners[0], c.corners[1], u), lerp(c.corners[2], c.corners[3], u), v);
 }
 
 // Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
@@ -101,8 +129,8 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
     const float sign = volume > 0 ? 1.f : -1.f;
     for (int y = y0; y <= y1; ++y)
         for (int column = box.x0; column <= box.x1; ++column) {
-            const int x = wrap_column(column, size.width);
-            const Vec3f d = band.direction.at(x, y);
+            const int x = column < 0 ? column + size.width : column >= size.width ? column - size.width : column;
+            const Vec3f d = band.directions.at(x, y);
             const float ea = dot(d, na) * sign, eb = dot(d, nb) * sign, ec = dot(d, nc) * sign;
             const float sum = ea + eb + ec;
             const float slack = -kEdgeSlack * sum;
@@ -129,10 +157,12 @@ struct Placed {
     Image<Vec3f> point;
     Image<Vec2f> pixel;
     std::vector<Vec2f> rows;   // least and greatest picture row of a source row's corners
+    Directions directions;
 
     Placed(const WarpSource& s, EquirectSize target, Vec3f position)
         : source(s), source_size{s.color.width, s.color.height}, size(target), shift(s.position - position),
-          point(s.color.width, s.color.height), pixel(s.color.width, s.color.height), rows(static_cast<std::size_t>(s.color.height)) {
+          point(s.color.width, s.color.height), pixel(s.color.width, s.color.height), rows(static_cast<std::size_t>(s.color.height)),
+          directions(source_size) {
         parallel_for(source_size.height, 16, [&](std::int64_t begin, std::int64_t end) {
             for (int y = static_cast<int>(begin); y < end; ++y) place_row(y);
         });
@@ -141,7 +171,7 @@ struct Placed {
         Vec2f span{1e9f, -1e9f};
         for (int x = 0; x < source_size.width; ++x) {
             if (!used(x, y)) continue;
-            point.at(x, y) = shift + direction_of_pixel(x, y, source_size) / source.inverse_range.at(x, y);
+            point.at(x, y) = shift + directions.at(x, y) / source.inverse_range.at(x, y);
             pixel.at(x, y) = pixel_of_direction(point.at(x, y), size);
             span = {std::min(span.x, pixel.at(x, y).y), std::max(span.y, pixel.at(x, y).y)};
         }
@@ -208,11 +238,9 @@ void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cove
     const int r = wrap_column(x + 1, s.color.width);
     const Corner a = placed.corner(x, y, {0, 0}), b = placed.corner(r, y, {1, 0}), c = placed.corner(x, y + 1, {0, 1}),
                  d = placed.corner(r, y + 1, {1, 1});
-    const float top = std::min({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y}), bottom = std::max({a.pixel.y, b.pixel.y, c.pixel.y, d.pixel.y});
-    const float margin = 0.05f * static_cast<float>(placed.size.height);
-    if (bottom + margin < static_cast<float>(band.begin) || top - margin > static_cast<float>(band.end)) return;
-    const Colors colors{{s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)},
-                        cover == Cover::front && is_inside(s, x, y) ? &s : nullptr, x, y, cover, kBridgeYields * jump_m};
+    Colors colors{{}, nullptr, x, y, cover, kBridgeYields * jump_m};
+    if (cover == Cover::front && !s.inside.empty() && s.inside.at(x, y)) colors.around = &s;
+    else colors.corners = {s.color.at(x, y), s.color.at(r, y), s.color.at(x, y + 1), s.color.at(r, y + 1)};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
     draw(band, a, b, c, colors, plane);
     draw(band, b, d, c, colors, plane);
@@ -226,16 +254,26 @@ float jump_in_cell(const WarpSource& s, int x, int y) {
     return 1.f / low - 1.f / high;
 }
 
+// May the cell touch the band? Its edges bulge towards the poles as in box_of.
+bool touches(const Band& band, const Placed& placed, int x, int r, int y) {
+    const Vec2f a = placed.pixel.at(x, y), b = placed.pixel.at(r, y), c = placed.pixel.at(x, y + 1), d = placed.pixel.at(r, y + 1);
+    const float turn = (std::max({a.x, b.x, c.x, d.x}) - std::min({a.x, b.x, c.x, d.x})) / static_cast<float>(placed.size.width);
+    if (turn > 0.25f) return true;
+    const float margin = 1.f + 2.f * turn * turn * static_cast<float>(placed.size.height);
+    const auto [top, bottom] = std::minmax({a.y, b.y, c.y, d.y});
+    return bottom + margin >= static_cast<float>(band.begin) && top - margin <= static_cast<float>(band.end);
+}
+
 // `guesses`: only the bridges over deeper jumps, which must wait until all surfaces are drawn.
 void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesses) {
     const WarpSource& s = placed.source;
-    const int r = wrap_column(x + 1, s.color.width);
+    const int r = x + 1 == s.color.width ? 0 : x + 1;
     const bool u00 = placed.used(x, y), u10 = placed.used(r, y), u01 = placed.used(x, y + 1), u11 = placed.used(r, y + 1);
     if (!(u00 || u10 || u01 || u11)) return;
     const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) && !(s.cuts.at(r, y) & kCutDown) &&
                        !(s.cuts.at(x, y + 1) & kCutRight);
     if (whole) {
-        if (!guesses) draw_whole(band, placed, x, y, Cover::front, 0);
+        if (!guesses && touches(band, placed, x, r, y)) draw_whole(band, placed, x, y, Cover::front, 0);
         return;
     }
     const float jump = u00 && u10 && u01 && u11 ? jump_in_cell(s, x, y) : kFarthestRange;
@@ -294,12 +332,10 @@ CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size
     CoarseView view{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
                     Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)};
     ImageF order = view.range;
-    Image<Vec3f> direction(size.width, size.height);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) direction.at(x, y) = direction_of_pixel(x, y, size);
+    const Directions directions(size);
     const auto draw_all = [&](const Placed& placed, bool guesses) {
         parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
-            draw_source({view, order, direction, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
+            draw_source({view, order, directions, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
         });
     };
     for (const WarpSource& source : sources) {

@@ -18,6 +18,7 @@ struct WarpSource {
     ImageColor color;             // far sides of silhouettes cleaned of the near side's color
     ImageF inverse_range;         // 1/metres
     ImageMask cuts;               // range_edges
+    ImageMask inside;             // cells (by their left top pixel) about which sixteen pixels lie on one surface; empty where not all are used
     Image<std::int16_t> plane;    // which plane of the scene a pixel lies on, or kNoPlane
     ImageMask used;               // pixels that take part; empty = all
     Vec3f position;               // in the frame of panorama 0; all panoramas have its orientation

@@ -29,6 +29,20 @@ ImageColor cleaned(const ImageColor& color, const ImageMask& cuts) {
     return out;
 }
 
+// Cells about which all sixteen pixels lie on one surface.
+ImageMask inside_of(const ImageMask& cuts) {
+    const int w = cuts.width, h = cuts.height;
+    ImageMask beside(w, h), inside(w, h);   // beside: an edge in the row from one pixel before to two behind
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            if (!(cuts.at(x, y) & (kFarSide | kNearSide))) continue;
+            for (int i = -2; i <= 1; ++i) beside.at(wrap_column(x + i, w), y) = 1;
+        }
+    for (int y = 1; y + 2 < h; ++y)
+        for (int x = 0; x < w; ++x) inside.at(x, y) = !(beside.at(x, y - 1) | beside.at(x, y) | beside.at(x, y + 1) | beside.at(x, y + 2));
+    return inside;
+}
+
 }  // namespace
 
 WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& plane, const ImageMask& used,
@@ -40,6 +54,7 @@ WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const 
     std::transform(range.pixels.begin(), range.pixels.end(), source.inverse_range.pixels.begin(), inverse_range);
     source.plane = plane;
     source.used = used;
+    if (used.empty()) source.inside = inside_of(source.cuts);
     source.position = position;
     return source;
 }
