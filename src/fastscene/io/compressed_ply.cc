@@ -70,7 +70,7 @@ Vec3f clamped_scale(Vec3f s) { return {std::clamp(s.x, -20.f, 20.f), std::clamp(
 
 std::string compressed_ply_bytes(const Splats& splats) {
     const std::size_t count = splats.size(), chunks = (count + kChunk - 1) / kChunk;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\ncomment fastscene\nelement chunk {}\n", chunks);
+    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\ncomment fastscene\n{}element chunk {}\n", ply_comments(splats), chunks);
     for (const char* what : {"", "scale_", "color"})
         for (const char* end : {"min", "max"})
             for (int a = 0; a < 3; ++a) {
@@ -177,6 +177,7 @@ Splats splats_of_compressed_ply(const Ply& ply) {
     const int position = ply.property(vertex, "packed_position"), rotation = ply.property(vertex, "packed_rotation");
     const int packed_scale = ply.property(vertex, "packed_scale"), packed_color = ply.property(vertex, "packed_color");
     Splats splats;
+    splats.antialias = is_antialiased(ply);
     const PlyElement* sh = ply.has("sh") ? &ply.element("sh") : nullptr;
     const std::vector<int> rest = sh ? sh_columns(ply, *sh, splats.sh_degree) : std::vector<int>{};
     if (sh && sh->count != vertex.count) throw Error("{}: expected {} rows of \"sh\", found {}", ply.path().string(), vertex.count, sh->count);

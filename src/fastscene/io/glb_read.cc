@@ -48,6 +48,9 @@ class Glb {
         Splats all;
         for (const Placed& part : parts) all.sh_degree = std::max(all.sh_degree, degree_of(*part.primitive));
         for (const Placed& part : parts) append_primitive(all, part);
+        // One file is drawn one way: that of its first part.
+        const Json& first = *parts.front().primitive;
+        all.antialias = first.contains("extras") && first.at("extras").is_object() && first.at("extras").value("antialiased", Json()) == Json(true);
         return all;
     }
 

@@ -86,7 +86,8 @@ std::string splat_glb_bytes(const Splats& world) {
     transform(splats, {kGltfFromWorld, 1, {}});
     const Attributes attributes = attributes_of(splats);
     const Json extension{{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}, {"sortingMethod", "cameraDistance"}, {"projection", "perspective"}};
-    const Json primitive{{"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
+    Json primitive{{"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
+    if (splats.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no word for it
     const Json json{{"asset", {{"version", "2.0"}, {"generator", "fastscene"}}},
                     {"extensionsUsed", {"KHR_gaussian_splatting"}},
                     {"scene", 0},

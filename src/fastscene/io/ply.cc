@@ -69,7 +69,8 @@ void Ply::parse_header_line(const std::string& line) {
     std::istringstream words(line);
     std::string word, type, name;
     words >> word;
-    if (word == "comment" || word == "obj_info") return;
+    if (word == "comment") return comments_.push_back(line.substr(std::min(line.size(), word.size() + 1)));
+    if (word == "obj_info") return;
     if (word == "element") {
         PlyElement element;
         if (!(words >> element.name >> element.count)) throw Error("{}: expected \"element NAME COUNT\", found \"{}\"", path_.string(), line);

@@ -33,6 +33,7 @@ class Ply {
     explicit Ply(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
+    const std::vector<std::string>& comments() const { return comments_; }
     bool has(std::string_view name) const;
     const PlyElement& element(std::string_view name) const;  // throws Error when absent, or not readable behind a list
     // Index of a property, or -1.
@@ -55,11 +56,17 @@ class Ply {
     std::string bytes_;
     std::size_t at_ = 0;  // while parsing
     std::vector<PlyElement> elements_;
+    std::vector<std::string> comments_;
 };
 
 // The columns f_rest_* that we keep, channel-major, and the degree they make: files may have 0, 9, 24, 45 or 72 (degree 4, of which
 // the first three bands are kept). Throws Error for another number.
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree);
+
+// What a header says of splats beyond their columns, in Brush's words, which splat-transform and gsplat share:
+// "SplatRenderMode: mip". Postshot's "antialiased 1" is understood, too.
+std::string ply_comments(const Splats& splats);
+bool is_antialiased(const Ply& ply);
 
 bool is_compressed_ply(const Ply& ply);
 Splats splats_of_compressed_ply(const Ply& ply);

@@ -70,6 +70,34 @@ TEST(SplatFormats, SpzRoundTripsWithinItsSteps) {
             }
 }
 
+// Which way of drawing splats were made for is in every file, and in none that were made for the usual one.
+TEST(SplatFormats, AntialiasingIsKept) {
+    for (const bool antialias : {false, true}) {
+        Splats splats = some_splats(300, 1);
+        splats.antialias = antialias;
+        for (const char* name : {"a.ply", "a.compressed.ply", "a.spz", "a.glb"})
+            for (const int version : {2, 3, 4}) {
+                save_splats(scratch(name), splats, *splat_format_of_name(name), {PlyBands::present, version});
+                EXPECT_EQ(load_splats(scratch(name)).splats.antialias, antialias) << name << ' ' << version;
+            }
+        save_splat_ply(scratch("a.ply"), splats);
+        EXPECT_EQ(read_file(scratch("a.ply")).find("\ncomment SplatRenderMode: mip\n") != std::string::npos, antialias);
+        EXPECT_EQ(chosen(splats, {1, 2}).antialias, antialias);
+    }
+}
+
+// Postshot's words for the same.
+TEST(SplatFormats, AntialiasingInPostshotsWords) {
+    save_splat_ply(scratch("p.ply"), some_splats(2, 0));
+    const std::string plain = read_file(scratch("p.ply"));
+    for (const char* value : {"0", "1"}) {
+        std::string bytes = plain;
+        bytes.insert(bytes.find("element vertex"), std::string("comment antialiased ") + value + "\n");
+        write_file(scratch("p.ply"), bytes);
+        EXPECT_EQ(load_splats(scratch("p.ply")).splats.antialias, value[0] == '1');
+    }
+}
+
 TEST(SplatFormats, GlbRoundTripsToTheLastBits) {
     for (const int degree : {0, 1, 2, 3}) {
         const Splats splats = some_splats(200, degree);

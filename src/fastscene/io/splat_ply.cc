@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,9 +9,16 @@
 
 namespace fastscene {
 
+std::string ply_comments(const Splats& splats) { return splats.antialias ? "comment SplatRenderMode: mip\n" : ""; }
+
+bool is_antialiased(const Ply& ply) {
+    return std::any_of(ply.comments().begin(), ply.comments().end(),
+                       [](const std::string& c) { return c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0"); });
+}
+
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", splats.size());
+    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats), splats.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) out += fmt::format("property float {}\n", name);
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) out += fmt::format("property float {}\n", name);
@@ -49,6 +57,7 @@ Splats splats_of_ply(const Ply& ply) {
     // Files of flat Gaussians (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
     const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
     Splats splats;
+    splats.antialias = is_antialiased(ply);
     const std::vector<int> rest = sh_columns(ply, v, splats.sh_degree);
     splats.resize(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {

@@ -13,7 +13,7 @@ namespace fastscene {
 inline constexpr std::size_t kSpzHeader = 16, kSpzHeader4 = 32;
 inline constexpr int kSpzFractionalBits = 12;      // positions in 1/4096 m, 24 bits: +-2048 m
 inline constexpr float kSpzColorScale = 0.15f;     // of f_dc, around the middle of a byte
-inline constexpr std::uint8_t kSpzHasExtensions = 2;
+inline constexpr std::uint8_t kSpzAntialiased = 1, kSpzHasExtensions = 2;  // flags
 
 enum SpzStream { kSpzPositions, kSpzAlphas, kSpzColors, kSpzScales, kSpzRotations, kSpzSh, kSpzStreams };
 

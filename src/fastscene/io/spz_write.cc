@@ -109,7 +109,7 @@ std::string header(const Splats& splats, int version, std::uint8_t last) {
     append(out, static_cast<std::uint32_t>(splats.size()));
     append(out, static_cast<std::uint8_t>(splats.sh_degree));
     append(out, static_cast<std::uint8_t>(kSpzFractionalBits));
-    append(out, std::uint8_t{0});  // flags: not anti-aliased, no extensions
+    append(out, splats.antialias ? kSpzAntialiased : std::uint8_t{0});
     append(out, last);
     return out;
 }

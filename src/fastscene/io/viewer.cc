@@ -88,6 +88,7 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     replace_once(page, "<title>SuperSplat Viewer</title>", "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
     // Without tracks of ours the viewer would drift along a figure of its own; visitors want to stand where they are.
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
+    if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");
     if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);
     const std::size_t boot_at = page.find("id=\"sse-bootstrap\"");

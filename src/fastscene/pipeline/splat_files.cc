@@ -95,6 +95,7 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
 void save_scene(const fs::path& path, const Splats& splats, const SplatWriting& writing, const Run& run) {
     if (!is_splat_file_name(path)) throw UsageError("{}: expected a name that ends in {}", path.string(), kSplatFileNames);
     if (!is_sog(path)) return save_splats(path, splats, *splat_format_of_name(path), writing);
+    if (splats.antialias) run.warn(fmt::format("{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright", path.string()));
     const ScratchFolder scratch;
     save_splat_ply(scratch.path() / "scene.ply", splats, PlyBands::present);
     translate(scratch.path() / "scene.ply", scratch.path() / "scene.sog", path, scratch, run);

@@ -8,10 +8,13 @@
 
 namespace fastscene::splat {
 
+//
+// With kDepth the depth sum, sum_i w_i z_i, is a fourth color: v_depth = dL/d(depth sum).
 template <class F>
 struct PixelGradState {
     F transmittance{}, rest{};
     Vec3<F> v;
+    F v_depth{};
 };
 template <class F>
 struct BlendGrad {
@@ -19,12 +22,13 @@ struct BlendGrad {
     F weight;  // blending weight; dL/d(splat color) = weight * v
 };
 
-template <class F>
+template <bool kDepth = false, class F>
 BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
     const F raw = raw_alpha(s, dx, dy);
     const F alpha = shown_alpha(raw);
     const F weight = alpha * pixel.transmittance;
-    const F vc = dot(pixel.v, s.color);
+    F vc = dot(pixel.v, s.color);
+    if constexpr (kDepth) vc = vc + pixel.v_depth * s.depth_z;
     pixel.rest = pixel.rest - weight * vc;
     const F slope = weight * vc - alpha * pixel.rest * reciprocal(F(1) - alpha);
     pixel.transmittance = pixel.transmittance - weight;

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/splat/depth_loss.h"
 
 namespace fastscene::splat {
 namespace {
@@ -56,7 +58,7 @@ Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, Camer
 }
 
 Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
-    : count(static_cast<std::int64_t>(s.size())), degree(s.sh_degree), capacity(std::max(count, room_for)) {
+    : count(static_cast<std::int64_t>(s.size())), degree(s.sh_degree), capacity(std::max(count, room_for)), antialias(s.antialias) {
     const auto blocks = static_cast<std::size_t>((capacity + kBlock - 1) / kBlock * kBlock);
     const auto rest_floats = blocks * 3 * static_cast<std::size_t>(rest_functions(degree));
     parameters.resize(blocks * kParameters, 0.f);
@@ -83,7 +85,7 @@ Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
 
 Splats Cloud::splats() const {
     Splats s;
-    s.sh_degree = degree;
+    s.sh_degree = degree, s.antialias = antialias;
     s.resize(static_cast<std::size_t>(count));
     const int n = 3 * rest_functions(degree);
     for (std::int64_t i = 0; i < count; ++i)
@@ -109,7 +111,7 @@ void Engine::set_size(int width, int height) {
     stride_ = static_cast<std::ptrdiff_t>(tiles_x_) * kTile + 16;
     const std::size_t size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(tiles_y_ * kTile);
     transmittance_.assign(size, 0.f);
-    depth_.clear();
+    depth_.clear(), v_depth_.clear();
     for (auto* planes : {color_, v_, error_})
         for (int c = 0; c < 3; ++c) planes[c].clear();
     for (int c = 0; c < 3; ++c) color_[c].assign(size, 0.f);
@@ -117,10 +119,11 @@ void Engine::set_size(int width, int height) {
 }
 
 void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
-                    CameraModel model, bool antialias) {
+                    CameraModel model) {
     set_size(camera.width, camera.height);
-    lens_ = lens_of(camera, world_from_camera, model, antialias);
+    lens_ = lens_of(camera, world_from_camera, model, cloud.antialias);
     background_ = background;
+    depth_counts_ = false;
     if (depth) depth_.resize(transmittance_.size());
     project(cloud);
     sort();
@@ -248,6 +251,27 @@ LossSums Engine::differentiate(const View& view, float lambda) {
     return total;
 }
 
+double Engine::differentiate_depth(const View& view, const ImageF& depth, float strength) {
+    const Stopwatch watch(times.loss);
+    FASTSCENE_CHECK(depth.width == width_ && depth.height == height_ && depth_.size() == transmittance_.size());
+    v_depth_.resize(depth_.size(), 0.f);
+    depth_counts_ = true;
+    const float scale = strength / (static_cast<float>(width_) * static_cast<float>(height_));
+    std::vector<double> row_loss(static_cast<std::size_t>(height_));
+    parallel_for(height_, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            const float row = view.model == CameraModel::equirectangular ? latitude_weight(y, height_) : 1.f;
+            for (int x = 0; x < width_; ++x) {
+                const std::size_t i = index(x, y);
+                const float weight = scale * row * (view.weight.empty() ? 1.f : static_cast<float>(view.weight.at(x, y)) / 255.f);
+                const DepthLoss<float> l = depth_loss(depth_[i], transmittance_[i], depth.at(x, y));
+                depth_[i] = l.total, v_depth_[i] = weight * l.v, row_loss[static_cast<std::size_t>(y)] += static_cast<double>(weight * l.loss);
+            }
+        }
+    });
+    return std::accumulate(row_loss.begin(), row_loss.end(), 0.0);
+}
+
 void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
     FASTSCENE_CHECK(v.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     for (int c = 0; c < 3; ++c) {
@@ -262,7 +286,8 @@ void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
 void Engine::backward() {
     const Stopwatch watch(times.backward);
     grow(slots_, static_cast<std::size_t>(slots_used_) * kSlotFloats + 2 * kBlock);
-    const Frame f = frame(false);
+    Frame f = frame(depth_counts_);
+    f.v_depth = depth_counts_ ? v_depth_.data() : nullptr;
     parallel_for(tiles_x_ * tiles_y_, 4, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) kernel_.backward(f, static_cast<int>(t));
     });

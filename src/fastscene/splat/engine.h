@@ -31,6 +31,7 @@ struct Cloud {
     int degree = 0;                         // of the spherical harmonics
     AlignedFloats rest, rest_first_moment, rest_second_moment;  // blocks of 3 * rest_functions(degree) numbers, like the parameters
     std::int64_t capacity = 0;              // splats there is memory for
+    bool antialias = false;                 // Splats::antialias
 
     Cloud(const Splats& splats, bool train, std::int64_t room_for = 0);
     Splats splats() const;
@@ -63,9 +64,12 @@ class Engine {
 
     // Forward pass into the planes; `depth` also fills the depth plane.
     void render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
-                CameraModel model = CameraModel::pinhole, bool antialias = false);
+                CameraModel model = CameraModel::pinhole);
     // After render(): loss against the view and dL/d color.
     LossSums differentiate(const View& view, float lambda_dssim);
+    // After that, if render() was asked for depth: adds `strength` times the mean relative error of depth (depth_loss.h) and returns
+    // it. `depth`: metres along the optical axis (equirectangular: along the ray), 0 = unknown.
+    double differentiate_depth(const View& view, const ImageF& depth, float strength);
     // After render(): take dL/d color from the caller instead (tests). Three planes of width * height.
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After either: gradients per splat; Adam with these step sizes moves the cloud.
@@ -99,7 +103,8 @@ class Engine {
     std::ptrdiff_t stride_ = 0;
     Lens<float> lens_{};
     Vec3f background_;
-    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3];
+    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_;
+    bool depth_counts_ = false;                 // in the gradient to come
     AlignedVector<Record> records_;
     std::vector<std::int64_t> piece_visible_;   // records in each piece of splats
     std::int64_t visible_ = 0, slots_used_ = 0;

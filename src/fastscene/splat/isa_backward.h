@@ -16,7 +16,7 @@ struct Batch {
 };
 // dL/d color and the error at the 16 pixels, to be read one pixel at a time.
 struct BlockTargets {
-    alignas(64) float v[3][16], error[16];
+    alignas(64) float v[3][16], error[16], v_depth[16];
 };
 
 // Moments of g about the block's center: pixel offsets are -1.5, -0.5, 0.5, 1.5 both ways.
@@ -38,6 +38,7 @@ inline Moments moments_of(const Lanes* g) {
 }
 
 // Kept out of line: inside the blending loop it would take that loop's registers.
+template <bool kDepth>
 [[gnu::noinline]] inline void flush_batch(Batch& batch, const BlockTargets& target, float (*sums)[16]) {
     for (int i = batch.count; i < 16; ++i) {
         Lanes(0.f).store(batch.g[i]), Lanes(0.f).store(batch.weight[i]);
@@ -60,6 +61,7 @@ inline Moments moments_of(const Lanes* g) {
         for (int c = 0; c < 3; ++c) out[6 + c] += w * Lanes(target.v[c][pixel]);
         out[9] += w;
         out[10] += w * Lanes(target.error[pixel]);
+        if constexpr (kDepth) out[11] += w * Lanes(target.v_depth[pixel]);
     }
     alignas(64) float rows[16][16];
     for (int i = 0; i < 16; ++i) out[i].store(rows[i]);
@@ -72,6 +74,7 @@ inline Moments moments_of(const Lanes* g) {
 }
 
 // All splats of `set` at one block; pixel state goes on to the next chunk.
+template <bool kDepth>
 inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x, float corner_y, const BlockPixels& grid,
                            const BlockTargets& target, PixelGradState<Lanes>& pixel_state, Batch& batch, float (*sums)[16]) {
     const Lanes px = grid.x + Lanes(corner_x), py = grid.y + Lanes(corner_y);
@@ -79,16 +82,16 @@ inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x
     for (; set; set &= set - 1) {
         const int index = __builtin_ctzll(set);
         const Record& s = chunk.records[index];
-        const BlendGrad<Lanes> grad = blend_grad(pixel, spread(s), px - Lanes(s.x), py - Lanes(s.y));
+        const BlendGrad<Lanes> grad = blend_grad<kDepth>(pixel, spread(s), px - Lanes(s.x), py - Lanes(s.y));
         const int i = batch.count++;
         grad.g.store(batch.g[i]);
         grad.weight.store(batch.weight[i]);
         batch.center_dx[i] = corner_x + 2.f - s.x;
         batch.center_dy[i] = corner_y + 2.f - s.y;
         batch.index[i] = index;
-        if (batch.count == 16) flush_batch(batch, target, sums);
+        if (batch.count == 16) flush_batch<kDepth>(batch, target, sums);
     }
-    if (batch.count) flush_batch(batch, target, sums);
+    if (batch.count) flush_batch<kDepth>(batch, target, sums);
     pixel_state = pixel;
 }
 
@@ -101,6 +104,7 @@ inline void write_slots(const Frame& f, const Chunk& chunk, int tile_column, int
     }
 }
 
+template <bool kDepth>
 inline void backward_tile(const Frame& f, int tile) {
     const FlushDenormals flush;
     const int column = tile % f.tiles_x, row = tile / f.tiles_x;
@@ -115,6 +119,11 @@ inline void backward_tile(const Frame& f, int tile) {
         s.rest = dot(s.v, Vec3<Lanes>{load_block(f.color[0] + at, f.stride), load_block(f.color[1] + at, f.stride),
                                       load_block(f.color[2] + at, f.stride)});
         BlockTargets& t = targets[block];
+        if constexpr (kDepth) {
+            s.v_depth = load_block(f.v_depth + at, f.stride);
+            s.rest += s.v_depth * load_block(f.depth + at, f.stride);
+            s.v_depth.store(t.v_depth);
+        }
         s.v.x.store(t.v[0]), s.v.y.store(t.v[1]), s.v.z.store(t.v[2]);
         (load_block(f.error[0] + at, f.stride) + load_block(f.error[1] + at, f.stride) + load_block(f.error[2] + at, f.stride)).store(t.error);
     }
@@ -130,10 +139,12 @@ inline void backward_tile(const Frame& f, int tile) {
         __builtin_memset(sums, 0, sizeof sums);
         for (int block = 0; block < 16; ++block)
             if (chunk.sets[block])
-                backward_block(chunk, chunk.sets[block], static_cast<float>(column * kTile + block % 4 * 4),
+                backward_block<kDepth>(chunk, chunk.sets[block], static_cast<float>(column * kTile + block % 4 * 4),
                                static_cast<float>(row * kTile + block / 4 * 4), grid, targets[block], state[block], batch, sums);
         write_slots(f, chunk, column, row, sums);
     }
 }
+
+inline void backward_any(const Frame& f, int tile) { f.v_depth ? backward_tile<true>(f, tile) : backward_tile<false>(f, tile); }
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

@@ -11,7 +11,7 @@
 namespace fastscene::splat::FASTSCENE_ISA {
 
 const Kernel& kernel() {
-    static constexpr Kernel it{FASTSCENE_STRING(FASTSCENE_ISA), project_piece,  forward_any, backward_tile, loss_scratch,
+    static constexpr Kernel it{FASTSCENE_STRING(FASTSCENE_ISA), project_piece,  forward_any, backward_any, loss_scratch,
                                loss_band, update_piece};
     return it;
 }

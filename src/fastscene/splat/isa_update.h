@@ -77,7 +77,7 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
             transpose16(sums);
             const Gaussian<Lanes> g = load_gaussians(job.parameters + base);
             const Projection<Lanes> p = project(g, lens, more_color_of(job.rest, job.degree, first, g.mean, lens));
-            const PixelSums<Lanes> s{sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], {sums[6], sums[7], sums[8]}};
+            const PixelSums<Lanes> s{sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], {sums[6], sums[7], sums[8]}, sums[11]};
             Gaussian<Lanes> d = project_grad(g, lens, p, s);
             Lanes rest_gradient[kMostRest];
             if (job.rest) {

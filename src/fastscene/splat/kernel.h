@@ -12,7 +12,7 @@ namespace fastscene::splat {
 inline constexpr int kBlock = 16;        // splats a vector
 inline constexpr int kTile = 16;         // pixels a tile side
 inline constexpr int kChunk = 64;        // splats blended at a time in a tile: one bit each in a 64-bit set
-inline constexpr int kSlotFloats = 12;   // 6 moments, 3 colors, blending weight, weight * error, unused
+inline constexpr int kSlotFloats = 12;   // 6 moments, 3 colors, blending weight, weight * error, depth
 
 // One visible splat on screen.
 struct alignas(64) Record {
@@ -47,6 +47,7 @@ struct Frame {
     float* depth;          // sum of weight * depth_z; null = not wanted
     const float* v[3];     // dL/d color; zero outside the picture
     const float* error[3]; // |difference| per channel
+    const float* v_depth;  // dL/d(depth sum), zero outside the picture; null = none, otherwise `depth` is there
     float background[3];
     const Record* records;
     const std::uint32_t* list;        // record numbers, tile after tile, front to back

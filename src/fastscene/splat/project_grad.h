@@ -11,6 +11,7 @@ template <class F>
 struct PixelSums {
     F g{}, g_dx{}, g_dy{}, g_dxdx{}, g_dxdy{}, g_dydy{};
     Vec3<F> color;  // sum of blending weight * dL/d(pixel color)
+    F depth{};      // sum of blending weight * dL/d(depth sum)
 };
 
 namespace detail {
@@ -88,8 +89,12 @@ Gaussian<F> project_grad(const Gaussian<F>& in, const Lens<F>& lens, const Proje
     const Vec3<F> gn0 = gm0 * p.scale, gn1 = gm1 * p.scale;
 
     Mat3<F> g_camera_from_local;
-    const Vec3<F> gp = lens.equirect() ? detail::equirect_grad(lens, p, screen, gn0, gn1, g_camera_from_local)
-                                       : detail::pinhole_grad(lens, p, screen, gn0, gn1, g_camera_from_local);
+    Vec3<F> gp = lens.equirect() ? detail::equirect_grad(lens, p, screen, gn0, gn1, g_camera_from_local)
+                                 : detail::pinhole_grad(lens, p, screen, gn0, gn1, g_camera_from_local);
+    if (lens.equirect())
+        gp += p.p_camera * (s.depth / p.depth);
+    else
+        gp.z = gp.z + s.depth;
     const Mat3<F> world_from_camera = transpose(lens.rotation);
     out.mean = world_from_camera * gp;
 

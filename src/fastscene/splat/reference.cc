@@ -4,6 +4,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/image/color.h"
+#include "fastscene/splat/depth_loss.h"
 #include "fastscene/splat/engine.h"
 
 namespace fastscene::splat {
@@ -64,6 +65,20 @@ ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view
             }
     }
     return out;
+}
+
+double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength, std::vector<double>& v_depth) {
+    const double scale = strength / static_cast<double>(picture.pixels.size());
+    double sum = 0;
+    v_depth.clear();
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        double weight = scale * (view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0);
+        if (view.model == CameraModel::equirectangular) weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
+        const DepthLoss<double> l = depth_loss(picture.depth_sum[i], picture.pixels[i].transmittance, static_cast<double>(depth.pixels[i]));
+        picture.depth_sum[i] = l.total, sum += weight * l.loss;
+        v_depth.push_back(weight * l.v);
+    }
+    return sum;
 }
 
 }  // namespace fastscene::splat

@@ -94,21 +94,24 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
     return out;
 }
 
-// dL/d(parameters) from v = dL/d(pixel color).
+// dL/d(parameters) from v = dL/d(pixel color) and, if there is one, v_depth = dL/d(depth sum).
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                              const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
-                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr) {
+                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr, const std::vector<F>& v_depth = {}) {
     std::vector<Gaussian<F>> out(splats.size());
     const auto n = static_cast<std::size_t>(3 * rest_functions(rest.degree));
     if (rest_out) rest_out->assign(splats.size() * n, F(0));
     for (auto& g : out) g.rotation.w = F(0);  // a gradient, not the identity rotation
     std::vector<PixelGradState<F>> state(v.size());
-    for (std::size_t i = 0; i < v.size(); ++i) state[i] = {F(1), dot(v[i], picture.pixels[i].color), v[i]};
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const F z = v_depth.empty() ? F(0) : v_depth[i];
+        state[i] = {F(1), dot(v[i], picture.pixels[i].color) + z * picture.depth_sum[i], v[i], z};
+    }
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
         PixelSums<F> sums;
         detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
-            const BlendGrad<F> b = blend_grad(state[i], d.footprint, dx, dy);
+            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, dx, dy);
             sums.g += b.g;
             sums.g_dx += b.g * dx;
             sums.g_dy += b.g * dy;
@@ -116,6 +119,7 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
             sums.g_dxdy += b.g * dx * dy;
             sums.g_dydy += b.g * dy * dy;
             sums.color += v[i] * b.weight;
+            sums.depth += state[i].v_depth * b.weight;
         });
         out[d.splat] = project_grad(splats[d.splat], lens, d.projection, sums);
         if (rest.degree == 0) continue;
@@ -153,5 +157,7 @@ struct ReferenceLoss {
 };
 // (1 - lambda) L1 + lambda (1 - SSIM), windows summed directly: O(121) a pixel.
 ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view, double lambda);
+// The regularizer of depth (depth_loss.h); puts the target behind the picture's depth sums. v_depth = dL/d(depth sum).
+double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength, std::vector<double>& v_depth);
 
 }  // namespace fastscene::splat

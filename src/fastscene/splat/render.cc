@@ -15,10 +15,10 @@ SplatPicture empty_picture(const Pinhole& camera) {
 }
 
 SplatPicture render_cpu(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
-                        CameraModel model, bool antialias) {
+                        CameraModel model) {
     const splat::Cloud cloud(splats, false);
     splat::Engine engine(splat::choose_kernel());
-    engine.render(cloud, camera, world_from_camera, background, true, model, antialias);
+    engine.render(cloud, camera, world_from_camera, background, true, model);
     SplatPicture out = empty_picture(camera);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
@@ -31,9 +31,9 @@ SplatPicture render_cpu(const Splats& splats, const Pinhole& camera, const Rigid
 }
 
 SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
-                           CameraModel model, bool antialias) {
+                           CameraModel model) {
     const auto picture = splat::render_reference(splat::gaussians_of<double>(splats),
-                                                 splat::lens_over<double>(splat::lens_of(camera, world_from_camera, model, antialias)),
+                                                 splat::lens_over<double>(splat::lens_of(camera, world_from_camera, model, splats.antialias)),
                                                  camera.width, camera.height, Vec3d{background.x, background.y, background.z},
                                                  splat::rest_of<double>(splats));
     SplatPicture out = empty_picture(camera);
@@ -50,9 +50,9 @@ SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Ri
 }  // namespace
 
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
-                           const std::string& backend, CameraModel model, bool antialias) {
-    if (backend == "cpu") return render_cpu(splats, camera, world_from_camera, background, model, antialias);
-    if (backend == "reference") return render_slowly(splats, camera, world_from_camera, background, model, antialias);
+                           const std::string& backend, CameraModel model) {
+    if (backend == "cpu") return render_cpu(splats, camera, world_from_camera, background, model);
+    if (backend == "reference") return render_slowly(splats, camera, world_from_camera, background, model);
     throw UsageError("splat: unknown backend \"{}\"; expected cpu or reference", backend);
 }
 

@@ -24,6 +24,7 @@ struct SplatParams {
     std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
     int sh_degree = 0;                 // generated rooms carry no view dependence
     float opacity_pull = 0, scale_pull = 0;
+    float depth = 0;                   // of the regularizer of depth
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -45,7 +46,8 @@ void visit_fields(SplatParams& p, V&& v) {
     v("sh-degree", p.sh_degree, Bounds{0, 3}, "Degree of the spherical harmonics: color that depends on the direction of view.");
     v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
     v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
-    v("antialias", p.antialias, "Train for a renderer that dims splats smaller than a pixel (Mip-Splatting's 2D filter).");
+    v("depth", p.depth, Bounds{0, 10}, "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
+    v("antialias", p.antialias, "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
     v("random-background", p.random_background, "A background of random color behind every step: nothing may hide in black.");
     v("eval-every", p.eval_every, Bounds{0, 1e6}, "Measure held-out views every so many steps; 0 = train on all views.");
     v("holdout", p.holdout, Bounds{2, 1e6}, "With eval-every: every so manieth view is held out.");
@@ -89,7 +91,6 @@ struct SplatPicture {
     ImageF depth_z;       // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0 where alpha is 0
 };
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background = {}, const std::string& backend = "cpu", CameraModel model = CameraModel::pinhole,
-                           bool antialias = false);
+                           Vec3f background = {}, const std::string& backend = "cpu", CameraModel model = CameraModel::pinhole);
 
 }  // namespace fastscene

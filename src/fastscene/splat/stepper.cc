@@ -11,8 +11,9 @@ namespace {
 class CpuStepper : public Stepper {
   public:
     LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
-        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, false, view.model, plan.antialias);
-        const LossSums sums = engine_.differentiate(view, plan.lambda_dssim);
+        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, plan.depth != nullptr, view.model);
+        LossSums sums = engine_.differentiate(view, plan.lambda_dssim);
+        if (plan.depth) sums.loss += engine_.differentiate_depth(view, *plan.depth, plan.depth_strength);
         engine_.step(cloud, plan.rates);
         return sums;
     }
@@ -39,14 +40,16 @@ class ReferenceStepper : public Stepper {
         const Splats now = cloud.splats();
         const auto splats = gaussians_of<double>(now);
         const auto rest = rest_of<double>(now);
-        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera, view.model, plan.antialias));
+        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera, view.model, cloud.antialias));
         const Vec3d background{plan.background.x, plan.background.y, plan.background.z};
-        const auto picture = render_reference(splats, lens, view.camera.width, view.camera.height, background, rest);
+        auto picture = render_reference(splats, lens, view.camera.width, view.camera.height, background, rest);
         std::vector<Vec3d> colors;
         for (const auto& p : picture.pixels) colors.push_back(p.color);
-        const ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
+        ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
+        std::vector<double> v_depth;
+        if (plan.depth) loss.loss += depth_loss_reference(picture, view, *plan.depth, static_cast<double>(plan.depth_strength), v_depth);
         std::vector<double> rest_gradient;
-        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient);
+        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth);
         const int n = 3 * rest_functions(cloud.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i) {
             const Gaussian<double>& g = gradients[static_cast<std::size_t>(i)];

@@ -13,8 +13,9 @@ namespace fastscene::splat {
 struct StepPlan {
     float lambda_dssim = 0.2f;
     Vec3f background;
-    bool antialias = false;
     StepRates rates;
+    const ImageF* depth = nullptr;  // what the view should show (depth_loss.h), or null
+    float depth_strength = 0;
 };
 struct Stepper {
     virtual ~Stepper() = default;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/splat/classic.h"
+#include "fastscene/splat/depth_target.h"
 #include "fastscene/splat/relocate.h"
 #include "fastscene/splat/stepper.h"
 #include "fastscene/splat/train_state.h"
@@ -86,11 +88,11 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
 
 float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
 
-EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views, bool antialias) {
+EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views) {
     Engine engine(choose_kernel());
     double psnr = 0, ssim = 0;
     for (const View* v : views) {
-        engine.render(state.cloud, v->camera, v->world_from_camera, {}, false, v->model, antialias);
+        engine.render(state.cloud, v->camera, v->world_from_camera, {}, false, v->model);
         const LossSums sums = engine.differentiate(*v, 1.f);  // the loss is then all D-SSIM
         psnr += psnr_of(sums.squared_error), ssim += 1 - sums.loss;
     }
@@ -98,12 +100,12 @@ EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& view
     return {state.step, static_cast<float>(psnr / n), static_cast<float>(ssim / n)};
 }
 
-std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<const View*>& views, const SplatParams& params) {
+std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<const View*>& views) {
     constexpr std::size_t kMost = 6;
     std::vector<EvalPicture> out;
     for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i) {
         const View& v = *views[i * views.size() / std::min(views.size(), kMost)];
-        const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model, params.antialias);
+        const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model);
         ImageRgb8 picture(v.camera.width, v.camera.height);
         for (std::size_t k = 0; k < picture.pixels.size(); ++k)
             picture.pixels[k] = {byte_from_unit(p.color.pixels[k].x), byte_from_unit(p.color.pixels[k].y), byte_from_unit(p.color.pixels[k].z)};
@@ -119,6 +121,7 @@ class Training {
         : params_(params), tuning_(tuning), run_(run), views_(split_views(set, params)), order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)), extent_m_(scene_extent_m(set)), state_(start(set)) {
         last_ = params.until > 0 ? params.until : params.steps;
+        if (params.depth > 0) depth_.emplace(set, params.count, run);
         // A splat is useless only if no view needs it: judge after every view has been seen.
         density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
     }
@@ -140,8 +143,8 @@ class Training {
         out.curve = state_.curve, out.evals = state_.evals, out.steps = state_.step;
         close_curve(out.curve);
         if (!views_.held_out.empty()) {
-            if (out.evals.empty() || out.evals.back().step != state_.step) out.evals.push_back(evaluate(state_, views_.held_out, params_.antialias));
-            out.eval_pictures = eval_pictures(out.splats, views_.held_out, params_);
+            if (out.evals.empty() || out.evals.back().step != state_.step) out.evals.push_back(evaluate(state_, views_.held_out));
+            out.eval_pictures = eval_pictures(out.splats, views_.held_out);
         }
         return out;
     }
@@ -152,13 +155,14 @@ class Training {
             key_ = key_of(set, params_, run_.seed);
             if (std::filesystem::exists(params_.checkpoint)) {
                 TrainState found = checkpoint_from(read_file(params_.checkpoint), key_, params_.checkpoint);
+                found.cloud.antialias = params_.antialias;  // settings stand in the key
                 run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
         }
         Splats splats = initial_splats(set.points, params_.count, run_);
         if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
-        splats.sh_degree = params_.sh_degree;
+        splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
         splats.resize(splats.size());
         TrainState state{0, Cloud(splats, true, params_.strategy == "none" ? 0 : params_.count), 0, 0, 0, {}, {}};
         if (params_.strategy == "classic") state.cloud.seen_move = state.cloud.seen_steps = AlignedFloats(state.cloud.seen_weight.size(), 0.f);
@@ -170,7 +174,6 @@ class Training {
         const float done = std::min(1.f, static_cast<float>(now - 1) / static_cast<float>(std::max(params_.steps, 1)));
         StepPlan plan;
         plan.lambda_dssim = params_.lambda_dssim;
-        plan.antialias = params_.antialias;
         plan.rates.rates = rates_at(done, params_, tuning_);
         plan.rates.adam_step = now;
         const auto count = static_cast<float>(state_.cloud.count);
@@ -181,14 +184,16 @@ class Training {
             Random random(run_.seed, "splat.background", static_cast<std::uint64_t>(now));
             plan.background = {random.uniform(), random.uniform(), random.uniform()};
         }
-        const LossSums sums = stepper_->step(state_.cloud, *views_.train[order_.at(now)], plan);
+        const View& view = *views_.train[order_.at(now)];
+        if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
+        const LossSums sums = stepper_->step(state_.cloud, view, plan);
         state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
         state_.step = now;
         if (params_.strategy == "mcmc") move_splats(now, done, plan.rates.rates[0]);
         if (params_.strategy == "classic") densify_splats(now, done);
         constexpr int kCurveSteps = 50;
         if (now % kCurveSteps == 0) close_curve(state_.curve);
-        if (params_.eval_every > 0 && now % params_.eval_every == 0) state_.evals.push_back(evaluate(state_, views_.held_out, params_.antialias));
+        if (params_.eval_every > 0 && now % params_.eval_every == 0) state_.evals.push_back(evaluate(state_, views_.held_out));
         if (now % params_.checkpoint_every == 0) save();
     }
 
@@ -236,6 +241,7 @@ class Training {
     ViewOrder order_;
     std::unique_ptr<Stepper> stepper_;
     float extent_m_;
+    std::optional<DepthTarget> depth_;
     std::string key_;
     TrainState state_;
     int last_ = 0, density_every_ = 0, saved_ = -1;
