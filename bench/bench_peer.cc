@@ -12,6 +12,7 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/splat/splat.h"
+#include "fastscene/views/spacing.h"
 
 namespace {
 
@@ -40,7 +41,10 @@ double held_out_psnr(const Splats& splats, const std::vector<View>& views) {
 
 // What a COLMAP model tells of a point: place and color, and from its neighbours how far apart they are.
 ViewSet without_normals(ViewSet set) {
-    for (SurfacePoint& p : set.points) p.normal = {};
+    std::vector<Vec3f> places;
+    for (const SurfacePoint& p : set.points) places.push_back(p.position_m);
+    const std::vector<float> spacing = spacings(places);
+    for (std::size_t i = 0; i < places.size(); ++i) set.points[i].normal = {}, set.points[i].radius_m = spacing[i];
     return set;
 }
 

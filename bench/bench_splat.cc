@@ -25,6 +25,28 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
+// What this core does at best, now, beside whatever shares it: independent multiply-adds on the widest vectors the build has.
+double peak_gflops() {
+    constexpr int kFloats = 16, kChains = 12, kRounds = 2000000;
+    typedef float Wide __attribute__((vector_size(4 * kFloats)));
+    Wide sum[kChains] = {}, a, b;
+    for (int i = 0; i < kFloats; ++i) a[i] = 0.999f, b[i] = 1e-3f;
+    const double before = cpu_ms();
+    for (int round = 0; round < kRounds; ++round)
+#pragma GCC unroll 12
+        for (Wide& s : sum) s = s * a + b;
+    const double ms = cpu_ms() - before;
+    float kept = 0;
+    for (const Wide& s : sum) kept += s[0];
+    return kept > 0 ? 2.0 * kFloats * kChains * kRounds / ms * 1e-6 : 0;
+}
+
+// Operations of a step, counted in the source: a multiply-add is two. Blending visits 16 pixels at once.
+double step_gflop(int size, double visits, double visible, double count, double functions) {
+    constexpr double kForward = 31, kBackward = 54, kLossValue = 350, kSplat = 1200, kAdam = 12;
+    return 1e-9 * (visits * 16 * (kForward + kBackward) + 3.0 * size * size * kLossValue + visible * kSplat + count * functions * kAdam);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -49,24 +71,27 @@ int main(int argc, char** argv) try {
     const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f, 2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
     double loss = 0;
     std::vector<double> cpu, wall;
-    std::int64_t visible = 0, entries = 0;
+    std::int64_t visible = 0, entries = 0, visits = 0;
     for (int step = 1; step <= warm + steps; ++step) {
-        if (step == warm + 1) engine.times = {}, loss = 0, visible = 0, entries = 0;
+        if (step == warm + 1) engine.times = {}, loss = 0, visible = 0, entries = 0, visits = 0;
         const double cpu_before = cpu_ms(), wall_before = wall_ms();
         const View& view = set.train.views[static_cast<std::size_t>(step) % set.train.views.size()];
         engine.render(cloud, view.camera, view.world_from_camera, {}, false);
         loss += engine.differentiate(view, 0.2f).loss;
         engine.step(cloud, rates, step);
-        visible += engine.visible(), entries += engine.entries();
+        visible += engine.visible(), entries += engine.entries(), visits += engine.block_visits();
         if (step > warm) cpu.push_back(cpu_ms() - cpu_before), wall.push_back(wall_ms() - wall_before);
     }
     const double n = steps;
     const splat::StepTimes& t = engine.times;
+    const double gflop = step_gflop(size, static_cast<double>(visits) / n, static_cast<double>(visible) / n, count, splat::kParameters);
+    const double peak = std::max(peak_gflops(), peak_gflops());
     Json out = {{"size", size}, {"count", count}, {"threads", threads}, {"steps", steps},
                 {"kernel", kernel.empty() ? splat::choose_kernel().name : kernel}, {"cpu_ms_per_step", median(cpu)}, {"wall_ms_per_step", median(wall)},
                 {"cpu_ms", {{"project", t.project / n}, {"sort", t.sort / n}, {"bin", t.bin / n}, {"forward", t.forward / n},
                              {"loss", t.loss / n}, {"backward", t.backward / n}, {"update", t.update / n}}},
-                {"visible", visible / steps}, {"tile_entries", entries / steps}, {"loss", loss / n}};
+                {"visible", visible / steps}, {"tile_entries", entries / steps}, {"block_visits", visits / steps}, {"loss", loss / n},
+                {"gflop_per_step", gflop}, {"peak_gflops", peak}, {"share_of_peak", gflop / median(cpu) * 1e3 / peak}};
     fmt::print("{}\n", json ? out.dump() : out.dump(2));
     return 0;
 } catch (const std::exception& e) {

@@ -340,6 +340,12 @@ AlignedFloats Engine::gradients(Cloud& cloud, AlignedFloats* rest) {
     return out;
 }
 
+std::int64_t Engine::block_visits() const {
+    std::int64_t visits = 0;
+    for (const std::uint16_t mask : masks_) visits += std::popcount(mask);
+    return visits;
+}
+
 Vec3f Engine::color(int x, int y) const {
     const std::size_t i = index(x, y);
     return {color_[0][i], color_[1][i], color_[2][i]};

@@ -84,6 +84,8 @@ class Engine {
     float depth_sum(int x, int y) const { return depth_[index(x, y)]; }
     std::int64_t visible() const { return visible_; }
     std::int64_t entries() const { return static_cast<std::int64_t>(list_.size()); }
+    // Of the last picture: how often a splat met a block of 4x4 pixels, the unit of blending.
+    std::int64_t block_visits() const;
     StepTimes times;
 
   private:

@@ -19,6 +19,7 @@ struct SplatParams {
     std::string backend = "cpu";
     int count = 200000;                // Gaussians; fixed: memory is known in advance
     int steps = 3000;
+    float coarse = 0;                  // share of the steps
     float lambda_dssim = 0.2f;
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
     std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
@@ -39,6 +40,7 @@ void visit_fields(SplatParams& p, V&& v) {
     v("backend", p.backend, Choices{{"cpu", "reference"}}, "What renders and differentiates the splats.");
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("steps", p.steps, Bounds{0, 1e6}, "Training steps; each looks at one view.");
+    v("coarse", p.coarse, Bounds{0, 1}, "Share of the steps, the first ones, that look at views of half the size.");
     v("lambda", p.lambda_dssim, Bounds{0, 1}, "Weight of D-SSIM in the loss.");
     v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
     v("strategy", p.strategy, Choices{{"mcmc", "classic", "none"}},

@@ -11,6 +11,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/splat/classic.h"
+#include "fastscene/splat/coarse.h"
 #include "fastscene/splat/relocate.h"
 #include "fastscene/splat/splat.h"
 
@@ -62,6 +63,36 @@ TEST_F(SplatOptions, EveryStrategyLearnsAndNoneExceedsTheCap) {
             EXPECT_GT(fitted.splats.size(), 650u) << strategy;
         }
     }
+}
+
+// A pixel of the half view shows what its four showed, through a camera that sees the same.
+TEST_F(SplatOptions, HalfViewsSeeTheSame) {
+    const View whole = room().train.views[3], half = splat::half_view(whole);
+    ASSERT_EQ(half.camera.width, 24);
+    const Vec3f a = whole.camera.direction_at({20, 30}), b = half.camera.direction_at({10, 15});
+    EXPECT_NEAR(length(a - b), 0, 1e-6);
+    const Splats splats = initial_splats(room().train.points, 3000, fastscene::Run{});
+    const auto fit = [&](const View& v) { return psnr_of(render_splats(splats, v.camera, v.world_from_camera), v); };
+    EXPECT_GT(fit(half), fit(whole) - 0.5);  // a camera half a pixel off would be worse; less detail is easier
+    View masked = whole;
+    masked.weight = ImageMask(48, 48);
+    masked.weight.at(0, 0) = 200;
+    EXPECT_EQ(splat::half_view(masked).color.at(0, 0), whole.color.at(0, 0));
+    EXPECT_EQ(splat::half_view(masked).weight.at(0, 0), 50);
+    EXPECT_EQ(splat::half_view(half).camera.width, 24);  // smaller is of no use
+}
+
+// A coarse beginning costs less and loses little; a run stopped within it goes on to the same bytes.
+TEST_F(SplatOptions, CoarseBeginning) {
+    SplatParams params = short_run(2000, 200), coarse = params;
+    coarse.coarse = 0.4f;
+    const FittedSplats whole = fit_splats(room().train, coarse, fastscene::Run{});
+    EXPECT_GT(whole.curve.back().psnr, fit_splats(room().train, params, fastscene::Run{}).curve.back().psnr - 0.7f);
+    coarse.checkpoint = folder_ / "coarse.checkpoint";
+    coarse.until = 50;
+    fit_splats(room().train, coarse, fastscene::Run{});
+    coarse.until = 0;
+    EXPECT_TRUE(fit_splats(room().train, coarse, fastscene::Run{}).splats == whole.splats);
 }
 
 // Stopped anywhere, training goes on to the same bytes; and beyond its end when asked.

@@ -11,6 +11,7 @@
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/splat/classic.h"
+#include "fastscene/splat/coarse.h"
 #include "fastscene/splat/depth_target.h"
 #include "fastscene/splat/relocate.h"
 #include "fastscene/splat/stepper.h"
@@ -121,6 +122,7 @@ class Training {
         : params_(params), tuning_(tuning), run_(run), views_(split_views(set, params)), order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)), extent_m_(scene_extent_m(set)), state_(start(set)) {
         last_ = params.until > 0 ? params.until : params.steps;
+        coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
         if (params.depth > 0) depth_.emplace(set, params.count, run);
         // A splat is useless only if no view needs it: judge after every view has been seen.
         density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
@@ -184,7 +186,7 @@ class Training {
             Random random(run_.seed, "splat.background", static_cast<std::uint64_t>(now));
             plan.background = {random.uniform(), random.uniform(), random.uniform()};
         }
-        const View& view = *views_.train[order_.at(now)];
+        const View& view = view_of(now);
         if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
         const LossSums sums = stepper_->step(state_.cloud, view, plan);
         state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
@@ -195,6 +197,17 @@ class Training {
         if (now % kCurveSteps == 0) close_curve(state_.curve);
         if (params_.eval_every > 0 && now % params_.eval_every == 0) state_.evals.push_back(evaluate(state_, views_.held_out));
         if (now % params_.checkpoint_every == 0) save();
+    }
+
+    const View& view_of(int now) {
+        const std::size_t i = order_.at(now);
+        if (now > coarse_steps_) {
+            half_views_.clear();
+            return *views_.train[i];
+        }
+        if (half_views_.empty())
+            for (const View* v : views_.train) half_views_.push_back(half_view(*v));
+        return half_views_[i];
     }
 
     void move_splats(int now, float done, float rate_m) {
@@ -242,6 +255,8 @@ class Training {
     std::unique_ptr<Stepper> stepper_;
     float extent_m_;
     std::optional<DepthTarget> depth_;
+    std::vector<View> half_views_;
+    int coarse_steps_ = 0;
     std::string key_;
     TrainState state_;
     int last_ = 0, density_every_ = 0, saved_ = -1;
