@@ -19,7 +19,7 @@ struct AotganTrainingParams {
     int width = 64, blocks = 8;
     std::string holes = "white";
     std::string start, vgg;
-    double l1 = 1, l1_holes = 0, l2_holes = 0, style = 250, perceptual = 0.1, pyramid = 1, adversarial = 0.01;
+    double l1 = 1, l1_holes = 0, l2_holes = 0, psnr = 0, style = 250, perceptual = 0.1, pyramid = 1, adversarial = 0.01;
     int adversarial_from = 0;
     TrainingParams training{.clip = 0};
 };
@@ -34,6 +34,7 @@ void visit_fields(AotganTrainingParams& p, V&& v) {
     v("l1", p.l1, Bounds{0, 1e6}, "Weight of the mean absolute difference of all pixels.");
     v("l1-holes", p.l1_holes, Bounds{0, 1e6}, "Weight of that of the holes' pixels; 0 as published.");
     v("l2-holes", p.l2_holes, Bounds{0, 1e6}, "Weight of the mean square of their differences; 0 as published.");
+    v("psnr", p.psnr, Bounds{0, 1e6}, "Weight of the decibels lacking in each picture's holes (minus PSNR / 10); 0 as published.");
     v("style", p.style, Bounds{0, 1e6}, "Weight of the style loss.");
     v("perceptual", p.perceptual, Bounds{0, 1e6}, "Weight of the perceptual loss.");
     v("pyramid", p.pyramid, Bounds{0, 1e6}, "Without --vgg: weight of the mean absolute differences of a Laplacian pyramid.");
