@@ -57,6 +57,12 @@ expect 2 "$fastscene" make --panorama run/panorama/color.png --depth-backend ima
 says "--range FILE"
 lacks p
 expect 2 "$fastscene" make "$prompt" --range run/depth/range.exr -o p "${tiny[@]}"
+expect 2 "$fastscene" make "$prompt" --more nothing.json -o p "${tiny[@]}"
+says "--more: expected together with --panorama FILE"
+echo '{"panoramas": [{"color": "gone.png", "position": [1, 0]}]}' >more.json
+expect 1 "$fastscene" make --panorama run/panorama/color.png --range run/depth/range.exr --more more.json -o p "${tiny[@]}"
+says "more.json: panorama 1: expected 3 numbers"
+lacks p
 expect 0 "$fastscene" render run --size 100x90 -o odd.png
 expect 0 "$fastscene" render run --size 1x1 -o one.png
 head -c 3000 run/panorama/color.png >short.png

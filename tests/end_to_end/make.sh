@@ -56,4 +56,17 @@ same_walk() { cmp -s "other/walk/$1" "picture/walk/$1" || fail "walk/$1 differs 
 same_walk 002/color.png
 same_walk 002/range.exr
 
+# And with a second one beside it, which is observed as it came.
+echo "{\"panoramas\": [{\"color\": \"$PWD/other/walk/001/color.png\", \"range\": \"$PWD/other/walk/001/range.exr\", \"position\": [0.3, 0, 0.2]}]}" >more.json
+expect 0 "$fastscene" panorama --panorama other/panorama/color.png --range other/depth/range.exr --more more.json -o several --seed 1 "${tiny[@]:0:8}"
+expect 0 "$fastscene" walk several --walk-viewpoints 2
+has several/walk/00{0,1,2,3}/color.png
+lacks several/walk/004
+cmp -s other/walk/001/color.png several/walk/001/color.png || fail "the second panorama came out changed"
+grep -q '"scaled_to_agree_by"' several/depth/stage.json && fail "the second range map was not taken"
+sed -i 's/"range": "[^"]*", //' more.json
+expect 0 "$fastscene" panorama --panorama other/panorama/color.png --more more.json -o several --seed 1 --force "${tiny[@]:0:8}"
+expect 0 "$fastscene" depth several
+grep -q '"scaled_to_agree_by"' several/depth/stage.json || fail "the second range was not made to agree"
+
 exit 0

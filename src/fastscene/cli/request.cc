@@ -56,6 +56,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of `models pull diffusion360`.")->type_name("DIR");
     verb->add_option("--photo", flags->photo, "With --panorama diffusion360: a photo that is continued all around. How wide it sees: --panorama-photo-fov-deg.")->type_name("FILE");
     verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");
+    verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/formats.md).")->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
         ->type_name("none|cc0|all")
@@ -73,7 +74,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 if (!painted && !flags->weights.empty()) throw UsageError("--weights: expected together with --panorama diffusion360, found alone");
                 if (!painted && !flags->photo.empty()) throw UsageError("--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to --panorama FILE");
                 if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
-                request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights, flags->photo};
+                request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights, flags->photo, flags->more};
                 request.quality = flags->quality;
                 request.params = params_of_quality(flags->quality);
                 if (painted) request.params.panorama.width = 1024;  // what the model was trained for

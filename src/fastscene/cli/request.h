@@ -11,7 +11,7 @@
 namespace fastscene::cli {
 
 struct RequestFlags {
-    std::string prompt, picture, range_map, weights, photo, out, assets;
+    std::string prompt, picture, range_map, more, weights, photo, out, assets;
     std::string quality = "standard";
     std::string seed = "0";
     bool force = false, strict = false, has_quality = false;

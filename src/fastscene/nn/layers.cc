@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/base/check.h"
+#include "fastscene/nn/attention.h"
 
 namespace fastscene::nn {
 
@@ -49,6 +50,10 @@ Tensor join_heads(const Tensor& x, std::int64_t heads) {
 
 Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t heads, const Tensor& mask, bool in_float) {
     FASTSCENE_CHECK(heads > 0 && q.size(2) % heads == 0);
+    if (!mask.defined() && q.device().is_cpu() && q.scalar_type() != at::kDouble && !at::GradMode::is_enabled()) {
+        const auto rows = [heads](const Tensor& x) { return split_heads(x, heads).to(at::kFloat); };
+        return join_heads(tiled_attention(rows(q), rows(k), rows(v)), heads).to(v.scalar_type());
+    }
     const Tensor scaled = split_heads(q, heads) * (1 / std::sqrt(static_cast<double>(q.size(2) / heads)));
     const Tensor keys = split_heads(k, heads).transpose(1, 2), values = split_heads(v, heads);
     std::vector<Tensor> rows;

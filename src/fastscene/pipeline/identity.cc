@@ -6,6 +6,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/panorama/diffusion360.h"
+#include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/picture_check.h"
 #include "fastscene/pipeline/build_info.h"
 
@@ -41,6 +42,7 @@ Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
         json["picture"] = fs::absolute(request.source.picture).string();
         if (!request.source.range_map.empty()) json["range_map"] = fs::absolute(request.source.range_map).string();
     }
+    if (!request.source.more.empty()) json["more"] = fs::absolute(request.source.more).string();
     if (!request.source.weights.empty()) json["weights"] = fs::absolute(request.source.weights).string();
     if (!request.source.photo.empty()) json["photo"] = fs::absolute(request.source.photo).string();
     json["identity"] = identity_of(request.source);
@@ -59,10 +61,20 @@ void remove_owned(const RunFolder& folder) {
     }
 }
 
+void check_more(const SceneSource& source, const WalkParams& walk) {
+    if (source.picture.empty()) throw UsageError("--more: expected together with --panorama FILE, found alone");
+    if (walk.kind != "ours") throw UsageError("--walk-kind {}: expected ours together with --more, the published walks know one panorama", walk.kind);
+    for (const MorePanorama& more : read_more_panoramas(source.more)) {
+        const EquirectSize size = panorama_size(more.color);
+        if (!more.range.empty()) range_from_file(more.range, size);
+    }
+}
+
 }  // namespace
 
 void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run) {
     depth_backend(source, params.depth);
+    if (!source.more.empty()) check_more(source, params.walk);
     if (!source.weights.empty()) {
         if (!source.range_map.empty()) throw UsageError("--range: expected together with --panorama FILE, found with --panorama diffusion360");
         check_diffusion360({source.prompt, source.weights, source.photo}, params.panorama, run);
@@ -98,6 +110,11 @@ std::string identity_of(const SceneSource& source) {
         hash.add("prompt").add(source.prompt);
     else
         hash.add("picture").add(read_file(source.picture)).add(source.range_map.empty() ? std::string() : read_file(source.range_map));
+    if (!source.more.empty()) {
+        hash.add("more").add(read_file(source.more));
+        for (const MorePanorama& more : read_more_panoramas(source.more))
+            hash.add(read_file(more.color)).add(more.range.empty() ? std::string() : read_file(more.range));
+    }
     return hash.hex();
 }
 
@@ -134,7 +151,7 @@ RecordedRun recorded_run(const RunFolder& folder) {
         throw UsageError("{}: expected a run from a prompt or a panorama, found splats of photographs: only splat, render and view go on with those", folder.root.string());
     try {
         RecordedRun recorded;
-        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", ""), json.value("photo", "")};
+        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", ""), json.value("photo", ""), json.value("more", "")};
         recorded.request.quality = json.at("quality");
         recorded.request.params = params_from_json(json.at("params"), params_of_quality(recorded.request.quality));
         recorded.seed = json.at("seed");

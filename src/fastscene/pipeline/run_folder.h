@@ -22,6 +22,9 @@ struct RunFolder {
 
     std::filesystem::path stage(std::string_view name) const { return root / name; }
     std::filesystem::path panorama_color() const { return root / "panorama" / "color.png"; }
+    // Further panoramas of the user's, turned as the first: NNN.png with poses.json, NNN.exr.
+    std::filesystem::path more_panoramas() const { return root / "panorama" / "more"; }
+    std::filesystem::path more_ranges() const { return root / "depth" / "more"; }
     std::filesystem::path prompt_json() const { return root / "panorama" / "prompt.json"; }
     std::filesystem::path room_json() const { return root / "panorama" / "room.json"; }
     std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }

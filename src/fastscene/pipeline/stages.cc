@@ -14,8 +14,10 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/pipeline/fit_report.h"
+#include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/pipeline/sfm.h"
+#include "fastscene/walk/agreement.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -62,6 +64,74 @@ ImageRgb8 picture_of_range(const ImageF& range) {
 
 std::string name_of_viewpoint(std::size_t i) { return fmt::format("{:03}", i); }
 
+struct Viewpoint {
+    std::string name;
+    Rigid world_from_pano;
+};
+
+void save_viewpoints(const fs::path& path, const std::vector<Viewpoint>& viewpoints) {
+    Json poses = Json::array();
+    for (const auto& [name, pose] : viewpoints) poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(pose)}});
+    write_json(path, {{"panoramas", poses}});
+}
+
+std::vector<Viewpoint> load_viewpoints(const fs::path& path) {
+    const Json json = read_json(path);
+    std::vector<Viewpoint> viewpoints;
+    try {
+        for (const Json& entry : json.at("panoramas"))
+            viewpoints.push_back({entry.at("name").get<std::string>(), pose_from_json(entry.at("world_from_pano"))});
+    } catch (const Json::exception& e) {
+        throw Error("{}: expected panoramas with name and world_from_pano: {}", path.string(), e.what());
+    }
+    return viewpoints;
+}
+
+void save_more_panoramas(const fs::path& list, EquirectSize size, const fs::path& out, const Run& run) {
+    make_directories(out);
+    std::vector<Viewpoint> viewpoints;
+    for (const MorePanorama& more : read_more_panoramas(list)) {
+        run.check_stop();
+        Panorama one = panorama_from_image(more.color);
+        one.world_from_pano = more.world_from_pano;
+        one = in_first_orientation(one, size);
+        viewpoints.push_back({name_of_viewpoint(viewpoints.size() + 1), one.world_from_pano});
+        save_png(out / (viewpoints.back().name + ".png"), srgb8_from_linear(one.color));
+    }
+    save_viewpoints(out / "poses.json", viewpoints);
+}
+
+// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's.
+Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder, const ImageF& first_range, const fs::path& out, const Run& run) {
+    make_directories(out);
+    const Panorama first{load_color(folder.panorama_color()), first_range, {}, {}};
+    const std::vector<Viewpoint> viewpoints = load_viewpoints(folder.more_panoramas() / "poses.json");
+    const std::vector<MorePanorama> given = read_more_panoramas(source.more);
+    Json about = Json::array();
+    for (std::size_t i = 0; i < viewpoints.size(); ++i) {
+        run.check_stop();
+        const auto& [name, pose] = viewpoints[i];
+        Panorama one{load_color(folder.more_panoramas() / (name + ".png")), {}, {}, pose};
+        if (!given[i].range.empty()) {
+            Panorama measured = panorama_from_image(given[i].color);
+            measured.range = range_from_file(given[i].range, measured.size());
+            measured.world_from_pano = given[i].world_from_pano;
+            one.range = in_first_orientation(measured, one.size()).range;
+            about.push_back({{"name", name}, {"backend", "image"}});
+        } else {
+            DepthParams higher = params;   // y points down
+            if (higher.backend == "image") higher.backend = "auto";   // the map was the first panorama's
+            higher.camera_height_m = std::max(0.2f, params.camera_height_m - pose.translation.y);
+            one.range = make_depth_estimator(higher)->estimate(one.color, run).range;
+            const float scale = scale_to_agree(first, one);
+            for (float& r : one.range.pixels) r *= scale;
+            about.push_back({{"name", name}, {"backend", params.backend}, {"scaled_to_agree_by", scale}});
+        }
+        save_exr(out / (name + ".exr"), one.range);
+    }
+    return about;
+}
+
 }  // namespace
 
 void make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
@@ -89,6 +159,7 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
         room = {{"objects", Json::array()}};
     }
     save_png(out / "color.png", srgb8_from_linear(panorama.color));
+    if (!source.more.empty()) save_more_panoramas(source.more, panorama.size(), out / "more", run);
     write_json(out / "prompt.json", prompt);
     write_json(out / "room.json", room);
 }
@@ -109,6 +180,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
     save_exr(out / "range.exr", found.range);
+    if (!source.more.empty()) found.assumptions["more"] = save_more_ranges(source, params, folder, found.range, out / "more", run);
     save_png(out / "range.png", picture_of_range(found.range));
     write_json(out / "about.json", found.assumptions);
 }
@@ -131,14 +203,22 @@ Panorama load_first_panorama(const RunFolder& folder) {
     return panorama;
 }
 
+std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
+    std::vector<Panorama> more;
+    if (!fs::exists(folder.more_panoramas())) return more;
+    for (const auto& [name, pose] : load_viewpoints(folder.more_panoramas() / "poses.json"))
+        more.push_back({load_color(folder.more_panoramas() / (name + ".png")), load_float(folder.more_ranges() / (name + ".exr")), {}, pose});
+    return more;
+}
+
 void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out, const Run& run) {
     RangeEstimator estimate;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image")
         estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(depth))](const ImageColor& color, const Run& r) {
             return estimator->estimate(color, r).range;
         };
-    const auto [walked, about] = walk_through(load_first_panorama(folder), params, run, estimate);
-    Json poses = Json::array();
+    const auto [walked, about] = walk_through(load_first_panorama(folder), params, run, estimate, load_more_panoramas(folder));
+    std::vector<Viewpoint> viewpoints;
     for (std::size_t i = 0; i < walked.size(); ++i) {
         run.check_stop();
         const Panorama& panorama = walked[i];
@@ -147,43 +227,21 @@ void make_walk(const SceneSource& source, const DepthParams& depth, const RunFol
         save_png(out / name / "color.png", srgb8_from_linear(panorama.color));
         save_exr(out / name / "range.exr", panorama.range);
         save_png(out / name / "known.png", mask_from_known(panorama.known, panorama.color.width, panorama.color.height));
-        poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(panorama.world_from_pano)}});
+        viewpoints.push_back({name, panorama.world_from_pano});
     }
-    write_json(out / "poses.json", {{"panoramas", poses}});
+    save_viewpoints(out / "poses.json", viewpoints);
     write_json(out / "about.json", about);
 }
 
-namespace {
-
-struct Viewpoint {
-    std::string name;
-    Rigid world_from_pano;
-};
-
-std::vector<Viewpoint> load_viewpoints(const RunFolder& folder) {
-    const fs::path path = folder.walk() / "poses.json";
-    const Json json = read_json(path);
-    std::vector<Viewpoint> viewpoints;
-    try {
-        for (const Json& entry : json.at("panoramas"))
-            viewpoints.push_back({entry.at("name").get<std::string>(), pose_from_json(entry.at("world_from_pano"))});
-    } catch (const Json::exception& e) {
-        throw Error("{}: expected panoramas with name and world_from_pano: {}", path.string(), e.what());
-    }
-    return viewpoints;
-}
-
-}  // namespace
-
 std::vector<Rigid> load_walk_poses(const RunFolder& folder) {
     std::vector<Rigid> poses;
-    for (const Viewpoint& viewpoint : load_viewpoints(folder)) poses.push_back(viewpoint.world_from_pano);
+    for (const Viewpoint& viewpoint : load_viewpoints(folder.walk() / "poses.json")) poses.push_back(viewpoint.world_from_pano);
     return poses;
 }
 
 std::vector<Panorama> load_walk(const RunFolder& folder) {
     std::vector<Panorama> panoramas;
-    for (const Viewpoint& viewpoint : load_viewpoints(folder)) {
+    for (const Viewpoint& viewpoint : load_viewpoints(folder.walk() / "poses.json")) {
         const fs::path directory = folder.walk() / viewpoint.name;
         panoramas.push_back({load_color(directory / "color.png"), load_float(directory / "range.exr"),
                              known_from_mask(load_mask_png(directory / "known.png")), viewpoint.world_from_pano});

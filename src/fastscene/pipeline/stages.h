@@ -20,6 +20,7 @@ struct SceneSource {
     std::filesystem::path range_map;
     std::filesystem::path weights;  // of Diffusion360, which paints the prompt; empty: it is furnished and traced
     std::filesystem::path photo;    // that Diffusion360 continues all around; empty: it has the prompt alone
+    std::filesystem::path more;     // list of further panoramas with their poses (panorama/more_panoramas.h); empty: the picture is the only one
     bool has_room() const { return picture.empty() && weights.empty(); }  // a room of which all is known stands behind the panorama
 };
 
@@ -38,8 +39,9 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const std::f
 // scene.ply, scene.compressed.ply and curve.json.
 void save_fit(const FittedSplats& fitted, const std::filesystem::path& out);
 
-// Panorama 0 with its range, and the whole walk, as the files have them.
+// Panorama 0 with its range, those of --more with theirs, and the whole walk, as the files have them.
 Panorama load_first_panorama(const RunFolder& folder);
+std::vector<Panorama> load_more_panoramas(const RunFolder& folder);
 std::vector<Panorama> load_walk(const RunFolder& folder);
 // world_from_pano of every panorama of the walk, without the pictures.
 std::vector<Rigid> load_walk_poses(const RunFolder& folder);

@@ -50,9 +50,24 @@ void tell_what_was_clipped(const Panorama& first, const WalkParams& params, cons
                              params.reach_m, shortest, 100 * params.clearance));
 }
 
-Walked walk_our_way(const Panorama& first, const WalkParams& params, const Run& run) {
+// Around every given panorama its share of the viewpoints.
+std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params) {
+    if (more.empty()) return choose_viewpoints(first, params);
+    WalkParams share = params;
+    const int given = 1 + static_cast<int>(more.size());
+    share.viewpoints = (params.viewpoints + given - 1) / given;
+    std::vector<Vec3f> all = choose_viewpoints(first, share);
+    for (const Panorama& one : more) {
+        const std::vector<Vec3f> about = choose_viewpoints(one, share);
+        all.insert(all.end(), about.begin(), about.end());
+    }
+    all.resize(std::min(all.size(), static_cast<std::size_t>(params.viewpoints)));
+    return all;
+}
+
+Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params, const Run& run) {
     const EquirectSize size = first.size();
-    const std::vector<Vec3f> positions = choose_viewpoints(first, params);
+    const std::vector<Vec3f> positions = all_viewpoints(first, more, params);
     tell_what_was_clipped(first, params, run);
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
@@ -60,10 +75,14 @@ Walked walk_our_way(const Panorama& first, const WalkParams& params, const Run& 
 
     std::vector<WarpSource> observed, invented;
     observed.push_back(make_warp_source(first.color, first.range, label, {}, {}));
+    const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);   // the planes are the first's
+    for (const Panorama& one : more)
+        observed.push_back(make_warp_source(one.color, one.range, no_planes, {}, inverse(first.world_from_pano) * one.world_from_pano.translation));
     const WalkWorld world{first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
                           outside_picture(first.color, first.range), inpainter.get()};
 
     std::vector<Panorama> walked{first};
+    walked.insert(walked.end(), more.begin(), more.end());
     Progress progress(run, "walk", static_cast<std::int64_t>(positions.size()));
     for (const Vec3f& world_position : positions) {
         run.check_stop();
@@ -85,9 +104,15 @@ Walked walk_our_way(const Panorama& first, const WalkParams& params, const Run& 
 
 }  // namespace
 
-Walked walk_through(const Panorama& given, const WalkParams& params, const Run& run, const RangeEstimator& estimate) {
+Walked walk_through(const Panorama& given, const WalkParams& params, const Run& run, const RangeEstimator& estimate, const std::vector<Panorama>& more) {
     const Panorama first = ready_to_walk(given, run);
-    Walked walked = params.kind == "ours" ? walk_our_way(first, params, run) : walk_as_published(first, params, run, estimate);
+    if (!more.empty() && params.kind != "ours") throw UsageError("--walk-kind {}: expected ours together with --more, the published walks know one panorama", params.kind);
+    std::vector<Panorama> others;
+    for (const Panorama& one : more) {
+        FASTSCENE_CHECK(one.color.same_size(first.color) && one.world_from_pano.rotation == first.world_from_pano.rotation);
+        others.push_back(ready_to_walk(one, run));
+    }
+    Walked walked = params.kind == "ours" ? walk_our_way(first, others, params, run) : walk_as_published(first, params, run, estimate);
     walked.about["kind"] = params.kind;
     return walked;
 }

@@ -1,0 +1,176 @@
+#include "fastscene/nn/attention.h"
+
+#include <ATen/Parallel.h>
+#include <ATen/ops/empty.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "fastscene/base/check.h"
+
+namespace fastscene::nn {
+namespace {
+
+using at::Tensor;
+
+#if defined(__AVX512F__)
+constexpr int kLanes = 16, kRows = 8;   // 8 rows of 3 vectors: 24 of the 32 registers hold sums
+#else
+constexpr int kLanes = 8, kRows = 4;    // 12 of 16
+#endif
+constexpr int kVectors = 3, kPanel = kVectors * kLanes;
+typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float)), aligned(4)));
+typedef std::int32_t Whole __attribute__((vector_size(kLanes * sizeof(float)), aligned(4)));
+
+constexpr std::int64_t kTileRows = 8 * kRows;   // of q: their part of the weights is 64 x 480 floats, 123 KB
+constexpr std::int64_t kTileKeys = 10 * 48;
+static_assert(kTileKeys % kPanel == 0);
+
+Lanes load(const float* p) { return *reinterpret_cast<const Lanes*>(p); }
+void store(float* p, Lanes x) { *reinterpret_cast<Lanes*>(p) = x; }
+Lanes all(float x) { return x - Lanes{}; }
+
+// to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors].
+template <int W, bool add>
+void multiply(const float* rows, std::int64_t row_stride, const float* panel, std::int64_t panel_stride, std::int64_t depth, float* to, std::int64_t to_stride) {
+    Lanes sum[kRows][W];
+    for (int r = 0; r < kRows; ++r)
+        for (int w = 0; w < W; ++w) sum[r][w] = add ? load(to + r * to_stride + w * kLanes) : Lanes{};
+    for (std::int64_t k = 0; k < depth; ++k) {
+        Lanes p[W];
+        for (int w = 0; w < W; ++w) p[w] = load(panel + k * panel_stride + w * kLanes);
+        for (int r = 0; r < kRows; ++r) {
+            const Lanes x = all(rows[r * row_stride + k]);
+            for (int w = 0; w < W; ++w) sum[r][w] += x * p[w];
+        }
+    }
+    for (int r = 0; r < kRows; ++r)
+        for (int w = 0; w < W; ++w) store(to + r * to_stride + w * kLanes, sum[r][w]);
+}
+
+// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); 0 far down.
+Lanes exp_of(Lanes x) {
+    const Lanes y = x * all(1.44269504088896341f);
+    const Lanes far_down = all(-126.f), clipped = y < far_down ? far_down : y;
+    const Lanes magic = all(12582912.f);   // 1.5 * 2^23: adding it rounds to a whole number
+    const Lanes shifted = clipped + magic, rest = clipped - (shifted - magic);
+    const Whole exponent = (std::bit_cast<Whole>(shifted) - 0x4B400000) << 23;
+    Lanes p = all(1.5403530e-4f);
+    p = p * rest + all(1.3333558e-3f);
+    p = p * rest + all(9.6181291e-3f);
+    p = p * rest + all(5.5504109e-2f);
+    p = p * rest + all(2.4022651e-1f);
+    p = p * rest + all(6.9314718e-1f);
+    p = p * rest + all(1.f);
+    const Whole bits = std::bit_cast<Whole>(p) + exponent;
+    return y < far_down ? Lanes{} : std::bit_cast<Lanes>(bits);
+}
+
+std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
+
+// The keys in panels of kPanel [panel][d][kPanel], the values with rows of whole vectors [M][wide]; zeros beyond.
+struct Packed {
+    std::vector<float> keys, values;
+    std::int64_t wide;
+};
+Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
+    const std::int64_t padded = rounded_up(m, kPanel);
+    Packed out{std::vector<float>(static_cast<std::size_t>(padded * d)), {}, rounded_up(d, kLanes)};
+    out.values.resize(static_cast<std::size_t>(padded * out.wide));
+    for (std::int64_t j = 0; j < m; ++j) {
+        float* key = out.keys.data() + j / kPanel * kPanel * d + j % kPanel;
+        for (std::int64_t i = 0; i < d; ++i) key[i * kPanel] = k[j * d + i];
+        std::copy_n(v + j * d, d, out.values.data() + j * out.wide);
+    }
+    return out;
+}
+
+// What a thread works in.
+struct Bench {
+    std::vector<float> q, weights, sum;
+    std::vector<float> greatest, total;   // of each row so far
+    Bench(std::int64_t d, std::int64_t wide)
+        : q(static_cast<std::size_t>(kTileRows * d)), weights(static_cast<std::size_t>(kTileRows * kTileKeys)), sum(static_cast<std::size_t>(kTileRows * wide)), greatest(kTileRows), total(kTileRows) {}
+};
+
+// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that grows.
+void weigh(Bench& b, std::int64_t row, std::int64_t keys, std::int64_t padded, std::int64_t wide) {
+    float* s = b.weights.data() + row * kTileKeys;
+    std::fill(s + keys, s + padded, -std::numeric_limits<float>::infinity());
+    Lanes most = load(s);
+    for (std::int64_t i = kLanes; i < padded; i += kLanes) {
+        const Lanes x = load(s + i);
+        most = x > most ? x : most;
+    }
+    float greatest = b.greatest[static_cast<std::size_t>(row)];
+    for (int i = 0; i < kLanes; ++i) greatest = std::max(greatest, most[i]);
+    const float shrink = std::exp(b.greatest[static_cast<std::size_t>(row)] - greatest);
+    b.greatest[static_cast<std::size_t>(row)] = greatest;
+    Lanes total{};
+    for (std::int64_t i = 0; i < padded; i += kLanes) {
+        const Lanes w = exp_of(load(s + i) - all(greatest));
+        store(s + i, w);
+        total += w;
+    }
+    float sum = b.total[static_cast<std::size_t>(row)] * shrink;
+    for (int i = 0; i < kLanes; ++i) sum += total[i];
+    b.total[static_cast<std::size_t>(row)] = sum;
+    if (shrink != 1.f)
+        for (std::int64_t i = 0; i < wide; i += kLanes) store(b.sum.data() + row * wide + i, load(b.sum.data() + row * wide + i) * all(shrink));
+}
+
+void add_values(Bench& b, std::int64_t row, const float* values, std::int64_t keys, std::int64_t wide) {
+    const float* weights = b.weights.data() + row * kTileKeys;
+    float* to = b.sum.data() + row * wide;
+    std::int64_t at = 0;
+    for (; at + kPanel <= wide; at += kPanel) multiply<kVectors, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
+    if (wide - at == 2 * kLanes) multiply<2, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
+    if (wide - at == kLanes) multiply<1, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
+}
+
+// `count` rows of q (at most kTileRows) against all keys.
+void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, std::int64_t d, Bench& b, float* out) {
+    const float scale = 1 / std::sqrt(static_cast<float>(d));
+    std::fill(b.q.begin(), b.q.end(), 0.f);
+    std::transform(q, q + count * d, b.q.begin(), [scale](float x) { return x * scale; });
+    std::fill(b.sum.begin(), b.sum.end(), 0.f);
+    std::fill(b.greatest.begin(), b.greatest.end(), -std::numeric_limits<float>::infinity());
+    std::fill(b.total.begin(), b.total.end(), 0.f);
+    const std::int64_t rows = rounded_up(count, kRows);
+    for (std::int64_t from = 0; from < m; from += kTileKeys) {
+        const std::int64_t keys = std::min(kTileKeys, m - from), padded = rounded_up(keys, kPanel);
+        for (std::int64_t j = 0; j < padded; j += kPanel)
+            for (std::int64_t row = 0; row < rows; row += kRows)
+                multiply<kVectors, false>(b.q.data() + row * d, d, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j, kTileKeys);
+        for (std::int64_t row = 0; row < rows; ++row) weigh(b, row, keys, padded, p.wide);
+        for (std::int64_t row = 0; row < rows; row += kRows) add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);
+    }
+    for (std::int64_t row = 0; row < count; ++row)
+        for (std::int64_t i = 0; i < d; ++i) out[row * d + i] = b.sum[static_cast<std::size_t>(row * p.wide + i)] / b.total[static_cast<std::size_t>(row)];
+}
+
+}  // namespace
+
+Tensor tiled_attention(const Tensor& q, const Tensor& k, const Tensor& v) {
+    FASTSCENE_CHECK(q.dim() == 3 && k.sizes() == v.sizes() && q.size(0) == k.size(0) && q.size(2) == k.size(2) && k.size(1) > 0);
+    FASTSCENE_CHECK(q.scalar_type() == at::kFloat && k.scalar_type() == at::kFloat && v.scalar_type() == at::kFloat && q.device().is_cpu());
+    const Tensor rows = q.contiguous(), keys = k.contiguous(), values = v.contiguous();
+    const std::int64_t n = q.size(0), l = q.size(1), m = k.size(1), d = q.size(2), tiles = (l + kTileRows - 1) / kTileRows;
+    Tensor out = at::empty(q.sizes(), rows.options());
+    for (std::int64_t i = 0; i < n; ++i) {
+        const Packed p = packed(keys.data_ptr<float>() + i * m * d, values.data_ptr<float>() + i * m * d, m, d);
+        const float* from = rows.data_ptr<float>() + i * l * d;
+        float* to = out.data_ptr<float>() + i * l * d;
+        at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
+            Bench bench(d, p.wide);
+            for (std::int64_t t = begin; t < end; ++t)
+                tile(from + t * kTileRows * d, std::min(kTileRows, l - t * kTileRows), p, m, d, bench, to + t * kTileRows * d);
+        });
+    }
+    return out;
+}
+
+}  // namespace fastscene::nn
