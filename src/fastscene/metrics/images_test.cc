@@ -1,6 +1,7 @@
 #include "fastscene/metrics/images.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <cmath>
 
@@ -63,6 +64,31 @@ TEST_F(Images, OnePixelAndOneColorAreAnsweredInWords) {
     EXPECT_TRUE(report["pictures"][0]["ssim_wang"].is_null());
     EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
     EXPECT_NEAR(report["mean"]["ssim_3dgs"].get<double>(), 1, 1e-12);
+}
+
+struct Heard : EventSink {
+    std::string notes;
+    void tell(const Event& event) override {
+        if (const auto* note = std::get_if<NoteEvent>(&event)) notes += note->text + "\n";
+    }
+};
+
+TEST_F(Images, AlphaIsMeasuredOverBlackAndSaidSo) {
+    constexpr int kSide = 20;
+    std::vector<png_byte> half_white;
+    for (int i = 0; i < kSide * kSide; ++i) half_white.insert(half_white.end(), {255, 255, 255, 128});
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = image.height = kSide;
+    image.format = PNG_FORMAT_RGBA;
+    ASSERT_TRUE(png_image_write_to_file(&image, (root_ / "empty/veil.png").c_str(), 0, half_white.data(), 0, nullptr));
+    fs::create_directories(root_ / "gray");
+    save_png(root_ / "gray/veil.png", ImageRgb8(kSide, kSide, Rgb8{128, 128, 128}));
+    Heard heard;
+    const Json report = measure_images({root_ / "empty", root_ / "gray", "", root_, {"psnr", "ssim_wang"}}, {0, &heard, {}});
+    const Json& psnr = report["pictures"][0]["psnr"];
+    EXPECT_TRUE(psnr == "inf" || psnr.get<double>() > 48) << psnr;
+    EXPECT_NE(heard.notes.find("veil.png: transparent in parts, measured over black"), std::string::npos) << heard.notes;
 }
 
 TEST_F(Images, WrongInputsAreErrors) {
