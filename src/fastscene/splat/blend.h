@@ -5,6 +5,8 @@
 
 namespace fastscene::splat {
 
+// Inlined by order what the inner loops call: the compiler gives up on it when there are many of them, and a call costs AVX2 its registers.
+
 // Below this transmittance what lies behind cannot be seen; blending of a block of pixels stops.
 inline constexpr float kOpaque = 1e-4f;
 
@@ -16,17 +18,17 @@ struct PixelState {
 
 // alpha at (dx, dy) from the splat's center, before the clamp at kMaxAlpha.
 template <class F>
-F raw_alpha(const Footprint<F>& s, F dx, F dy) {
+[[gnu::always_inline]] inline F raw_alpha(const Footprint<F>& s, F dx, F dy) {
     return exp2_fast(dx * (s.a * dx + s.b * dy) + (s.c * dy * dy + s.log2_opacity));
 }
 template <class F>
-F shown_alpha(F raw) {
+[[gnu::always_inline]] inline F shown_alpha(F raw) {
     return cut(raw, F(kMinAlpha), F(kMaxAlpha));
 }
 
 // Returns the weight with which the splat's color entered.
 template <class F>
-F blend(PixelState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
+[[gnu::always_inline]] inline F blend(PixelState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
     const F weight = shown_alpha(raw_alpha(s, dx, dy)) * pixel.transmittance;
     pixel.transmittance = pixel.transmittance - weight;
     pixel.color += s.color * weight;

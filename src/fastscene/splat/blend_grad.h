@@ -23,7 +23,7 @@ struct BlendGrad {
 };
 
 template <bool kDepth = false, class F>
-BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
+[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
     const F raw = raw_alpha(s, dx, dy);
     const F alpha = shown_alpha(raw);
     const F weight = alpha * pixel.transmittance;

@@ -75,7 +75,7 @@ template <bool kDepth>
 
 // All splats of `set` at one block; pixel state goes on to the next chunk.
 template <bool kDepth>
-inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x, float corner_y, const BlockPixels& grid,
+[[gnu::always_inline]] inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x, float corner_y, const BlockPixels& grid,
                            const BlockTargets& target, PixelGradState<Lanes>& pixel_state, Batch& batch, float (*sums)[16]) {
     const Lanes px = grid.x + Lanes(corner_x), py = grid.y + Lanes(corner_y);
     PixelGradState<Lanes> pixel = pixel_state;

@@ -167,7 +167,7 @@ inline Lanes reciprocal(Lanes a) {
 }
 
 // 2^x to 3e-06 relative (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]); the blending loops.
-inline Lanes exp2_fast(Lanes x) {
+[[gnu::always_inline]] inline Lanes exp2_fast(Lanes x) {
     const Lanes n = round_near(x), f = x - n;
     Lanes p(0.00966636852f);
     p = p * f + Lanes(0.0559219758f);
