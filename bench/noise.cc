@@ -1,5 +1,7 @@
 // Noise: how far our pictures of a room are from the light's true average.
 //   bench_noise measure …   the cached pictures as users get them, and plain path tracing at equal CPU time, against many paths
+//   bench_noise reference … pixels of a large picture, drawn by lot, by many paths each
+//   bench_noise standard …  the picture as users get it against them, and two seeds of it against each other
 //   bench_noise export …    the room as plain triangles for another renderer (bench/peers/cycles.sh)
 //   bench_noise paths …     a path traced picture of radiances, raw floats
 //   bench_noise compare …   raw pictures against a reference
@@ -11,6 +13,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "bench/noise_pixels.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
@@ -30,7 +33,8 @@ struct Flags {
     std::string prompt = "a modern living room with a gray sofa", out, reference;
     std::vector<std::string> pictures;
     std::uint64_t seed = 1;
-    int height = 64, samples = 16, reference_samples = 1024, threads = 1;
+    int height = 64, samples = 16, reference_samples = 1024, threads = 1, count = 2000;
+    std::uint64_t second_seed = 0;
     bool plain = false;
     TraceParams trace{.cell_m = 0.03f, .cell_samples = 320, .pixel_samples = 16};
 };
@@ -129,6 +133,35 @@ Json measure(const Flags& flags) {
             {"raw_samples", paths.pixel_samples}, {"mean_bias_percent", 100 * bias / level}, {"gather_cpu_s", gathered - start}, {"picture_cpu_s", shot - gathered}, {"reference_cpu_s", reference_cost}};
 }
 
+bench::Lot lot_of(const Flags& flags) { return {flags.seed, flags.height, flags.count, flags.reference_samples}; }
+
+Json reference(const Flags& flags) { return bench::trace_reference(TracedRoom(room_of(flags)), lot_of(flags), flags.reference); }
+
+Json standard(const Flags& flags) {
+    const auto shot_of = [&](TracedRoom& room, std::uint64_t seed, Json& cost) {
+        fastscene::Run run;
+        run.seed = seed;
+        const double start = cpu_seconds();
+        room.gather_light(flags.trace, run);
+        const double gathered = cpu_seconds();
+        Shot shot = room.panorama({}, {2 * flags.height, flags.height}, panorama_parts(flags.trace), run);
+        cost = {{"light_cpu_s", gathered - start}, {"picture_cpu_s", cpu_seconds() - gathered}};
+        return shot;
+    };
+    TracedRoom room(room_of(flags));
+    Json cost;
+    const Shot shot = shot_of(room, 11, cost);
+    Json out = bench::compare_with_reference(room, shot, lot_of(flags), flags.reference);
+    out["cost"] = cost;
+    const ImageRgb8 shown = srgb8_from_linear(shot.color);
+    if (!flags.out.empty()) save_png(flags.out, shown);
+    if (flags.second_seed) {
+        TracedRoom other(room_of(flags));
+        out["two_seeds_db"] = psnr(shown, srgb8_from_linear(shot_of(other, flags.second_seed, cost).color));
+    }
+    return out;
+}
+
 // Blender's axes: x right, y forward, z up.
 Vec3f blender_from_world(Vec3f p) { return {p.x, p.z, -p.y}; }
 
@@ -204,7 +237,8 @@ int main(int argc, char** argv) {
     CLI::App app("How far our pictures of a room are from the light's true average.", "bench_noise");
     app.require_subcommand(1);
     Flags flags;
-    std::vector<std::pair<CLI::App*, Json (*)(const Flags&)>> verbs{{app.add_subcommand("measure"), measure}, {app.add_subcommand("export"), export_room}, {app.add_subcommand("paths"), paths}, {app.add_subcommand("compare"), compare}};
+    std::vector<std::pair<CLI::App*, Json (*)(const Flags&)>> verbs{{app.add_subcommand("measure"), measure}, {app.add_subcommand("reference"), reference}, {app.add_subcommand("standard"), standard},
+                                                                      {app.add_subcommand("export"), export_room}, {app.add_subcommand("paths"), paths}, {app.add_subcommand("compare"), compare}};
     for (auto& [verb, act] : verbs) {
         verb->add_option("--prompt", flags.prompt);
         verb->add_option("--seed", flags.seed);
@@ -215,6 +249,8 @@ int main(int argc, char** argv) {
         verb->add_flag("--plain", flags.plain, "Flat triangles, matt colors.");
         verb->add_option("--cell", flags.trace.cell_m);
         verb->add_option("--cell-samples", flags.trace.cell_samples);
+        verb->add_option("--count", flags.count, "Pixels of the lot.");
+        verb->add_option("--second-seed", flags.second_seed, "Makes the picture once more, with this seed.");
         verb->add_option("--reference", flags.reference);
         verb->add_option("--pictures", flags.pictures);
         verb->add_option("-o,--out", flags.out);

@@ -55,8 +55,9 @@ std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& pa
 
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run) {
     const Pinhole camera = truth_camera();
-    // As many camera rays as each pixel needs, at least 16: an even wall is exact at once, an edge in a mirror is not.
-    const Shot shot = room.perspective(pose.world_from_camera, camera, {.color = true, .range = true, .pixel_samples = 256, .noise = 0.006f}, run);
+    // As many camera rays as each pixel needs, 16 to 64: an even wall is exact at once, an outline is not.
+    const ShotParts parts{.color = true, .range = true, .pixel_samples = 128, .contacts = true, .denoise = true, .noise = 0.006f};
+    const Shot shot = room.perspective(pose.world_from_camera, camera, parts, run);
     TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(kSize, kSize)};
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) {

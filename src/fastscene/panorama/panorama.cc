@@ -20,8 +20,9 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 }
 
 ShotParts panorama_parts(const TraceParams& trace) {
-    // Where 16 rays do not agree (reflections, soft shadows), up to four times as many are sent.
-    return {.color = true, .range = true, .object = true, .pixel_samples = 4 * trace.pixel_samples, .noise = 0.012f};
+    // Where 16 rays do not agree (reflections, soft shadows, outlines), up to four times as many are sent.
+    return {.color = true, .range = true, .object = true, .pixel_samples = 4 * trace.pixel_samples, .contacts = true, .denoise = !trace.keep_noise,
+            .noise = 0.012f};
 }
 
 RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run) {

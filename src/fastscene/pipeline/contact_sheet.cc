@@ -53,7 +53,8 @@ ImageRgb8 picture_of(const std::string& room, const std::string& style, const Sh
     PanoramaParams panorama;
     panorama.trace = params.trace;
     const auto traced = make_traced_room(spec, panorama, {run.seed, nullptr, run.stop});
-    const ShotParts parts{.color = true, .range = false};
+    ShotParts parts = panorama_parts(params.trace);
+    parts.range = parts.object = false;
     const Run quiet{run.seed, nullptr, run.stop};
     if (params.view == "perspective") return perspectives(*traced, params.width, parts, quiet);
     return srgb8_from_linear(traced->panorama({}, {params.width, params.width / 2}, parts, quiet).color);

@@ -22,18 +22,18 @@ void IrradianceCache::index() {
     std::uint32_t capacity = 16;
     while (capacity < cells_.size() * 2 + 2) capacity *= 2;
     mask_ = capacity - 1;
-    slots_.assign(capacity, 0);
+    slots_.assign(capacity, {});
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         auto slot = static_cast<std::uint32_t>(mix64(keys_[c])) & mask_;
-        while (slots_[slot]) slot = (slot + 1) & mask_;
-        slots_[slot] = static_cast<std::uint32_t>(c) + 1;
+        while (slots_[slot].cell) slot = (slot + 1) & mask_;
+        slots_[slot] = {keys_[c], static_cast<std::uint32_t>(c) + 1};
     }
 }
 
 int IrradianceCache::find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const {
     const std::uint64_t key = key_of(x, y, z, facing);
-    for (auto slot = static_cast<std::uint32_t>(mix64(key)) & mask_; slots_[slot]; slot = (slot + 1) & mask_)
-        if (keys_[slots_[slot] - 1] == key) return static_cast<int>(slots_[slot]) - 1;
+    for (auto slot = static_cast<std::uint32_t>(mix64(key)) & mask_; slots_[slot].cell; slot = (slot + 1) & mask_)
+        if (slots_[slot].key == key) return static_cast<int>(slots_[slot].cell) - 1;
     return -1;
 }
 
@@ -65,13 +65,13 @@ Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, bool with_sun) const {
     return with_sun ? cell.direct + cell.indirect + cell.sun : cell.direct + cell.indirect;
 }
 
-Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
+IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) const {
     constexpr float kSameSurface = 0.2f;   // of a cell: how far from an entry's plane a point may lie
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);
     Vec3f sum{};
-    float weight = 0;
+    float weight = 0, trust = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // A rounded surface fades from one main direction to the next.
         const float share = normal[axis] * normal[axis];
@@ -84,14 +84,16 @@ Vec3f IrradianceCache::at(Vec3f position, Vec3f normal) const {
             // A groove behind the surface, or a board before it, faces the same way and is another surface.
             const float off = dot(cell.center - position, cell.normal) / (kSameSurface * cell_m_);
             const float same = 1 / (1 + off * off * off * off);
-            const float w = share * same * (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz) * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
+            const float near = (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz);
+            const float w = share * same * near * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
             sum += (cell.direct + cell.indirect) * w;
             weight += w;
+            trust += w * same * cell.trust;
         }
     }
-    if (weight > 0) return sum / weight;
+    if (weight > 0) return {sum / weight, trust / weight};
     const int c = nearest(position, normal);
-    return c < 0 ? Vec3f{} : cells_[static_cast<std::size_t>(c)].direct + cells_[static_cast<std::size_t>(c)].indirect;
+    return {c < 0 ? Vec3f{} : cells_[static_cast<std::size_t>(c)].direct + cells_[static_cast<std::size_t>(c)].indirect, 0.f};
 }
 
 }  // namespace fastscene

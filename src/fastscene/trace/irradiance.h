@@ -11,6 +11,7 @@
 
 #include "fastscene/base/run.h"
 #include "fastscene/scene/room.h"
+#include "fastscene/trace/lights.h"
 #include "fastscene/trace/scene_bvh.h"
 #include "fastscene/trace/trace.h"
 
@@ -22,10 +23,32 @@ class IrradianceCache {
     static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run);
 
     // Irradiance without sun at a point of a surface: interpolated between the entries around it. `normal` of length 1.
-    Vec3f at(Vec3f position, Vec3f normal) const;
+    Vec3f at(Vec3f position, Vec3f normal) const { return read(position, normal).irradiance; }
+    // The same, and how well it stands for the very point: 1 on even surfaces in the open, 0 where things are near or the surface
+    // has steps, so that light changes within a cell.
+    struct Reading {
+        Vec3f irradiance;
+        float trust = 0;
+    };
+    Reading read(Vec3f position, Vec3f normal) const;
     // From the nearest entry only: for light that bounces or is mirrored.
     Vec3f near(Vec3f position, Vec3f normal, bool with_sun) const;
     std::size_t size() const { return cells_.size(); }
+
+    // A bit of surface.
+    struct Place {
+        Vec3f position, normal;
+    };
+    // One estimate of a place's irradiance, in two parts that add up to what entries hold the mean of. First what is asked for:
+    // lamps, windows and the first bounce of the sun (`which`, `part`, `uv`: uniform in [0, 1), best well spread).
+    Vec3f direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at, Vec2f which, Vec2f uv) const;
+    // Then what is found in one direction, by the light that the cache knows there.
+    struct Bounce {
+        Vec3f irradiance;
+        float distance = kFar;
+        bool buried = false;   // the inside of something solid
+    };
+    Bounce bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const;
 
   private:
     struct Cell {
@@ -33,35 +56,51 @@ class IrradianceCache {
         Vec3f albedo;       // mean of what lies here
         float area = 0;     // of the surface in the cell
         float transmission = 0;
+        float trust = 0;
     };
     // A bit of surface that the sun lights, as a lamp for the rest of the room.
     struct SunPatch {
         Vec3f position, normal;
         Vec3f leaving;      // radiant exitance
         float area;
+        float useful;       // the share of the room that sees it
     };
-    struct Sample {
-        Vec3f position, normal;
+    struct Slot {
+        std::uint64_t key = 0;
+        std::uint32_t cell = 0;   // + 1; 0: free
     };
     int find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const;
     int nearest(Vec3f position, Vec3f normal) const;
-    void build(const Room& room, const std::vector<Vec3f>& albedo);
-    std::vector<SunPatch> sun_patches() const;
-    std::vector<float> usefulness(const std::vector<SunPatch>& patches, const SceneBvh& bvh, std::uint64_t seed) const;
-    void drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed);
+    const Place& place(std::size_t cell, int i) const;
+    std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
+    void build(const Room& room);
+    void drop_unseen(const SceneBvh& bvh);
     void index();
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
 
+    // The steps of gather(), in order.
+    void light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed);
+    void find_sun_patches(const SceneBvh& bvh, std::uint64_t seed);
+    void gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
+    struct Pass;
+    void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress, Pass& pass);
+    void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
+    Vec3f sunlit(const SceneBvh& bvh, const Place& at, float which) const;
+
     float cell_m_ = 0.03f;
     Vec3f origin_;
+    std::vector<Vec3f> reflectances_;              // by material: of light on its second way
+    std::vector<bool> closed_;                     // by mesh
     std::vector<Cell> cells_;
     std::vector<std::uint64_t> keys_;              // of cells_, ascending
     std::vector<std::uint32_t> first_sample_;      // into samples_, one more than cells
-    std::vector<Sample> samples_;
-    std::vector<std::uint32_t> slots_;             // open addressing: cell + 1, or 0
+    std::vector<Place> samples_;
+    std::vector<Slot> slots_;                      // open addressing
     std::uint32_t mask_ = 0;
+    std::vector<SunPatch> sun_patches_;
+    std::vector<float> sun_powers_;                // cumulative, by patch
 };
 
 // The direction among +-x, +-y, +-z that a normal is nearest to: 0..5.

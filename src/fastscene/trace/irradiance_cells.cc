@@ -17,15 +17,16 @@ using namespace irradiance;
 namespace {
 
 constexpr int kMaxSamples = 12;      // places kept in a cell
+constexpr float kEven = 0.12f;       // of a cell: how far off their plane the places of an even one may lie
 
 }  // namespace
 
 // Spreads points over every triangle, half a cell apart or closer, and sorts them into cells.
-void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) {
+void IrradianceCache::build(const Room& room) {
     struct Entry {
         std::uint64_t key;
         std::uint32_t order;  // random: which points a full cell keeps
-        Sample sample;
+        Place sample;
         float area;
         int material;
     };
@@ -82,7 +83,7 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
         first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
         int kept = 0;
         float whole = 0;
-        const Vec3f color = albedo[static_cast<std::size_t>(entries[i].material)];
+        const Vec3f color = reflectances_[static_cast<std::size_t>(entries[i].material)];
         for (; end < entries.size() && entries[end].key == entries[i].key; ++end) {
             whole += entries[end].area;
             if (kept < kMaxSamples) {
@@ -93,7 +94,7 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
             }
         }
         cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole,
-                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission});
+                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission, 0.f});
         i = end;
     }
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
@@ -103,19 +104,19 @@ void IrradianceCache::build(const Room& room, const std::vector<Vec3f>& albedo) 
 // solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a crevice (most rays end
 // within half a cell: the wall between two boards, behind a door's panel). A cell that keeps such places beside visible ones is dark
 // where people look. A cell without any place left is no cell: it would only darken its neighbours and draw samples to itself.
-void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& closed) {
+void IrradianceCache::drop_unseen(const SceneBvh& bvh) {
     constexpr int kRays = 8;
     enum : std::uint8_t { kBuried, kCrevice };   // and above: 1 + the rays that go further than half a cell
     std::vector<std::uint8_t> sight(samples_.size(), kBuried);
     parallel_for(static_cast<std::int64_t>(samples_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const Sample& at = samples_[static_cast<std::size_t>(i)];
+            const Place& at = samples_[static_cast<std::size_t>(i)];
             bool seen = false;
             std::uint8_t open = 0;
             for (std::uint32_t s = 0; s < kRays; ++s) {
                 const Vec3f toward = cosine_direction(at.normal, r2_point(s, {0.5f, 0.5f}));
                 const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), toward);
-                if (!hit || (hit.back && closed[static_cast<std::size_t>(hit.mesh)])) continue;
+                if (!hit || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) continue;
                 seen = true;
                 open += hit.distance > 0.5f * cell_m_;
             }
@@ -125,7 +126,7 @@ void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& 
     std::vector<Cell> cells;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> first_sample;
-    std::vector<Sample> samples;
+    std::vector<Place> samples;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const auto begin = sight.begin() + first_sample_[c], end = sight.begin() + first_sample_[c + 1];
         const std::uint8_t best = *std::max_element(begin, end);
@@ -143,6 +144,10 @@ void IrradianceCache::drop_unseen(const SceneBvh& bvh, const std::vector<bool>& 
         cell.center = cell.center / kept;
         cell.normal = normalize(cell.normal);
         cell.area *= kept / static_cast<float>(end - begin);
+        // An even surface may be trusted; whether things are near, gathering tells.
+        cell.trust = 1;
+        for (std::size_t k = before; k < samples.size(); ++k)
+            if (std::abs(dot(samples[k].position - cell.center, cell.normal)) > kEven * cell_m_) cell.trust = 0;
         cells.push_back(cell);
         keys.push_back(keys_[c]);
         first_sample.push_back(static_cast<std::uint32_t>(before));

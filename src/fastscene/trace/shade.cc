@@ -39,8 +39,9 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
 
 // What a glossy surface mirrors, by one ray into its mirror cone and one to a lamp or window, each weighed by how well it finds
 // such light: small lights are found by asking, near and smooth ones by the cone.
-Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const Response& r, Vec3f direction, float pixel_angle, Vec3f front, Random& random) {
-    const Vec3f half = ggx_half(s.bumped, r.alpha, {random.uniform(), random.uniform()});
+Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const Response& r, Vec3f direction, float pixel_angle, Vec3f front,
+                      Sampler& sampler) {
+    const Vec3f half = ggx_half(s.bumped, r.alpha, sampler.next2());
     Vec3f out = direction - half * (2 * dot(direction, half));
     if (!(dot(out, s.normal) > 0.01f)) out = direction - s.normal * (2 * dot(direction, s.normal));
     out = normalize(out);
@@ -49,10 +50,12 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     if (r.alpha == 0) return seen.light + seen.rest;
     const Lights::Choice choice = scene.lights.choice_at(s.position, s.normal);
     Vec3f asked{};
-    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, s.normal, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()});
+    const Vec2f which = sampler.next2(), uv = sampler.next2();
+    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, s.normal, which, uv);
     if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
         const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
-        if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far)) asked = light.radiance * (cone * weight_of(light.density, cone) / light.density);
+        if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
+            asked = light.radiance * (cone * weight_of(light.density, cone) / light.density);
     }
     if (max_component(seen.light) > 0) {
         const float density = scene.lights.density(scene.room, choice, origin, out, seen.hit);
@@ -65,29 +68,56 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     return asked + met;
 }
 
+// Light on a surface, without the sun's own: from the cache, and where that is too coarse, one estimate of the very point.
+Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& sampler) {
+    const IrradianceCache::Reading reading = scene.light.read(s.position, s.normal);
+    constexpr float kTrusted = 0.98f;
+    if (!scene.contacts || reading.trust > kTrusted) return reading.irradiance;
+    const IrradianceCache::Place here{s.position, s.normal};
+    const Vec2f which = sampler.next2(), uv = sampler.next2(), way = sampler.next2();
+    const Lights::Choice choice = scene.lights.choice_at(s.position, s.normal);
+    const Vec3f asked = scene.light.direct(scene.room, scene.bvh, scene.lights, choice, here, which, uv);
+    const Vec3f found = scene.light.bounced(scene.room, scene.bvh, scene.lights, here, way).irradiance;
+    return reading.irradiance * reading.trust + (asked + found) * (1 - reading.trust);
+}
+
 }  // namespace
 
-Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Random& random) {
+Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler) {
     const RayHit hit = scene.bvh.first_hit(origin, direction);
-    if (!hit) return {sky_radiance(scene.room.sky, direction) * scene.room.sky.seen, {}};
+    Shaded out{};
+    if (!hit) {
+        out.radiance = sky_radiance(scene.room.sky, direction) * scene.room.sky.seen;
+        return out;
+    }
     // A surface seen at a slant lies under a longer footprint; the geometric mean keeps patterns crisp and calm.
     const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, pixel_angle * hit.distance / std::sqrt(slant), true);
     const Material& m = *s.material;
-
     const Response r = response_of(s, direction);
+    out.albedo = s.texture.albedo;
+    out.position = s.position;
+    out.normal = s.normal;
 
     // Light on the front and, for thin sheets, from behind. The relief turns the sun's light; the rest is too even to show it.
-    const auto sun = [&](Vec3f normal) { return scene.lights.sun(scene.room, scene.bvh, s.position, normal, {random.uniform(), random.uniform()}); };
-    Shaded out{m.emission, s.texture.albedo};
+    const Vec2f disc = sampler.next2();
+    const auto sun = [&](Vec3f normal) { return scene.lights.sun(scene.room, scene.bvh, s.position, normal, disc); };
     // Relief darkens where it leans away from the light above.
-    const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
-    const Vec3f front = (scene.light.at(s.position, s.normal) + sun(s.bumped)) * std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f);
-    out.radiance += r.diffuse * front * (1.f / kPi);
-    if (m.transmission > 0) out.radiance += r.behind * (scene.light.at(s.position, -s.normal) + sun(-s.normal)) * (1.f / kPi);
-    if (!(max_component(r.shine) > 0)) return out;
-
-    out.radiance += r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front, random);
+    const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0}), relief = std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f);
+    const Vec3f front = light_at(scene, s, sampler) * relief, front_sun = sun(s.bumped) * relief;
+    out.diffuse = r.diffuse;
+    out.light = r.diffuse * front * (1.f / kPi);
+    out.sun = r.diffuse * front_sun * (1.f / kPi);
+    if (m.transmission > 0) {
+        out.diffuse += r.behind;
+        out.light += r.behind * scene.light.at(s.position, -s.normal) * (1.f / kPi);
+        out.sun += r.behind * sun(-s.normal) * (1.f / kPi);
+    }
+    if (max_component(r.shine) > 0) {
+        out.shine = r.shine;
+        out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler);
+    }
+    out.radiance = m.emission + out.light + out.sun + out.mirrored;
     return out;
 }
 

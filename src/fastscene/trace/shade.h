@@ -1,10 +1,10 @@
 // Shade: what a camera ray brings back.
 #pragma once
 
-#include "fastscene/base/random.h"
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
+#include "fastscene/trace/sampler.h"
 #include "fastscene/trace/scene_bvh.h"
 
 namespace fastscene {
@@ -14,14 +14,19 @@ struct ShadeScene {
     const SceneBvh& bvh;
     const Lights& lights;
     const IrradianceCache& light;
+    bool contacts = false;   // where the cache is too coarse (edges, corners, small things), light is gathered ray by ray
 };
 
+// What a camera ray brings back. The parts that chance decides are kept apart from the colors they are seen through, so that their
+// noise can be averaged over neighbours without touching a texture: radiance = emission + light + sun + mirrored.
 struct Shaded {
     Vec3f radiance;
     Vec3f albedo;
+    Vec3f light, sun, mirrored;    // radiances: of diffuse light but the sun's, of the sun's, of what the surface mirrors
+    Vec3f diffuse, shine;          // what the first two, and the third, were multiplied by
+    Vec3f position, normal;        // of the first hit; a normal of zero: none
 };
-// Radiance along a ray: diffuse light from the cache, sun by its own shadow ray, one mirror-like reflection, emission.
 // `pixel_angle`: how wide the sample is, radians; patterns finer than that fade to their mean.
-Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Random& random);
+Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler);
 
 }  // namespace fastscene

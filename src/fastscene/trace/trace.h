@@ -19,12 +19,14 @@ struct TraceParams {
     float cell_m = 0.03f;      // size of an irradiance cell
     int cell_samples = 192;    // gathered paths per cell
     int pixel_samples = 16;    // camera rays per pixel
+    bool keep_noise = false;   // panoramas are not denoised
 };
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
     v("cell", p.cell_m, Bounds{0.005, 0.5}, "Size in metres of a cell of the irradiance cache.");
     v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered in each cell.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays a pixel.");
+    v("keep-noise", p.keep_noise, "Leave the panorama's light as its rays found it: no denoiser.");
 }
 
 // Everything the first hit tells, per pixel. Each picture is empty unless asked for.
@@ -40,6 +42,8 @@ struct ShotParts {
     int pixel_samples = 0;   // camera rays a pixel; 0 = TraceParams::pixel_samples
     bool paths = false;      // plain path tracing: no cache, nothing shared between pixels; for measurements
     bool radiance = false;   // `color` holds the pixel's mean radiance, undeveloped
+    bool contacts = false;   // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
+    bool denoise = false;    // average over neighbours what chance leaves in the light (denoise.h); takes samples / 8 to samples / 2 rays
     float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
 };
 

@@ -200,7 +200,7 @@ TEST(Trace, SameBytesForOneAndTwoThreads) {
         params.cell_samples = 32;
         params.pixel_samples = 4;
         room.gather_light(params, {});
-        shots[static_cast<std::size_t>(threads - 1)] = room.panorama({}, {96, 48}, {.color = true, .range = true}, {});
+        shots[static_cast<std::size_t>(threads - 1)] = room.panorama({}, {96, 48}, {.color = true, .range = true, .contacts = true, .denoise = true}, {});
     }
     set_threads(0);
     EXPECT_EQ(shots[0].color, shots[1].color);

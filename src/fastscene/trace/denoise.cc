@@ -1,0 +1,107 @@
+#include "fastscene/trace/denoise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/check.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/geometry/sphere.h"
+
+namespace fastscene {
+namespace {
+
+constexpr std::array<float, 5> kSpline{1.f / 16, 1.f / 4, 3.f / 8, 1.f / 4, 1.f / 16};
+constexpr float kDeviations = 2.2f;       // values that differ by less are the same light
+constexpr float kExact = 0.004f;          // relative standard error below which nothing is left to do
+constexpr float kEven = 0.12f;            // how far off a pixel's plane, by its distance, a neighbour may lie
+
+bool is_one_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
+
+// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together.
+ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
+    constexpr int kReach = 2;
+    ImageF out(variance.width, variance.height);
+    parallel_for(variance.height, 8, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < variance.width; ++x) {
+                float sum = 0, count = 0;
+                for (int qy = std::max(0, y - kReach); qy <= std::min(variance.height - 1, y + kReach); ++qy)
+                    for (int dx = -kReach; dx <= kReach; ++dx) {
+                        int qx = x + dx;
+                        if (guides.wraps) qx = wrap_column(qx, variance.width);
+                        else if (qx < 0 || qx >= variance.width) continue;
+                        if (!is_one_surface(guides.normal.at(qx, qy))) continue;
+                        sum += variance.at(qx, qy);
+                        ++count;
+                    }
+                out.at(x, y) = count > 0 ? sum / count : variance.at(x, y);
+            }
+    });
+    return out;
+}
+
+// One level: the spline's 5 x 5 taps, `step` pixels apart.
+struct Level {
+    const NoisyLight& light;
+    const Guides& guides;
+    int step;
+
+    // How much of pixel q's light is that of p. The rest is p's own.
+    float agreement(Vec3f position, Vec3f normal, float bright, float deviation2, int qx, int qy) const {
+        const Vec3f other = guides.normal.at(qx, qy);
+        const float turned = dot(normal, other);
+        if (!(turned > 0.5f)) return 0;
+        const Vec3f to = guides.position.at(qx, qy) - position;
+        const float off = dot(to, normal), reach2 = dot(to, to) * (kEven * kEven) + 1e-7f;
+        const float difference = luminance(light.value.at(qx, qy)) - bright;
+        const float tolerance = kDeviations * kDeviations * (deviation2 + light.variance.at(qx, qy)) + 1e-12f;
+        const float t2 = turned * turned, t8 = t2 * t2 * t2 * t2;
+        return t8 * t8 * std::exp(-off * off / reach2 - difference * difference / tolerance);
+    }
+
+    void filter(int x, int y, Vec3f& value, float& variance) const {
+        const Vec3f here = light.value.at(x, y), normal = guides.normal.at(x, y), position = guides.position.at(x, y);
+        const float bright = luminance(here), own = light.variance.at(x, y);
+        value = here;
+        variance = own;
+        if (!is_one_surface(normal) || !(own > kExact * kExact * bright * bright)) return;
+        const int wide = step * guides.column_step[static_cast<std::size_t>(y)], width = light.value.width, height = light.value.height;
+        Vec3f sum{};
+        float weights = 0, squares = 0;
+        for (int j = -2; j <= 2; ++j) {
+            const int qy = y + j * step;
+            if (qy < 0 || qy >= height) continue;
+            for (int i = -2; i <= 2; ++i) {
+                int qx = x + i * wide;
+                if (guides.wraps) qx = wrap_column(qx, width);
+                else if (qx < 0 || qx >= width) continue;
+                const float spline = kSpline[static_cast<std::size_t>(i + 2)] * kSpline[static_cast<std::size_t>(j + 2)];
+                const float w = i == 0 && j == 0 ? spline : spline * agreement(position, normal, bright, own, qx, qy);
+                sum += light.value.at(qx, qy) * w;
+                weights += w;
+                squares += w * w * light.variance.at(qx, qy);
+            }
+        }
+        value = sum / weights;
+        variance = squares / (weights * weights);
+    }
+};
+
+}  // namespace
+
+void denoise(NoisyLight& light, const Guides& guides, int levels) {
+    FASTSCENE_CHECK(light.value.same_size(guides.normal) && guides.column_step.size() == static_cast<std::size_t>(light.value.height));
+    light.variance = pooled_variance(light.variance, guides);
+    NoisyLight next{ImageColor(light.value.width, light.value.height), ImageF(light.value.width, light.value.height)};
+    for (int k = 0; k < levels; ++k) {
+        const Level level{light, guides, 1 << k};
+        parallel_for(light.value.height, 8, [&](std::int64_t begin, std::int64_t end) {
+            for (auto y = static_cast<int>(begin); y < end; ++y)
+                for (int x = 0; x < light.value.width; ++x) level.filter(x, y, next.value.at(x, y), next.variance.at(x, y));
+        });
+        std::swap(light, next);
+    }
+}
+
+}  // namespace fastscene

@@ -1,0 +1,29 @@
+// Denoise: what chance left in a picture's light, averaged over neighbours on the same surface.
+//
+// The filter is an à-trous wavelet (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's own mean
+// (Schied et al. 2017, without its history). It sees light alone: textures, outlines and whatever else is known exactly are put
+// back by the caller. Pixels that see more than one surface are neither changed nor used.
+#pragma once
+
+#include <vector>
+
+#include "fastscene/image/image.h"
+
+namespace fastscene {
+
+// Light by pixel, and the variance of the mean of its luminance.
+struct NoisyLight {
+    ImageColor value;
+    ImageF variance;
+};
+
+struct Guides {
+    ImageColor position, normal;     // of the first hit; a normal of zero: nothing was hit, or several surfaces were
+    std::vector<int> column_step;    // by row: columns as far apart as two rows are (panoramas: 1 / cos of the latitude)
+    bool wraps = false;              // the last column is the first one's neighbour
+};
+
+// `levels`: neighbours up to 2, 4, 8 … pixels away. The same bytes for any number of threads.
+void denoise(NoisyLight& light, const Guides& guides, int levels);
+
+}  // namespace fastscene

@@ -1,0 +1,96 @@
+// What one ray tells about the light that falls on a place: the cache is filled with the means of such estimates, and pictures
+// ask again where it is too coarse.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
+#include "fastscene/trace/irradiance.h"
+#include "fastscene/trace/irradiance_cells.h"
+#include "fastscene/trace/response.h"
+#include "fastscene/trace/surface.h"
+
+namespace fastscene {
+
+using namespace irradiance;
+
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+// A sunlit cell close by is asked too rarely and answers too loudly: within so many cells the bounce finds it instead.
+constexpr float kNearSun = 8;
+
+}  // namespace
+
+// Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room that see it:
+// the outer side of a curtain is bright and lights nothing.
+void IrradianceCache::find_sun_patches(const SceneBvh& bvh, std::uint64_t seed) {
+    constexpr int kPlaces = 24;
+    for (const Cell& cell : cells_) {
+        const Vec3f back = cell.sun * cell.albedo;
+        if (!(luminance(back) * cell.area > 0)) continue;
+        const float lift = 0.02f * cell_m_;
+        sun_patches_.push_back({cell.center + cell.normal * lift, cell.normal, back * (1.f - cell.transmission), cell.area, 0.f});
+        if (cell.transmission > 0) sun_patches_.push_back({cell.center - cell.normal * lift, -cell.normal, back * cell.transmission, cell.area, 0.f});
+    }
+    parallel_for(static_cast<std::int64_t>(sun_patches_.size()), 256, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            SunPatch& patch = sun_patches_[static_cast<std::size_t>(i)];
+            Random random(seed, "usefulness", static_cast<std::uint64_t>(i));
+            float seen = 0;
+            for (int k = 0; k < kPlaces; ++k) {
+                const Cell& place = cells_[static_cast<std::size_t>(random.index(static_cast<int>(cells_.size())))];
+                const Vec3f from = place.center + place.normal * (0.05f * cell_m_), to = patch.position - from;
+                const float far = length(to);
+                if (!(dot(to, patch.normal) < 0 && dot(to, place.normal) > 0)) continue;
+                seen += bvh.blocked(from, to / far, 0.f, far - 0.3f * cell_m_) ? 0.f : 1.f;
+            }
+            // Never quite zero: a few places may see it that were not asked.
+            patch.useful = 0.02f + seen / kPlaces;
+        }
+    });
+    for (const SunPatch& patch : sun_patches_)
+        sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) + luminance(patch.leaving) * patch.area * patch.useful);
+}
+
+// What arrives from one sunlit patch, drawn by its power and usefulness.
+Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which) const {
+    if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
+    const auto found = static_cast<std::size_t>(std::upper_bound(sun_powers_.begin(), sun_powers_.end(), which * sun_powers_.back()) - sun_powers_.begin());
+    const SunPatch& patch = sun_patches_[std::min(found, sun_patches_.size() - 1)];
+    const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
+    const float d2 = dot(to, to), far = std::sqrt(d2);
+    if (!(far > kNearSun * cell_m_)) return {};
+    const Vec3f direction = to / far;
+    const float here = dot(at.normal, direction), there = -dot(patch.normal, direction);
+    if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far - 0.3f * cell_m_)) return {};
+    const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
+    return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
+}
+
+Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at, Vec2f which, Vec2f uv) const {
+    return lights.sample(room, bvh, choice, at.position, at.normal, which, uv) + sunlit(bvh, at, which.x);
+}
+
+IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const {
+    const Vec3f direction = cosine_direction(at.normal, uv);
+    const Vec3f from = at.position + at.normal * distance_epsilon(at.position);
+    const RayHit hit = bvh.first_hit(from, direction);
+    if (!hit) return {};   // through a window: counted with the windows
+    const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
+    if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, hit.distance, true};
+    const Vec3f p = from + direction * hit.distance;
+    Vec3f normal = shading_normal(mesh, hit);
+    if (hit.back) normal = -normal;
+    const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
+    // The sun's first bounce has been asked directly, unless it is close by.
+    const bool with_sun = hit.distance <= kNearSun * cell_m_;
+    Vec3f arriving = near(p, normal, with_sun) * (1.f - m.transmission);
+    if (m.transmission > 0) arriving += near(p, -normal, with_sun) * m.transmission;
+    Vec3f irradiance = reflectances_[static_cast<std::size_t>(mesh.material)] * arriving;
+    if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
+    return {irradiance, hit.distance, false};
+}
+
+}  // namespace fastscene
