@@ -51,7 +51,8 @@ struct Group {
     }
     Json json(double all) const {
         if (count == 0) return nullptr;
-        return {{"pixels", count}, {"psnr_db", psnr_of_mse(squares / count)}, {"share_of_error", squares / all}, {"bias_percent", 100 * bias / level}};
+        const double db = psnr_of_mse(squares / count);
+        return {{"pixels", count}, {"psnr_db", db}, {"share_of_error", squares / all}, {"bias_percent", 100 * bias / level}};
     }
 };
 
@@ -86,7 +87,8 @@ Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& 
 Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path) {
     const std::string bytes = read_file(path);
     std::vector<Vec3f> radiances(static_cast<std::size_t>(lot.count * kParts));
-    if (bytes.size() != radiances.size() * sizeof(Vec3f)) throw Error("{}: expected {} pixels of a reference, found {} bytes", path, lot.count, bytes.size());
+    if (bytes.size() != radiances.size() * sizeof(Vec3f))
+        throw Error("{}: expected {} pixels of a reference, found {} bytes", path, lot.count, bytes.size());
     std::memcpy(radiances.data(), bytes.data(), bytes.size());
     Group all, outside, shell, things;
     std::vector<std::pair<double, Json>> worst;
@@ -99,14 +101,15 @@ Json compare_with_reference(const TracedRoom& room, const Shot& picture, const L
         const int object = picture.object.at(pixel.x, pixel.y);
         (object == -2 ? outside : object == -1 ? shell : things).add(ours, wanted, square);
         all.add(ours, wanted, square);
-        worst.push_back({square, {{"x", pixel.x}, {"y", pixel.y}, {"object", object}, {"ours", {ours.x, ours.y, ours.z}}, {"wanted", {wanted.x, wanted.y, wanted.z}}}});
+        worst.push_back({square, {{"x", pixel.x}, {"y", pixel.y}, {"object", object}, {"ours", {ours.x, ours.y, ours.z}},
+                                  {"wanted", {wanted.x, wanted.y, wanted.z}}}});
     }
     std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     double top = 0;
     Json list = Json::array();
     for (std::size_t i = 0; i < worst.size() / 100; ++i) top += worst[i].first, list.push_back(worst[i].second);
-    return {{"all", all.json(all.squares)}, {"outside", outside.json(all.squares)}, {"shell", shell.json(all.squares)}, {"things", things.json(all.squares)},
-            {"share_of_worst_percent", top / all.squares}, {"worst", list}};
+    return {{"all", all.json(all.squares)}, {"outside", outside.json(all.squares)}, {"shell", shell.json(all.squares)},
+            {"things", things.json(all.squares)}, {"share_of_worst_percent", top / all.squares}, {"worst", list}};
 }
 
 }  // namespace fastscene::bench

@@ -13,7 +13,8 @@ namespace {
 void check_names(const char* flag, std::vector<std::string>& names, const std::vector<std::string>& known) {
     if (names.empty()) names = known;
     for (const std::string& name : names)
-        if (std::find(known.begin(), known.end(), name) == known.end()) throw UsageError("{}: expected {}, found \"{}\"", flag, fmt::join(known, ", "), name);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw UsageError("{}: expected {}, found \"{}\"", flag, fmt::join(known, ", "), name);
 }
 
 void print_report(const CheckReport& report, const Session& session) {
@@ -40,6 +41,7 @@ Verb add_rooms_check(CLI::App& rooms) {
     struct Flags {
         std::string count = "10", seed = "0";
         std::vector<std::string> rooms, styles;
+        bool triangles = false;
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand("check", "Furnishes many rooms and looks for what is wrong: overlaps, blocked doors, things that float …");
@@ -47,12 +49,14 @@ Verb add_rooms_check(CLI::App& rooms) {
     verb->add_option("--seed", flags->seed, "The first seed.")->type_name("N")->capture_default_str();
     verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between.")->type_name("NAMES")->delimiter(',');
     verb->add_option("--styles", flags->styles, "Only these styles, with commas between.")->type_name("NAMES")->delimiter(',');
+    verb->add_flag("--triangles", flags->triangles, "Also look for things that reach into others by more than 12 mm, on their triangles.");
     return {verb, [flags](const Session& session) {
                 const int count = number_from<int>("--count", flags->count);
                 if (count < 1 || count > 100000) throw UsageError("--count: expected a number from 1 to 100000, found {}", count);
                 check_names("--rooms", flags->rooms, room_types());
                 check_names("--styles", flags->styles, styles());
-                const CheckReport report = check_rooms(flags->rooms, flags->styles, count, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                const fastscene::Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
+                const CheckReport report = check_rooms(flags->rooms, flags->styles, count, flags->triangles, run);
                 print_report(report, session);
                 if (!report.faulty.empty()) throw Error("rooms check: expected no faults, found {} rooms with some", report.faulty.size());
             }};

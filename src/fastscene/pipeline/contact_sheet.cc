@@ -25,7 +25,8 @@ constexpr int kGap = 6;
 void check_names(const std::string& flag, std::vector<std::string>& names, const std::vector<std::string>& known) {
     if (names.empty()) names = known;
     for (const std::string& name : names)
-        if (std::find(known.begin(), known.end(), name) == known.end()) throw UsageError("{}: expected {}, found \"{}\"", flag, fmt::join(known, ", "), name);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw UsageError("{}: expected {}, found \"{}\"", flag, fmt::join(known, ", "), name);
 }
 
 std::string file_name(const std::string& room, const std::string& style) {
@@ -93,7 +94,8 @@ void keep_only_fitting(const fs::path& folder, const SheetParams& params, const 
 
 }  // namespace
 
-std::vector<fs::path> make_contact_sheet(const fs::path& folder, std::vector<std::string> rooms, std::vector<std::string> style_names, const SheetParams& params, const Run& run) {
+std::vector<fs::path> make_contact_sheet(const fs::path& folder, std::vector<std::string> rooms, std::vector<std::string> style_names,
+                                         const SheetParams& params, const Run& run) {
     check_names("--rooms", rooms, room_types());
     check_names("--styles", style_names, styles());
     check_fields("", params);

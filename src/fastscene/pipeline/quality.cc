@@ -17,7 +17,7 @@ void fill_draft(SceneParams& p) {
 }
 void fill_standard(SceneParams& p) {
     p.panorama.width = 2048;
-    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 320, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};
     p.walk.viewpoints = 14;
     p.views.size = 640;
     p.views.points = 500'000;

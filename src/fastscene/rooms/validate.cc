@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/rooms/crossings.h"
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/rooms.h"
 
 namespace fastscene {
 namespace {
@@ -114,7 +116,18 @@ class Checker {
 
 std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera) { return Checker(plan, placed).faults(camera); }
 
-CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, const Run& run) {
+namespace {
+
+void add_crossings(PromptSpec spec, std::uint64_t seed, std::vector<Fault>& faults) {
+    const Room room = make_room(spec, {seed, nullptr, {}});
+    const auto name = [&](int object) { return object < 0 ? std::string("the room") : room.objects[static_cast<std::size_t>(object)].klass; };
+    for (const Crossing& c : room_crossings(room))
+        faults.push_back({"crossing", fmt::format("{} reaches {:.0f} mm into {}", name(c.object), 1000 * c.depth_m, name(c.into))});
+}
+
+}  // namespace
+
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, bool triangles, const Run& run) {
     CheckReport report;
     const auto total = static_cast<std::int64_t>(rooms.size() * styles.size()) * count;
     std::vector<CheckedRoom> checked(static_cast<std::size_t>(total));
@@ -128,8 +141,10 @@ CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector
             c.prompt = "a " + styles[pair % styles.size()] + " " + room_title(rooms[pair / styles.size()]);
             c.seed = run.seed + static_cast<std::uint64_t>(i % count);
             PromptSpec spec = understand_prompt(c.prompt, false);
+            const PromptSpec asked = spec;
             const FurnishedRoom room = furnish_room(spec, {c.seed, nullptr, {}});
             c.faults = room_faults(room.plan, room.placed, room.camera);
+            if (triangles) add_crossings(asked, c.seed, c.faults);
             pieces[static_cast<std::size_t>(i)] = static_cast<int>(room.placed.size());
             progress.advance();
         }

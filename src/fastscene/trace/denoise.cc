@@ -16,7 +16,7 @@ constexpr float kDeviations = 2.2f;       // values that differ by less are the 
 constexpr float kExact = 0.004f;          // relative standard error below which nothing is left to do
 constexpr float kEven = 0.12f;            // how far off a pixel's plane, by its distance, a neighbour may lie
 
-bool is_one_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
+bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
 // A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
@@ -31,7 +31,7 @@ ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
                         int qx = x + dx;
                         if (guides.wraps) qx = wrap_column(qx, variance.width);
                         else if (qx < 0 || qx >= variance.width) continue;
-                        if (!is_one_surface(guides.normal.at(qx, qy))) continue;
+                        if (!is_surface(guides.normal.at(qx, qy))) continue;
                         sum += variance.at(qx, qy);
                         ++count;
                     }
@@ -65,7 +65,7 @@ struct Level {
         const float bright = luminance(here), own = light.variance.at(x, y);
         value = here;
         variance = own;
-        if (!is_one_surface(normal) || !(own > kExact * kExact * bright * bright)) return;
+        if (!is_surface(normal) || !(own > kExact * kExact * bright * bright)) return;
         const int wide = step * guides.column_step[static_cast<std::size_t>(y)], width = light.value.width, height = light.value.height;
         Vec3f sum{};
         float weights = 0, squares = 0;

@@ -2,7 +2,7 @@
 //
 // The filter is an à-trous wavelet (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's own mean
 // (Schied et al. 2017, without its history). It sees light alone: textures, outlines and whatever else is known exactly are put
-// back by the caller. Pixels that see more than one surface are neither changed nor used.
+// back by the caller.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct NoisyLight {
 };
 
 struct Guides {
-    ImageColor position, normal;     // of the first hit; a normal of zero: nothing was hit, or several surfaces were
+    ImageColor position, normal;     // of the first hit; a normal of zero: nothing, neither changed nor used
     std::vector<int> column_step;    // by row: columns as far apart as two rows are (panoramas: 1 / cos of the latitude)
     bool wraps = false;              // the last column is the first one's neighbour
 };

@@ -63,17 +63,17 @@ TEST(Denoise, NothingCrossesAnEdgeOfTheRoom) {
     EXPECT_LT(spread(wall.light.value, 1, 0, kWidth / 2), kNoise / 5);
 }
 
-TEST(Denoise, WhatIsKnownExactlyAndWhatIsMixedStays) {
+TEST(Denoise, WhatIsKnownExactlyAndWhatIsNoSurfaceStays) {
     Wall wall;
     std::fill(wall.light.variance.pixels.begin(), wall.light.variance.pixels.end(), 0.f);
     const ImageColor before = wall.light.value;
     denoise(wall.light, wall.guides, 4);
     EXPECT_EQ(wall.light.value, before);
-    Wall mixed;
-    mixed.guides.normal.at(10, 10) = {};
-    const Vec3f one = mixed.light.value.at(10, 10);
-    denoise(mixed.light, mixed.guides, 4);
-    EXPECT_EQ(mixed.light.value.at(10, 10), one);
+    Wall window;
+    window.guides.normal.at(10, 10) = {};
+    const Vec3f one = window.light.value.at(10, 10);
+    denoise(window.light, window.guides, 4);
+    EXPECT_EQ(window.light.value.at(10, 10), one);
 }
 
 // A panorama turned about its axis is the same picture.

@@ -47,7 +47,8 @@ void IrradianceCache::build(const Room& room) {
             const std::size_t i[3] = {mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2]};
             const Vec3f a = mesh.positions[i[0]], ab = mesh.positions[i[1]] - a, ac = mesh.positions[i[2]] - a;
             const Vec3f flat = normalize(cross(ab, ac));
-            const int nu = std::max(1, static_cast<int>(std::ceil(length(ab) / step))), nv = std::max(1, static_cast<int>(std::ceil(length(ac) / step)));
+            const auto pieces = [&](Vec3f edge) { return std::max(1, static_cast<int>(std::ceil(length(edge) / step))); };
+            const int nu = pieces(ab), nv = pieces(ac);
             const int points = nu == 1 && nv == 1 ? 1 : std::max(1, nu * nv / 2);
             area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points);
             for (int ui = 0; ui < nu; ++ui)
@@ -67,7 +68,8 @@ void IrradianceCache::build(const Room& room) {
             area = 0;
             // The rim, where a neighbouring cell may be touched by a hair.
             if (nu > 1 || nv > 1)
-                for (const auto& [u, v] : {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f}, std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
+                for (const auto& [u, v] :
+                     {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f}, std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
                     Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u + mesh.normals[i[2]] * v);
                     if (!(dot(n, flat) > 0.1f)) n = flat;
                     add(a + ab * u + ac * v, n);

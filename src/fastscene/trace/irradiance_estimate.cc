@@ -57,7 +57,8 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, std::uint64_t seed) 
 // What arrives from one sunlit patch, drawn by its power and usefulness.
 Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which) const {
     if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
-    const auto found = static_cast<std::size_t>(std::upper_bound(sun_powers_.begin(), sun_powers_.end(), which * sun_powers_.back()) - sun_powers_.begin());
+    const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), which * sun_powers_.back());
+    const auto found = static_cast<std::size_t>(at_or_after - sun_powers_.begin());
     const SunPatch& patch = sun_patches_[std::min(found, sun_patches_.size() - 1)];
     const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
     const float d2 = dot(to, to), far = std::sqrt(d2);
@@ -69,7 +70,8 @@ Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which)
     return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
 }
 
-Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at, Vec2f which, Vec2f uv) const {
+Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at,
+                              Vec2f which, Vec2f uv) const {
     return lights.sample(room, bvh, choice, at.position, at.normal, which, uv) + sunlit(bvh, at, which.x);
 }
 

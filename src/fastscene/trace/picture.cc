@@ -16,6 +16,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kVeryNoisy = 0.06f;   // relative standard error of a pixel's light
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.
 class MeanError {
@@ -47,53 +48,70 @@ struct LightSum {
     }
 };
 
-// Everything that the rays of a pixel brought back.
+// Everything that the rays of a pixel brought back. The surface that the first ray met is kept apart from all else that an outline
+// lets in: its light can be compared with that of its neighbours.
 struct PixelSum {
-    int taken = 0;
-    Vec3f color{}, radiance{}, albedo{}, diffuse{}, shine{}, position{}, normal{};
+    int taken = 0, own = 0;           // rays; those that met the first one's surface
+    Vec3f own_color{}, other_color{}, all_albedo{};
+    Vec3f radiance{}, diffuse{}, shine{}, position{}, normal{};
     std::array<LightSum, 3> lights;   // diffuse, sun, mirrored
     MeanError shown, texture;
-    bool mixed = false;               // more than one surface
 
     void add(const Shaded& s, Vec3f developed) {
         if (taken == 0) position = s.position, normal = s.normal;
-        // Off the first ray's plane, or turned away from it: another surface.
-        const Vec3f to = s.position - position;
-        const float off = dot(to, normal);
-        mixed |= !(dot(s.normal, normal) > 0.9f) || off * off > 0.04f * dot(to, to) + 1e-6f;
         ++taken;
-        color += developed;
+        all_albedo += s.albedo;
+        shown.add(luminance(developed));
+        if (!is_own(s)) {
+            other_color += developed;
+            return;
+        }
+        ++own;
+        own_color += developed;
         radiance += s.radiance;
-        albedo += s.albedo;
         diffuse += s.diffuse;
         shine += s.shine;
         lights[0].add(s.light, luminance(s.diffuse));
         lights[1].add(s.sun, luminance(s.diffuse));
         lights[2].add(s.mirrored, luminance(s.shine));
-        shown.add(luminance(developed));
         texture.add(luminance(s.diffuse + s.shine));
     }
+    bool mixed() const { return own < taken; }
+    Vec3f color() const { return (own_color + other_color) / static_cast<float>(taken); }
+    Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
     // Whether light itself is noisy, not only what it falls on.
     bool noisy(float tolerated) const {
         float error = 0, level = 0;
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            const float through = luminance(k < 2 ? diffuse : shine) / static_cast<float>(taken);
+            const float through = luminance(k < 2 ? diffuse : shine) / static_cast<float>(own);
             error += lights[k].arriving.variance() * through * through;
-            level += luminance(lights[k].seen) / static_cast<float>(taken);
+            level += luminance(lights[k].seen) / static_cast<float>(own);
         }
         return error > tolerated * tolerated * level * level;
+    }
+
+  private:
+    // Off the first hit's plane, or turned away from it: another surface. The sky is a surface of its own.
+    bool is_own(const Shaded& s) const {
+        if (taken == 1) return true;
+        const bool outside = dot(normal, normal) < 0.5f, there = dot(s.normal, s.normal) < 0.5f;
+        if (outside || there) return outside && there;
+        const Vec3f to = s.position - position;
+        const float off = dot(to, normal);
+        return dot(s.normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f;
     }
 };
 
 // What is kept of all pixels until their noise is averaged.
 struct NoisyPicture {
-    ImageColor radiance, diffuse, shine;
+    ImageColor radiance, diffuse, shine, other_color;
+    ImageF own_share;
     std::array<NoisyLight, 3> lights;
     Guides guides;
 
-    explicit NoisyPicture(const Eye& eye) {
+    explicit NoisyPicture(const Eye& eye) : own_share(eye.width, eye.height) {
         const ImageColor black(eye.width, eye.height);
-        radiance = diffuse = shine = guides.position = guides.normal = black;
+        radiance = diffuse = shine = other_color = guides.position = guides.normal = black;
         for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
         guides.wraps = eye.panorama;
         for (int y = 0; y < eye.height; ++y) {
@@ -102,18 +120,20 @@ struct NoisyPicture {
         }
     }
     void set(int x, int y, const PixelSum& p) {
-        const float share = 1 / static_cast<float>(p.taken);
+        const float share = 1 / static_cast<float>(p.own);
         radiance.at(x, y) = p.radiance * share;
         diffuse.at(x, y) = p.diffuse * share;
         shine.at(x, y) = p.shine * share;
+        other_color.at(x, y) = p.other_color / static_cast<float>(p.taken);
+        own_share.at(x, y) = static_cast<float>(p.own) / static_cast<float>(p.taken);
         for (std::size_t k = 0; k < lights.size(); ++k) {
             lights[k].value.at(x, y) = ratio(p.lights[k].seen, k < 2 ? p.diffuse : p.shine);
             lights[k].variance.at(x, y) = p.lights[k].arriving.variance();
         }
         guides.position.at(x, y) = p.position;
-        guides.normal.at(x, y) = p.mixed ? Vec3f{} : p.normal;
+        guides.normal.at(x, y) = p.normal;
     }
-    // What averaging changes of each light goes through the pixel's own color and curve: the picture's detail stays as sampled.
+    // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in stays too.
     void denoise_into(ImageColor& color, const Look* look) {
         constexpr std::array<int, 3> kLevels{4, 2, 3};
         ImageColor change(color.width, color.height);
@@ -127,24 +147,23 @@ struct NoisyPicture {
         parallel_for(color.height, 16, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < color.width; ++x) {
-                    const Vec3f was = radiance.at(x, y), is = was + change.at(x, y);
                     if (change.at(x, y) == Vec3f{}) continue;
-                    Vec3f& out = color.at(x, y);
-                    if (look) out += develop(*look, is) - develop(*look, was);
-                    else out = is;
-                    for (std::size_t a = 0; a < 3; ++a) out[a] = std::max(0.f, look ? std::min(1.f, out[a]) : out[a]);
+                    Vec3f light = radiance.at(x, y) + change.at(x, y);
+                    for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
+                    color.at(x, y) = other_color.at(x, y) + (look ? develop(*look, light) : light) * own_share.at(x, y);
                 }
         });
     }
 };
 
-// Whether a pixel needs another round of rays. With a denoiser to come only outlines and textures do, and a few more where light is noisy.
+// Whether a pixel needs another round of rays. With a denoiser to come textures need a few more, and very noisy light; outlines most.
 bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
     if (pixel.taken >= samples) return false;
-    if (!parts.denoise) return pixel.shown.of_srgb_mean() > parts.noise;
-    if (pixel.taken < samples / 4 && pixel.noisy(0.02f)) return true;
-    if (pixel.taken >= samples / 2) return false;
-    return (pixel.mixed || pixel.texture.of_srgb_mean() > parts.noise) && pixel.shown.of_srgb_mean() > parts.noise;
+    const float error = pixel.shown.of_srgb_mean();
+    if (!parts.denoise) return error > parts.noise;
+    if (pixel.taken >= samples / 2 || !(error > parts.noise)) return false;
+    if (pixel.mixed()) return pixel.taken < samples / 4 || error > 2 * parts.noise;
+    return pixel.taken < samples / 4 && (pixel.texture.of_srgb_mean() > parts.noise || pixel.noisy(kVeryNoisy));
 }
 
 }  // namespace
@@ -157,7 +176,8 @@ Eye perspective_eye(const Rigid& world_from_camera, const Pinhole& camera) {
 }
 Vec3f world_direction(const Eye& eye, Vec2f pixel) { return normalize(eye.world_from_camera.rotation * eye.direction(pixel)); }
 
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo, const Run& run) {
+ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo,
+                          const Run& run) {
     const int round = parts.denoise ? std::max(1, samples / 8) : parts.noise > 0 ? std::min(16, samples) : samples;
     ImageColor out(eye.width, eye.height);
     if (albedo) *albedo = out;
@@ -180,9 +200,8 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
                         pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
                     }
                 } while (needs_more(pixel, parts, samples));
-                const auto taken = static_cast<float>(pixel.taken);
-                out.at(x, y) = pixel.color / taken;
-                if (albedo) albedo->at(x, y) = pixel.albedo / taken;
+                out.at(x, y) = pixel.color();
+                if (albedo) albedo->at(x, y) = pixel.albedo();
                 if (noisy) noisy->set(x, y, pixel);
             }
         progress.advance(end - begin);

@@ -26,7 +26,8 @@ Vec3f world_direction(const Eye& eye, Vec2f pixel);
 
 // `samples` rays a pixel at most (ShotParts::noise, ::denoise). Radiances, or developed color when `look` is given; `albedo`: filled
 // when given.
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo, const Run& run);
+ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo,
+                          const Run& run);
 // The same by plain path tracing. Radiances are averaged over the pixel before they are developed.
 ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, int samples, const Look* look, const Run& run);
 

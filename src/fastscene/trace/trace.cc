@@ -14,6 +14,7 @@
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
+
 struct TracedRoom::Impl {
     Room room;
     SceneBvh bvh;

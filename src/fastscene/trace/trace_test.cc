@@ -128,7 +128,8 @@ TEST(Trace, WindowLetsTheSkyIn) {
     Mesh& shell = room.meshes[0];
     std::vector<std::uint32_t> kept;
     for (std::size_t t = 0; t < shell.triangles.size(); t += 3)
-        if (shell.normals[shell.triangles[t]].x > -0.5f) kept.insert(kept.end(), {shell.triangles[t], shell.triangles[t + 1], shell.triangles[t + 2]});
+        if (shell.normals[shell.triangles[t]].x > -0.5f)
+            kept.insert(kept.end(), {shell.triangles[t], shell.triangles[t + 1], shell.triangles[t + 2]});
     shell.triangles = kept;
     const float w = 0.4f;
     room.meshes.push_back(box({2, kLow.y, kLow.z}, {2.1f, kHigh.y, -w}, false, 0));
@@ -151,7 +152,8 @@ TEST(Trace, WindowLetsTheSkyIn) {
     const int n = 400;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k) {
-            const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w, (2 * (static_cast<float>(k) + 0.5f) / n - 1) * w}, to = target - at;
+            const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w, (2 * (static_cast<float>(k) + 0.5f) / n - 1) * w};
+            const Vec3f to = target - at;
             const float d2 = dot(to, to), c = to.x / std::sqrt(d2);
             if (bvh.blocked(at + Vec3f{1e-3f, 0, 0}, normalize(to), 0, std::sqrt(d2) * 0.99f)) continue;
             expected += static_cast<double>(sky_radiance(room.sky, normalize(to)).x * c * c / d2) * (4 * w * w) / (n * n);
@@ -200,7 +202,8 @@ TEST(Trace, SameBytesForOneAndTwoThreads) {
         params.cell_samples = 32;
         params.pixel_samples = 4;
         room.gather_light(params, {});
-        shots[static_cast<std::size_t>(threads - 1)] = room.panorama({}, {96, 48}, {.color = true, .range = true, .contacts = true, .denoise = true}, {});
+        const ShotParts parts{.color = true, .range = true, .contacts = true, .denoise = true};
+        shots[static_cast<std::size_t>(threads - 1)] = room.panorama({}, {96, 48}, parts, {});
     }
     set_threads(0);
     EXPECT_EQ(shots[0].color, shots[1].color);
@@ -213,7 +216,9 @@ TEST(Trace, TwoSetsOfCameraRaysAgree) {
     const Pinhole camera = Pinhole::with_fov(128, 128, 75);
     fastscene::Run other;
     other.seed = 77;
-    const auto picture = [&](const fastscene::Run& run, const ShotParts& parts) { return srgb8_from_linear(room.perspective({}, camera, parts, run).color); };
+    const auto picture = [&](const fastscene::Run& run, const ShotParts& parts) {
+        return srgb8_from_linear(room.perspective({}, camera, parts, run).color);
+    };
     EXPECT_GT(psnr(picture({}, {}), picture(other, {})), 34);
     const ShotParts fine{.color = true, .range = false, .pixel_samples = 256, .noise = 0.006f};
     EXPECT_GT(psnr(picture({}, fine), picture(other, fine)), 42);
