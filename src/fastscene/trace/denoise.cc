@@ -18,7 +18,8 @@ constexpr float kEven = 0.12f;            // how far off a pixel's plane, by its
 
 bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
-// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together.
+// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together; and a
+// pixel that is surer of its error than they are is believed, or one lucky ray would stay a speck.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     constexpr int kReach = 2;
     ImageF out(variance.width, variance.height);
@@ -35,7 +36,7 @@ ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
                         sum += variance.at(qx, qy);
                         ++count;
                     }
-                out.at(x, y) = count > 0 ? sum / count : variance.at(x, y);
+                out.at(x, y) = std::max(variance.at(x, y), count > 0 ? sum / count : 0.f);
             }
     });
     return out;
@@ -66,14 +67,14 @@ struct Level {
         value = here;
         variance = own;
         if (!is_surface(normal) || !(own > kExact * kExact * bright * bright)) return;
-        const int wide = step * guides.column_step[static_cast<std::size_t>(y)], width = light.value.width, height = light.value.height;
+        const int width = light.value.width, height = light.value.height;
         Vec3f sum{};
         float weights = 0, squares = 0;
         for (int j = -2; j <= 2; ++j) {
             const int qy = y + j * step;
             if (qy < 0 || qy >= height) continue;
             for (int i = -2; i <= 2; ++i) {
-                int qx = x + i * wide;
+                int qx = x + i * step;
                 if (guides.wraps) qx = wrap_column(qx, width);
                 else if (qx < 0 || qx >= width) continue;
                 const float spline = kSpline[static_cast<std::size_t>(i + 2)] * kSpline[static_cast<std::size_t>(j + 2)];
@@ -91,7 +92,7 @@ struct Level {
 }  // namespace
 
 void denoise(NoisyLight& light, const Guides& guides, int levels) {
-    FASTSCENE_CHECK(light.value.same_size(guides.normal) && guides.column_step.size() == static_cast<std::size_t>(light.value.height));
+    FASTSCENE_CHECK(light.value.same_size(guides.normal));
     light.variance = pooled_variance(light.variance, guides);
     NoisyLight next{ImageColor(light.value.width, light.value.height), ImageF(light.value.width, light.value.height)};
     for (int k = 0; k < levels; ++k) {

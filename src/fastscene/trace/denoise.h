@@ -5,8 +5,6 @@
 // back by the caller.
 #pragma once
 
-#include <vector>
-
 #include "fastscene/image/image.h"
 
 namespace fastscene {
@@ -19,7 +17,6 @@ struct NoisyLight {
 
 struct Guides {
     ImageColor position, normal;     // of the first hit; a normal of zero: nothing, neither changed nor used
-    std::vector<int> column_step;    // by row: columns as far apart as two rows are (panoramas: 1 / cos of the latitude)
     bool wraps = false;              // the last column is the first one's neighbour
 };
 

@@ -17,7 +17,7 @@ constexpr float kNoise = 0.1f;
 // A wall that faces the viewer, lit evenly but for noise whose size is known.
 struct Wall {
     NoisyLight light{ImageColor(kWidth, kHeight), ImageF(kWidth, kHeight, kNoise * kNoise)};
-    Guides guides{ImageColor(kWidth, kHeight), ImageColor(kWidth, kHeight, {0, 0, -1}), std::vector<int>(kHeight, 1), true};
+    Guides guides{ImageColor(kWidth, kHeight), ImageColor(kWidth, kHeight, {0, 0, -1}), true};
     explicit Wall(float level_right = 1.f) {
         Random random(3, "wall");
         for (int y = 0; y < kHeight; ++y)
@@ -40,6 +40,14 @@ TEST(Denoise, EvenLightBecomesEven) {
     denoise(wall.light, wall.guides, 4);
     EXPECT_LT(spread(wall.light.value, 1, 0, kWidth), kNoise / 6);
     EXPECT_LT(wall.light.variance.at(20, 16), kNoise * kNoise / 36);
+}
+
+TEST(Denoise, ASpeckThatKnowsItselfGoes) {
+    Wall wall;
+    wall.light.value.at(30, 12) = {9, 9, 9};
+    wall.light.variance.at(30, 12) = 64;   // one of sixteen rays was lucky
+    denoise(wall.light, wall.guides, 4);
+    EXPECT_LT(wall.light.value.at(30, 12).x, 1.6f);
 }
 
 TEST(Denoise, AShadowsEdgeStaysWhereItIs) {

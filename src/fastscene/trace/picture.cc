@@ -114,10 +114,6 @@ struct NoisyPicture {
         radiance = diffuse = shine = other_color = guides.position = guides.normal = black;
         for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
         guides.wraps = eye.panorama;
-        for (int y = 0; y < eye.height; ++y) {
-            const float latitude = (0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(eye.height)) * kPi;
-            guides.column_step.push_back(eye.panorama ? std::clamp(static_cast<int>(std::lround(1 / std::cos(latitude))), 1, 8) : 1);
-        }
     }
     void set(int x, int y, const PixelSum& p) {
         const float share = 1 / static_cast<float>(p.own);
