@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 
@@ -214,6 +215,12 @@ TEST(Views, RoundTrip) {
     EXPECT_EQ(back.points[7].position_m, set.points[7].position_m);
     EXPECT_EQ(back.points[7].radius_m, set.points[7].radius_m);
     EXPECT_EQ(back.points[7].color, set.points[7].color);
+    // For loaders that count bytes a vertex is 27 of them, and the first that come.
+    const std::string ply = read_file(dir / "sparse" / "0" / "points3D.ply");
+    const std::size_t vertex = ply.find("end_header\n") + 11 + 27 * 7;
+    float x = 0;
+    std::memcpy(&x, ply.data() + vertex, 4);
+    EXPECT_EQ(x, set.points[7].position_m.x);
 }
 
 TEST(Views, DamagedModelsAreErrors) {

@@ -15,17 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 3DGS loaders read this file when it is there; ours also finds the normals and radii in it.
+// 3DGS loaders read this file when it is there; ours also finds the radii in it, behind the vertices: some loaders count bytes and would
+// take a column that they do not know for the next vertex.
 void save_points_ply(const fs::path& path, const std::vector<SurfacePoint>& points) {
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", points.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
     for (const char* name : {"red", "green", "blue"}) out += fmt::format("property uchar {}\n", name);
-    out += "property float radius\nend_header\n";
+    out += fmt::format("element spacing {}\nproperty float radius\nend_header\n", points.size());
     for (const SurfacePoint& p : points) {
         for (const float v : {p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y, p.normal.z}) append(out, v);
         for (const std::uint8_t v : {p.color.r, p.color.g, p.color.b}) append(out, v);
-        append(out, p.radius_m);
     }
+    for (const SurfacePoint& p : points) append(out, p.radius_m);
     write_file(path, out);
 }
 
@@ -34,7 +35,9 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
     const PlyElement& v = ply.element("vertex");
     const int x = ply.property(v, "x"), y = ply.property(v, "y"), z = ply.property(v, "z");
     const int r = ply.property(v, "red"), g = ply.property(v, "green"), b = ply.property(v, "blue");
-    const int nx = Ply::find(v, "nx"), ny = Ply::find(v, "ny"), nz = Ply::find(v, "nz"), radius = Ply::find(v, "radius");
+    const int nx = Ply::find(v, "nx"), ny = Ply::find(v, "ny"), nz = Ply::find(v, "nz");
+    const PlyElement& spacing = ply.has("spacing") && ply.element("spacing").count == v.count ? ply.element("spacing") : v;   // v: as older files have it
+    const int radius = Ply::find(spacing, "radius");
     std::vector<SurfacePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         SurfacePoint& p = points[i];
@@ -42,7 +45,7 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
         if (nx >= 0 && ny >= 0 && nz >= 0) p.normal = {ply.number(v, i, nx), ply.number(v, i, ny), ply.number(v, i, nz)};
         const auto byte = [&](int property) { return static_cast<std::uint8_t>(std::min(std::max(0.0, ply.value(v, i, property)), 255.0)); };
         p.color = {byte(r), byte(g), byte(b)};
-        if (radius >= 0) p.radius_m = ply.number(v, i, radius);
+        if (radius >= 0) p.radius_m = ply.number(spacing, i, radius);
     }
     return points;
 }
