@@ -141,7 +141,9 @@ void check_clip_text(Case& c) {
         c.tensor("pooler_output(argmax of ids)", out.pooled);
         return;
     }
-    const auto tokens = weighted_tokens(tokenizer(c), {c.json().at("prompt"), c.json().at("negative")}, ClipTokenizer::kEnd);
+    // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the exact GELU), else the end.
+    const int pad = c.network().json().at("config").at("hidden_act") == "gelu" ? 0 : ClipTokenizer::kEnd;
+    const auto tokens = weighted_tokens(tokenizer(c), {c.json().at("prompt"), c.json().at("negative")}, pad);
     const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]), negative = nn::embed_prompt(Scope(weights), tower, tokens[1]);
     c.tensor("text_embeddings", prompt.states);
     c.tensor("uncond_embeddings", negative.states);
