@@ -2,12 +2,12 @@
 
 #include <ATen/Parallel.h>
 #include <ATen/ops/empty.h>
+#include <ATen/ops/zeros.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "fastscene/base/check.h"
 
@@ -51,10 +51,10 @@ void multiply(const float* rows, std::int64_t row_stride, const float* panel, st
         for (int w = 0; w < W; ++w) store(to + r * to_stride + w * kLanes, sum[r][w]);
 }
 
-// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); 0 far down.
+// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); far down 1e-38, which no sum notices.
 Lanes exp_of(Lanes x) {
     const Lanes y = x * all(1.44269504088896341f);
-    const Lanes far_down = all(-126.f), clipped = y < far_down ? far_down : y;
+    const Lanes far_down = all(-126.f), clipped = y > far_down ? y : far_down;
     const Lanes magic = all(12582912.f);   // 1.5 * 2^23: adding it rounds to a whole number
     const Lanes shifted = clipped + magic, rest = clipped - (shifted - magic);
     const Whole exponent = (std::bit_cast<Whole>(shifted) - 0x4B400000) << 23;
@@ -66,20 +66,34 @@ Lanes exp_of(Lanes x) {
     p = p * rest + all(6.9314718e-1f);
     p = p * rest + all(1.f);
     const Whole bits = std::bit_cast<Whole>(p) + exponent;
-    return y < far_down ? Lanes{} : std::bit_cast<Lanes>(bits);
+    return std::bit_cast<Lanes>(bits);
 }
+
+// Zeros, aligned as libtorch aligns: a vector never lies across two lines of the cache.
+class Floats {
+  public:
+    explicit Floats(std::int64_t count) : memory_(at::zeros({count}, at::kFloat)), data_(memory_.data_ptr<float>()) {}
+    float* data() { return data_; }
+    const float* data() const { return data_; }
+    float* begin() { return data_; }
+    float* end() { return data_ + memory_.numel(); }
+    float& operator[](std::int64_t i) { return data_[i]; }
+
+  private:
+    Tensor memory_;
+    float* data_;
+};
 
 std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
 
 // The keys in panels of kPanel [panel][d][kPanel], the values with rows of whole vectors [M][wide]; zeros beyond.
 struct Packed {
-    std::vector<float> keys, values;
+    Floats keys, values;
     std::int64_t wide;
 };
 Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
-    const std::int64_t padded = rounded_up(m, kPanel);
-    Packed out{std::vector<float>(static_cast<std::size_t>(padded * d)), {}, rounded_up(d, kLanes)};
-    out.values.resize(static_cast<std::size_t>(padded * out.wide));
+    const std::int64_t padded = rounded_up(m, kPanel), wide = rounded_up(d, kLanes);
+    Packed out{Floats(padded * d), Floats(padded * wide), wide};
     for (std::int64_t j = 0; j < m; ++j) {
         float* key = out.keys.data() + j / kPanel * kPanel * d + j % kPanel;
         for (std::int64_t i = 0; i < d; ++i) key[i * kPanel] = k[j * d + i];
@@ -90,10 +104,9 @@ Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
 
 // What a thread works in.
 struct Bench {
-    std::vector<float> q, weights, sum;
-    std::vector<float> greatest, total;   // of each row so far
-    Bench(std::int64_t d, std::int64_t wide)
-        : q(static_cast<std::size_t>(kTileRows * d)), weights(static_cast<std::size_t>(kTileRows * kTileKeys)), sum(static_cast<std::size_t>(kTileRows * wide)), greatest(kTileRows), total(kTileRows) {}
+    Floats q, weights, sum;
+    Floats greatest, total;   // of each row so far
+    Bench(std::int64_t d, std::int64_t wide) : q(kTileRows * d), weights(kTileRows * kTileKeys), sum(kTileRows * wide), greatest(kTileRows), total(kTileRows) {}
 };
 
 // Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that grows.
@@ -105,19 +118,19 @@ void weigh(Bench& b, std::int64_t row, std::int64_t keys, std::int64_t padded, s
         const Lanes x = load(s + i);
         most = x > most ? x : most;
     }
-    float greatest = b.greatest[static_cast<std::size_t>(row)];
+    float greatest = b.greatest[row];
     for (int i = 0; i < kLanes; ++i) greatest = std::max(greatest, most[i]);
-    const float shrink = std::exp(b.greatest[static_cast<std::size_t>(row)] - greatest);
-    b.greatest[static_cast<std::size_t>(row)] = greatest;
+    const float shrink = std::exp(b.greatest[row] - greatest);
+    b.greatest[row] = greatest;
     Lanes total{};
     for (std::int64_t i = 0; i < padded; i += kLanes) {
         const Lanes w = exp_of(load(s + i) - all(greatest));
         store(s + i, w);
         total += w;
     }
-    float sum = b.total[static_cast<std::size_t>(row)] * shrink;
+    float sum = b.total[row] * shrink;
     for (int i = 0; i < kLanes; ++i) sum += total[i];
-    b.total[static_cast<std::size_t>(row)] = sum;
+    b.total[row] = sum;
     if (shrink != 1.f)
         for (std::int64_t i = 0; i < wide; i += kLanes) store(b.sum.data() + row * wide + i, load(b.sum.data() + row * wide + i) * all(shrink));
 }
@@ -149,7 +162,7 @@ void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, s
         for (std::int64_t row = 0; row < rows; row += kRows) add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);
     }
     for (std::int64_t row = 0; row < count; ++row)
-        for (std::int64_t i = 0; i < d; ++i) out[row * d + i] = b.sum[static_cast<std::size_t>(row * p.wide + i)] / b.total[static_cast<std::size_t>(row)];
+        for (std::int64_t i = 0; i < d; ++i) out[row * d + i] = b.sum[row * p.wide + i] / b.total[row];
 }
 
 }  // namespace
