@@ -19,6 +19,7 @@
 #include "fastscene/nn/circular.h"
 #include "fastscene/nn/hashed.h"
 #include "fastscene/nn/panorama_loops.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
 
@@ -129,10 +130,19 @@ Json cost(int width, int steps, at::ScalarType type) {
                 {"kinds", kinds.json(peak)}};
     HashedWeights decoder;
     nn::vae_decode(Scope(decoder), pictures, at::zeros({1, 4, 1, 1}));
+    const Tensor z = at::randn({1, 4, w / 2, w});
+    const auto decoded = [&](bool coarse) {
+        const nn::Autocast bf16(at::kCPU, coarse);
+        return nn::circular_decode(Scope(decoder), pictures, z, 64).to(at::kFloat);
+    };
     const double begin = cpu_seconds();
-    nn::circular_decode(Scope(decoder), pictures, at::randn({1, 4, w / 2, w}), 64);
+    const Tensor picture = decoded(type != at::kFloat);
     out["decode_cpu_s"] = cpu_seconds() - begin;
     out["peak_gib"] = peak_gib();
+    if (type != at::kFloat) {
+        const Tensor exact = decoded(false);
+        out["decoder_error_of_deviation"] = ((picture - exact).square().mean().sqrt() / exact.std()).item<double>();
+    }
     const double step = *std::min_element(seconds.begin(), seconds.end());
     out["twenty_steps_cpu_min_extrapolated"] = (20 * step + out["decode_cpu_s"].get<double>()) / 60;
     return out;

@@ -32,6 +32,21 @@ TEST(TiledAttention, IsSoftmaxOfProductsForAnyShape) {
     }
 }
 
+// Inputs that bfloat16 holds exactly: what is lost is what rounding weights and the result loses.
+TEST(TiledAttention, OfBfloat16IsAsNearAsItsRounding) {
+    const at::NoGradGuard no_gradients;
+    for (const auto& [n, l, m, d] : kShapes) {
+        at::manual_seed(n + l + m + d);
+        const auto drawn = [n = n, d = d](std::int64_t rows, double by) { return (by * at::randn({n, rows, d})).to(at::kBFloat16); };
+        const Tensor q = drawn(l, 3), k = drawn(m, 3), v = drawn(m, 1), half = tiled_attention(q, k, v);
+        EXPECT_EQ(half.scalar_type(), at::kBFloat16);
+        EXPECT_LT(farthest(half, plain(q, k, v)), 0.02) << l << " x " << m << " x " << d;
+        EXPECT_LT((half.to(at::kDouble) - plain(q, k, v)).square().mean().sqrt().item<double>(), 0.004) << l << " x " << m << " x " << d;
+    }
+    const Tensor far = (200 * at::randn({1, 700, 16})).to(at::kBFloat16), v = at::randn({1, 700, 16}).to(at::kBFloat16);
+    EXPECT_LT(farthest(tiled_attention(far.narrow(1, 0, 20), far, v), plain(far.narrow(1, 0, 20), far, v)), 0.05);
+}
+
 TEST(TiledAttention, SurvivesScoresThatExpCannotHold) {
     const at::NoGradGuard no_gradients;
     at::manual_seed(1);

@@ -12,6 +12,7 @@
 #include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/nn/panorama_loops.h"
 #include "fastscene/nn/photo_sphere.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
 #include "fastscene/nn/sphere_tiles.h"
@@ -95,6 +96,7 @@ void Diffusion360::Parts::estimate(const Run& run) {
 
 Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const {
     const Scope s(*model.vae);
+    const nn::Autocast coarse(latents.device(), settings.precision == "bf16");   // what is summed up from layer to layer stays in float
     const Tensor z = latents / model.vae_config.scale;
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
     if (!decodes_in_tiles()) return nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam) / 2 + 0.5;

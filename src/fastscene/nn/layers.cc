@@ -27,7 +27,8 @@ Tensor linear(const Scope& s, const Tensor& x, std::int64_t out, bool bias) {
 
 Tensor group_norm(const Scope& s, const Tensor& x, std::int64_t groups, double eps) {
     const std::int64_t channels = x.size(1);
-    return s.out(at::group_norm(x, groups, s.parameter("weight", {channels}), s.parameter("bias", {channels}), eps));
+    const Tensor weight = s.parameter("weight", {channels});   // its type is that of the sums, whatever a coarser convolution before made
+    return s.out(at::group_norm(x.to(weight.scalar_type()), groups, weight, s.parameter("bias", {channels}), eps));
 }
 
 Tensor layer_norm(const Scope& s, const Tensor& x, double eps) {
@@ -51,7 +52,8 @@ Tensor join_heads(const Tensor& x, std::int64_t heads) {
 Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t heads, const Tensor& mask, bool in_float) {
     FASTSCENE_CHECK(heads > 0 && q.size(2) % heads == 0);
     if (!mask.defined() && q.device().is_cpu() && q.scalar_type() != at::kDouble && !at::GradMode::is_enabled()) {
-        const auto rows = [heads](const Tensor& x) { return split_heads(x, heads).to(at::kFloat); };
+        const at::ScalarType type = q.scalar_type() == at::kBFloat16 ? at::kBFloat16 : at::kFloat;
+        const auto rows = [heads, type](const Tensor& x) { return split_heads(x, heads).to(type); };
         return join_heads(tiled_attention(rows(q), rows(k), rows(v)), heads).to(v.scalar_type());
     }
     const Tensor scaled = split_heads(q, heads) * (1 / std::sqrt(static_cast<double>(q.size(2) / heads)));
