@@ -83,6 +83,18 @@ Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random&
     return {{rotation, place}, Pinhole::with_fov(plan.request.width, plan.request.height, fov_deg)};
 }
 
+Random dice_of(const Plan& plan, int picture) { return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)}; }
+
+// Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is missing.
+std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
+    std::vector<Vec3f> eyes;
+    for (int k = 0; k < count; ++k) {
+        Random dice = dice_of(plan, first + k);
+        eyes.push_back(random_camera(plan, room, k, dice).world_from_camera.translation);
+    }
+    return eyes;
+}
+
 ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object, const Mat3f& camera_from_world) {
     ImageRgb8 out(normals.width, normals.height, Rgb8{128, 128, 128});
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -125,9 +137,8 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
 
 void make_picture(const Plan& plan, const TracedRoom& room, const std::string& prompt, int picture, const Run& run) {
     const DatasetRequest& request = plan.request;
-    const int view = picture % request.params.views;
-    Random dice(plan.seed, "dataset picture", static_cast<std::uint64_t>(picture));
-    const Camera camera = random_camera(plan, room, view, dice);
+    Random dice = dice_of(plan, picture);
+    const Camera camera = random_camera(plan, room, picture % request.params.views, dice);
     const Film film = random_film(dice, !plan.panorama);
     const Run quiet{dice.next_u64(), nullptr, run.stop};
     const ShotParts parts{.color = true, .range = true, .normal = true, .object = true};
@@ -201,7 +212,7 @@ DatasetState make_dataset(const DatasetRequest& request, const fs::path& folder,
         if (missing.empty()) continue;
         RandomRoom random = random_room(plan.seed, r);
         TracedRoom room(std::move(random.room));
-        room.gather_light(request.params.trace, {plan.seed, nullptr, run.stop});
+        room.gather_light(request.params.trace, {plan.seed, nullptr, run.stop}, eyes_in(plan, room, r * request.params.views, all));
         for (const int picture : missing) {
             run.check_stop();
             claim->still_alive();

@@ -19,8 +19,10 @@ namespace fastscene {
 
 class IrradianceCache {
   public:
-    // Walks the surfaces and gathers. Deterministic in run.seed.
-    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run);
+    // Walks the surfaces and gathers. Deterministic in run.seed. `eyes`: where pictures will be taken from; what nobody sees who steps
+    // about there gets fewer paths, since it is only known by what it lights.
+    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
+                                  const std::vector<Vec3f>& eyes = {Vec3f{}});
 
     // Irradiance without sun at a point of a surface: interpolated between the entries around it. `normal` of length 1.
     Vec3f at(Vec3f position, Vec3f normal) const { return read(position, normal).irradiance; }
@@ -58,6 +60,7 @@ class IrradianceCache {
         float area = 0;     // of the surface in the cell
         float transmission = 0;
         float trust = 0;
+        bool seen = true;   // by somebody who steps about the eyes
     };
     // A bit of surface that the sun lights, as a lamp for the rest of the room.
     struct SunPatch {
@@ -75,7 +78,9 @@ class IrradianceCache {
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
     void build(const Room& room);
-    void drop_unseen(const SceneBvh& bvh);
+    std::vector<std::uint8_t> sights(const SceneBvh& bvh) const;
+    void drop_buried(const SceneBvh& bvh);
+    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes);
     void index();
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;

@@ -2,6 +2,7 @@
 #include "fastscene/trace/irradiance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fastscene/base/parallel.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kMaxSamples = 12;      // places kept in a cell
 constexpr float kEven = 0.12f;       // of a cell: how far off their plane the places of an even one may lie
+enum : std::uint8_t { kBuried, kCrevice };
 
 }  // namespace
 
@@ -102,29 +104,43 @@ void IrradianceCache::build(const Room& room) {
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
 }
 
+// How well each place is seen: kBuried, or kCrevice + the rays of eight that go further than half a cell. Where the first places of a
+// cell lie in the open, and the first rays of a place find it so, the others are not asked.
+std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
+    constexpr std::uint32_t kRays = 8, kFirstRays = 4, kFirstPlaces = 4;
+    std::vector<std::uint8_t> sight(samples_.size(), kCrevice + kRays);
+    const auto sight_of = [&](const Place& at) {
+        bool seen = false;
+        std::uint8_t open = 0;
+        for (std::uint32_t s = 0; s < kRays; ++s) {
+            if (s == kFirstRays && open == kFirstRays) return static_cast<std::uint8_t>(kCrevice + kRays);
+            const Vec3f toward = cosine_direction(at.normal, r2_point(s, {0.5f, 0.5f}));
+            const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), toward);
+            if (!hit || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) continue;
+            seen = true;
+            open += hit.distance > 0.5f * cell_m_;
+        }
+        return seen ? static_cast<std::uint8_t>(kCrevice + open) : std::uint8_t{kBuried};
+    };
+    parallel_for(static_cast<std::int64_t>(cells_.size()), 256, [&](std::int64_t begin, std::int64_t end) {
+        for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
+            bool all_open = true;
+            for (std::uint32_t s = first_sample_[c]; s < first_sample_[c + 1]; ++s) {
+                if (s == first_sample_[c] + kFirstPlaces && all_open) break;
+                sight[s] = sight_of(samples_[s]);
+                all_open &= sight[s] == kCrevice + kRays;
+            }
+        }
+    });
+    return sight;
+}
+
 // Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in something
 // solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a crevice (most rays end
 // within half a cell: the wall between two boards, behind a door's panel). A cell that keeps such places beside visible ones is dark
 // where people look. A cell without any place left is no cell: it would only darken its neighbours and draw samples to itself.
-void IrradianceCache::drop_unseen(const SceneBvh& bvh) {
-    constexpr int kRays = 8;
-    enum : std::uint8_t { kBuried, kCrevice };   // and above: 1 + the rays that go further than half a cell
-    std::vector<std::uint8_t> sight(samples_.size(), kBuried);
-    parallel_for(static_cast<std::int64_t>(samples_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const Place& at = samples_[static_cast<std::size_t>(i)];
-            bool seen = false;
-            std::uint8_t open = 0;
-            for (std::uint32_t s = 0; s < kRays; ++s) {
-                const Vec3f toward = cosine_direction(at.normal, r2_point(s, {0.5f, 0.5f}));
-                const RayHit hit = bvh.first_hit(at.position + at.normal * distance_epsilon(at.position), toward);
-                if (!hit || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) continue;
-                seen = true;
-                open += hit.distance > 0.5f * cell_m_;
-            }
-            if (seen) sight[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(kCrevice + open);
-        }
-    });
+void IrradianceCache::drop_buried(const SceneBvh& bvh) {
+    const std::vector<std::uint8_t> sight = sights(bvh);
     std::vector<Cell> cells;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> first_sample;
@@ -159,6 +175,28 @@ void IrradianceCache::drop_unseen(const SceneBvh& bvh) {
     keys_ = std::move(keys);
     first_sample_ = std::move(first_sample);
     samples_ = std::move(samples);
+}
+
+// A step to every side of each eye, as far as there is room.
+void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes) {
+    constexpr float kStep_m = 0.8f, kOfTheWay = 0.8f;
+    constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0}, Vec3f{-1, 0, 0}, Vec3f{0, 0, 1}, Vec3f{0, 0, -1}, Vec3f{0, 1, 0}, Vec3f{0, -1, 0}};
+    std::vector<Vec3f> places = eyes;
+    for (const Vec3f eye : eyes)
+        for (const Vec3f way : kWays) places.push_back(eye + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(eye, way).distance)));
+    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
+            Cell& cell = cells_[c];
+            const Vec3f from = cell.center + cell.normal * (0.1f * cell_m_);
+            // What shines through is seen from its other side.
+            cell.seen = cell.transmission > 0 || std::any_of(places.begin(), places.end(), [&](Vec3f p) {
+                const Vec3f to = p - from;
+                const float far = length(to);
+                // A rounded cell is seen from a little behind its mean plane, too.
+                return dot(to, cell.normal) > -0.2f * far && !bvh.blocked(from, to / far, 0.f, far);
+            });
+        }
+    });
 }
 
 }  // namespace fastscene

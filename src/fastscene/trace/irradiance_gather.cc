@@ -18,6 +18,7 @@ using namespace irradiance;
 namespace {
 
 constexpr int kPasses = 6;
+constexpr int kUnseenShare = 3;   // a cell that nobody sees gets one path of so many
 // Harmonic mean distance of what surrounds an entry, in cells: below the first it is in a corner, above the second in the open.
 constexpr float kNearCells = 4, kOpenCells = 9;
 
@@ -93,19 +94,20 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             Random random(random_key(c, 0, run.seed));
             const Lights::Choice choice = lights.choice_at(cell.center, cell.normal);
             const Vec2f shift{random.uniform(), random.uniform()};
+            const int asked = cell.seen ? samples : std::max(8, samples / kUnseenShare);
             Vec3f sum{};
             Spread spread;
-            for (int s = 0; s < samples; ++s) {
+            for (int s = 0; s < asked; ++s) {
                 const Vec3f before = sum;
                 const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
-                const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(samples);
+                const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
                 const Place& at = place(c, s);
                 sum += lights.sample(room, bvh, choice, at.position, at.normal, {which, random.uniform()}, uv);
                 sum += sunlit(bvh, at, which);
                 spread.add(luminance(sum - before));
             }
             error[c] = spread.of_mean();
-            cell.direct = sum / static_cast<float>(samples);
+            cell.direct = sum / static_cast<float>(asked);
         }
         progress.advance();
     });
@@ -119,7 +121,7 @@ struct IrradianceCache::Pass {
     int number = 0, rays = 0;
     std::vector<Vec3f> gathered;
     std::vector<float> error;       // standard errors
-    std::vector<float> nearness;    // sums of the inverse distances of what the rays met, 1/m
+    std::vector<float> nearness;    // mean inverse distance of what the rays of a pass met, summed over the passes, 1/m
 };
 
 // What each entry sees of the others, one bounce more.
@@ -130,12 +132,13 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
             const auto c = static_cast<std::size_t>(i);
             Random random(random_key(c, static_cast<std::uint64_t>(pass.number) + 1, run.seed));
             const Vec2f shift{random.uniform(), random.uniform()};
+            const int rays = cells_[c].seen ? pass.rays : std::max(2, pass.rays / kUnseenShare);
             Vec3f sum{};
             Spread spread;
             int valid = 0;
-            for (int s = 0; s < pass.rays; ++s) {
+            for (int s = 0; s < rays; ++s) {
                 const Bounce bounce = bounced(room, bvh, lights, place(c, s), r2_point(static_cast<std::uint32_t>(s), shift));
-                pass.nearness[c] += 1 / (bounce.distance + 1e-3f);
+                pass.nearness[c] += 1 / ((bounce.distance + 1e-3f) * static_cast<float>(rays));
                 // This bit of surface is buried and nobody will see it.
                 if (bounce.buried) continue;
                 ++valid;
@@ -158,12 +161,10 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     Pass pass{0, 0, std::vector<Vec3f>(count), std::vector<float>(count), std::vector<float>(count)};
     std::vector<Vec3f> kept(count);
     std::vector<float> spoiled(count);   // squared error of `kept`
-    int rays = 0;
     Rest rest;
     for (pass.number = 0; pass.number < kPasses; ++pass.number) {
         const bool keep = pass.number >= kPasses - kKept;
         pass.rays = std::max(2, keep ? samples / 4 : samples / 12);
-        rays += pass.rays;
         gather_pass(room, bvh, lights, run, progress, pass);
         for (std::size_t c = 0; c < count; ++c) {
             cells_[c].indirect = pass.gathered[c];
@@ -182,7 +183,7 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     }
     for (std::size_t c = 0; c < count; ++c) {
         cells_[c].indirect = kept[c];
-        const float around = static_cast<float>(rays) / std::max(1e-6f, pass.nearness[c]) / cell_m_;   // harmonic mean distance, in cells
+        const float around = static_cast<float>(kPasses) / std::max(1e-6f, pass.nearness[c]) / cell_m_;   // harmonic mean distance, in cells
         cells_[c].trust *= smooth_step(kNearCells, kOpenCells, around);
     }
     despeckle(true);
@@ -194,7 +195,8 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
-IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run) {
+IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
+                                        const std::vector<Vec3f>& eyes) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.
@@ -202,7 +204,8 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     for (const Material& m : room.materials) cache.reflectances_.push_back(mean_reflectance(m, mean_albedo(m)));
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
     cache.build(room);
-    cache.drop_unseen(bvh);
+    cache.drop_buried(bvh);
+    cache.find_seen(bvh, eyes);
     cache.index();
 
     const Lights lights(room);

@@ -64,7 +64,6 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     impl_->device = rtcNewDevice(nullptr);
     if (!impl_->device) throw Error("Embree: expected a ray tracing device, found error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     impl_->scene = rtcNewScene(impl_->device);
-    rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
     impl_->meshes.resize(room.meshes.size());
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {

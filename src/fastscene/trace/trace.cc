@@ -65,9 +65,9 @@ TracedRoom::~TracedRoom() = default;
 TracedRoom::TracedRoom(TracedRoom&&) noexcept = default;
 TracedRoom& TracedRoom::operator=(TracedRoom&&) noexcept = default;
 
-void TracedRoom::gather_light(const TraceParams& params, const Run& run) {
+void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& eyes) {
     impl_->params = params;
-    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run);
+    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run, eyes);
     const Run quiet{run.seed, nullptr, run.stop};
     const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), {.pixel_samples = 4}, nullptr, nullptr, quiet);
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small);

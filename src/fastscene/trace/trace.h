@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
@@ -57,8 +58,8 @@ class TracedRoom {
     TracedRoom& operator=(TracedRoom&&) noexcept;
 
     // Gathers the light (the long part) and fixes the exposure as seen from the world's origin. Needed before any color.
-    // The same seed gives the same light for any number of threads.
-    void gather_light(const TraceParams& params, const Run& run);
+    // The same seed gives the same light for any number of threads. `eyes`: the places about which pictures will be taken.
+    void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& eyes = {Vec3f{}});
 
     // `seed` varies the camera samples only; the light is the room's.
     Shot panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const;
