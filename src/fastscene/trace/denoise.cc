@@ -50,15 +50,11 @@ struct Level {
 
     // How much of pixel q's light is that of p. The rest is p's own.
     float agreement(Vec3f position, Vec3f normal, float bright, float deviation2, int qx, int qy) const {
-        const Vec3f other = guides.normal.at(qx, qy);
-        const float turned = dot(normal, other);
-        if (!(turned > 0.5f)) return 0;
-        const Vec3f to = guides.position.at(qx, qy) - position;
-        const float off = dot(to, normal), reach2 = dot(to, to) * (kEven * kEven) + 1e-7f;
+        const float same = same_surface(guides, qx, qy, position, normal);
+        if (!(same > 0)) return 0;
         const float difference = luminance(light.value.at(qx, qy)) - bright;
         const float tolerance = kDeviations * kDeviations * (deviation2 + light.variance.at(qx, qy)) + 1e-12f;
-        const float t2 = turned * turned, t8 = t2 * t2 * t2 * t2;
-        return t8 * t8 * std::exp(-off * off / reach2 - difference * difference / tolerance);
+        return same * std::exp(-difference * difference / tolerance);
     }
 
     void filter(int x, int y, Vec3f& value, float& variance) const {
@@ -90,6 +86,15 @@ struct Level {
 };
 
 }  // namespace
+
+float same_surface(const Guides& guides, int x, int y, Vec3f position, Vec3f normal) {
+    const float turned = dot(normal, guides.normal.at(x, y));
+    if (!(turned > 0.5f)) return 0;
+    const Vec3f to = guides.position.at(x, y) - position;
+    const float off = dot(to, normal), reach2 = dot(to, to) * (kEven * kEven) + 1e-7f;
+    const float t2 = turned * turned, t8 = t2 * t2 * t2 * t2;
+    return t8 * t8 * std::exp(-off * off / reach2);
+}
 
 void denoise(NoisyLight& light, const Guides& guides, int levels) {
     FASTSCENE_CHECK(light.value.same_size(guides.normal));

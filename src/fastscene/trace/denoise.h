@@ -20,6 +20,9 @@ struct Guides {
     bool wraps = false;              // the last column is the first one's neighbour
 };
 
+// How much a pixel shows the surface at `position`: 1 = the same plane, 0 = another. `normal` of length 1.
+float same_surface(const Guides& guides, int x, int y, Vec3f position, Vec3f normal);
+
 // `levels`: neighbours up to 2, 4, 8 … pixels away. The same bytes for any number of threads.
 void denoise(NoisyLight& light, const Guides& guides, int levels);
 

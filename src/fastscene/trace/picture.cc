@@ -48,26 +48,25 @@ struct LightSum {
     }
 };
 
-// Everything that the rays of a pixel brought back. The surface that the first ray met is kept apart from all else that an outline
-// lets in: its light can be compared with that of its neighbours.
-struct PixelSum {
-    int taken = 0, own = 0;           // rays; those that met the first one's surface
-    Vec3f own_color{}, other_color{}, all_albedo{};
-    Vec3f radiance{}, diffuse{}, shine{}, position{}, normal{};
+// What some of a pixel's rays found on one surface: that of the first of them.
+struct SurfaceSum {
+    int count = 0;
+    Vec3f color{}, radiance{}, diffuse{}, shine{}, position{}, normal{};
     std::array<LightSum, 3> lights;   // diffuse, sun, mirrored
-    MeanError shown, texture;
+    MeanError texture;
 
+    // Off the first hit's plane, or turned away from it: another surface. The sky is a surface of its own.
+    bool takes(const Shaded& s) const {
+        if (count == 0) return true;
+        const bool outside = dot(normal, normal) < 0.5f, there = dot(s.normal, s.normal) < 0.5f;
+        if (outside || there) return outside && there;
+        const Vec3f to = s.position - position;
+        const float off = dot(to, normal);
+        return dot(s.normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f;
+    }
     void add(const Shaded& s, Vec3f developed) {
-        if (taken == 0) position = s.position, normal = s.normal;
-        ++taken;
-        all_albedo += s.albedo;
-        shown.add(luminance(developed));
-        if (!is_own(s)) {
-            other_color += developed;
-            return;
-        }
-        ++own;
-        own_color += developed;
+        if (count++ == 0) position = s.position, normal = s.normal;
+        color += developed;
         radiance += s.radiance;
         diffuse += s.diffuse;
         shine += s.shine;
@@ -76,59 +75,99 @@ struct PixelSum {
         lights[2].add(s.mirrored, luminance(s.shine));
         texture.add(luminance(s.diffuse + s.shine));
     }
-    bool mixed() const { return own < taken; }
-    Vec3f color() const { return (own_color + other_color) / static_cast<float>(taken); }
-    Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
+    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : shine) / static_cast<float>(count); }
+    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : shine); }
     // Whether light itself is noisy, not only what it falls on.
     bool noisy(float tolerated) const {
         float error = 0, level = 0;
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            const float through = luminance(k < 2 ? diffuse : shine) / static_cast<float>(own);
-            error += lights[k].arriving.variance() * through * through;
-            level += luminance(lights[k].seen) / static_cast<float>(own);
+            const float by = luminance(through(k));
+            error += lights[k].arriving.variance() * by * by;
+            level += luminance(lights[k].seen) / static_cast<float>(count);
         }
         return error > tolerated * tolerated * level * level;
     }
+};
 
-  private:
-    // Off the first hit's plane, or turned away from it: another surface. The sky is a surface of its own.
-    bool is_own(const Shaded& s) const {
-        if (taken == 1) return true;
-        const bool outside = dot(normal, normal) < 0.5f, there = dot(s.normal, s.normal) < 0.5f;
-        if (outside || there) return outside && there;
-        const Vec3f to = s.position - position;
-        const float off = dot(to, normal);
-        return dot(s.normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f;
+// Everything that the rays of a pixel brought back. The surface that the first ray met, and the first other one that an outline lets in, are
+// kept apart from all else: their light can be compared with that of their neighbours.
+struct PixelSum {
+    int taken = 0;
+    SurfaceSum own, second;
+    Vec3f rest_color{}, all_albedo{};
+    MeanError shown;
+
+    void add(const Shaded& s, Vec3f developed) {
+        ++taken;
+        all_albedo += s.albedo;
+        shown.add(luminance(developed));
+        if (own.takes(s)) own.add(s, developed);
+        else if (second.takes(s)) second.add(s, developed);
+        else rest_color += developed;
     }
+    bool mixed() const { return own.count < taken; }
+    Vec3f color() const { return (own.color + second.color + rest_color) / static_cast<float>(taken); }
+    Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
+};
+
+// A pixel's second surface, until the light of its neighbours is known.
+struct SecondSurface {
+    int x = 0;
+    float share = 0;
+    Vec3f color, radiance, position, normal, through, light;   // light: diffuse
 };
 
 // What is kept of all pixels until their noise is averaged.
 struct NoisyPicture {
-    ImageColor radiance, diffuse, shine, other_color;
+    ImageColor radiance, diffuse, shine, rest_color;
     ImageF own_share;
     std::array<NoisyLight, 3> lights;
     Guides guides;
+    std::vector<std::vector<SecondSurface>> seconds;   // by row
 
-    explicit NoisyPicture(const Eye& eye) : own_share(eye.width, eye.height) {
+    explicit NoisyPicture(const Eye& eye) : own_share(eye.width, eye.height), seconds(static_cast<std::size_t>(eye.height)) {
         const ImageColor black(eye.width, eye.height);
-        radiance = diffuse = shine = other_color = guides.position = guides.normal = black;
+        radiance = diffuse = shine = rest_color = guides.position = guides.normal = black;
         for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
         guides.wraps = eye.panorama;
     }
     void set(int x, int y, const PixelSum& p) {
-        const float share = 1 / static_cast<float>(p.own);
-        radiance.at(x, y) = p.radiance * share;
-        diffuse.at(x, y) = p.diffuse * share;
-        shine.at(x, y) = p.shine * share;
-        other_color.at(x, y) = p.other_color / static_cast<float>(p.taken);
-        own_share.at(x, y) = static_cast<float>(p.own) / static_cast<float>(p.taken);
+        const float of_own = 1 / static_cast<float>(p.own.count), of_all = 1 / static_cast<float>(p.taken);
+        radiance.at(x, y) = p.own.radiance * of_own;
+        diffuse.at(x, y) = p.own.through(0);
+        shine.at(x, y) = p.own.through(2);
+        own_share.at(x, y) = static_cast<float>(p.own.count) * of_all;
+        rest_color.at(x, y) = p.rest_color * of_all;
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            lights[k].value.at(x, y) = ratio(p.lights[k].seen, k < 2 ? p.diffuse : p.shine);
-            lights[k].variance.at(x, y) = p.lights[k].arriving.variance();
+            lights[k].value.at(x, y) = p.own.light(k);
+            lights[k].variance.at(x, y) = p.own.lights[k].arriving.variance();
         }
-        guides.position.at(x, y) = p.position;
-        guides.normal.at(x, y) = p.normal;
+        guides.position.at(x, y) = p.own.position;
+        guides.normal.at(x, y) = p.own.normal;
+        if (p.second.count == 0) return;
+        const SurfaceSum& other = p.second;
+        const float of_other = 1 / static_cast<float>(other.count);
+        seconds[static_cast<std::size_t>(y)].push_back({x, static_cast<float>(other.count) * of_all, other.color * of_other, other.radiance * of_other,
+                                                        other.position, other.normal, other.through(0), other.light(0)});
     }
+
+    // The diffuse light of a second surface as the pixels around have it that show it: a few rays of one pixel know it too badly.
+    Vec3f light_around(const SecondSurface& s, int y) const {
+        constexpr int reach = 2;
+        Vec3f sum{};
+        float weights = 0;
+        for (int qy = std::max(0, y - reach); qy <= std::min(own_share.height - 1, y + reach); ++qy)
+            for (int dx = -reach; dx <= reach; ++dx) {
+                int qx = s.x + dx;
+                if (guides.wraps) qx = wrap_column(qx, own_share.width);
+                else if (qx < 0 || qx >= own_share.width) continue;
+                const float w = same_surface(guides, qx, qy, s.position, s.normal) / static_cast<float>(1 + dx * dx + (qy - y) * (qy - y));
+                sum += lights[0].value.at(qx, qy) * w;
+                weights += w;
+            }
+        return weights > 0.05f ? sum / weights : s.light;
+    }
+
     // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in stays too.
     void denoise_into(ImageColor& color, const Look* look) {
         constexpr std::array<int, 3> kLevels{4, 2, 3};
@@ -138,16 +177,25 @@ struct NoisyPicture {
             denoise(lights[k], guides, kLevels[k]);
             const ImageColor& through = k < 2 ? diffuse : shine;
             for (std::size_t i = 0; i < before.size(); ++i) change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
-            lights[k] = {};
+            if (k > 0) lights[k] = {};
         }
+        const auto seen = [look](Vec3f light) {
+            for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
+            return look ? develop(*look, light) : light;
+        };
         parallel_for(color.height, 16, [&](std::int64_t begin, std::int64_t end) {
-            for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (auto y = static_cast<int>(begin); y < end; ++y) {
+                auto second = seconds[static_cast<std::size_t>(y)].begin();
                 for (int x = 0; x < color.width; ++x) {
-                    if (change.at(x, y) == Vec3f{}) continue;
-                    Vec3f light = radiance.at(x, y) + change.at(x, y);
-                    for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
-                    color.at(x, y) = other_color.at(x, y) + (look ? develop(*look, light) : light) * own_share.at(x, y);
+                    const SecondSurface* other = second != seconds[static_cast<std::size_t>(y)].end() && second->x == x ? &*second++ : nullptr;
+                    if (!other && change.at(x, y) == Vec3f{}) continue;
+                    color.at(x, y) = rest_color.at(x, y) + seen(radiance.at(x, y) + change.at(x, y)) * own_share.at(x, y);
+                    if (!other) continue;
+                    const Vec3f around = light_around(*other, y);
+                    const bool as_it_was = around == other->light;
+                    color.at(x, y) += (as_it_was ? other->color : seen(other->radiance + other->through * (around - other->light))) * other->share;
                 }
+            }
         });
     }
 };
@@ -159,7 +207,7 @@ bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
     if (!parts.denoise) return error > parts.noise;
     if (pixel.taken >= samples / 2 || !(error > parts.noise)) return false;
     if (pixel.mixed()) return pixel.taken < samples / 4 || error > 2 * parts.noise;
-    return pixel.taken < samples / 4 && (pixel.texture.of_srgb_mean() > parts.noise || pixel.noisy(kVeryNoisy));
+    return pixel.taken < samples / 4 && (pixel.own.texture.of_srgb_mean() > parts.noise || pixel.own.noisy(kVeryNoisy));
 }
 
 }  // namespace
@@ -174,7 +222,7 @@ Vec3f world_direction(const Eye& eye, Vec2f pixel) { return normalize(eye.world_
 
 ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo,
                           const Run& run) {
-    const int round = parts.denoise ? std::max(1, samples / 8) : parts.noise > 0 ? std::min(16, samples) : samples;
+    const int round = parts.denoise ? std::max(1, samples / 16) : parts.noise > 0 ? std::min(16, samples) : samples;
     ImageColor out(eye.width, eye.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
