@@ -85,6 +85,7 @@ class IrradianceCache {
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
+    void doubt_edges();
 
     // The steps of gather(), in order.
     void light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed);

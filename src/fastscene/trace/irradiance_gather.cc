@@ -215,6 +215,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.find_sun_patches(bvh, run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
+    cache.doubt_edges();
     cache.samples_ = {};
     return cache;
 }
