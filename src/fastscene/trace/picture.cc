@@ -151,8 +151,8 @@ struct NoisyPicture {
                                                         other.position, other.normal, other.through(0), other.light(0)});
     }
 
-    // The diffuse light of a second surface as the pixels around have it that show it: a few rays of one pixel know it too badly.
-    Vec3f light_around(const SecondSurface& s, int y) const {
+    // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one pixel know it too badly.
+    std::optional<Vec3f> light_around(const SecondSurface& s, int y) const {
         constexpr int reach = 2;
         Vec3f sum{};
         float weights = 0;
@@ -165,7 +165,7 @@ struct NoisyPicture {
                 sum += lights[0].value.at(qx, qy) * w;
                 weights += w;
             }
-        return weights > 0.05f ? sum / weights : s.light;
+        return weights > 0.05f ? std::optional(sum / weights) : std::nullopt;
     }
 
     // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in stays too.
@@ -177,7 +177,7 @@ struct NoisyPicture {
             denoise(lights[k], guides, kLevels[k]);
             const ImageColor& through = k < 2 ? diffuse : shine;
             for (std::size_t i = 0; i < before.size(); ++i) change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
-            if (k > 0) lights[k] = {};
+            if (k > 0) lights[k] = {};   // the first is looked at once more, below
         }
         const auto seen = [look](Vec3f light) {
             for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
@@ -191,9 +191,8 @@ struct NoisyPicture {
                     if (!other && change.at(x, y) == Vec3f{}) continue;
                     color.at(x, y) = rest_color.at(x, y) + seen(radiance.at(x, y) + change.at(x, y)) * own_share.at(x, y);
                     if (!other) continue;
-                    const Vec3f around = light_around(*other, y);
-                    const bool as_it_was = around == other->light;
-                    color.at(x, y) += (as_it_was ? other->color : seen(other->radiance + other->through * (around - other->light))) * other->share;
+                    const auto around = light_around(*other, y);
+                    color.at(x, y) += (around ? seen(other->radiance + other->through * (*around - other->light)) : other->color) * other->share;
                 }
             }
         });
