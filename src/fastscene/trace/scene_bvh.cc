@@ -51,10 +51,12 @@ bool visit_triangle(RTCPointQueryFunctionArguments* args) {
 
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    // Twice the same triangles: a ray costs half as much where edges need not be watertight, but then one that aims at an edge may slip through.
+    RTCScene scene = nullptr, watertight = nullptr;
     std::vector<Corners> meshes;
     ~Impl() {
         if (scene) rtcReleaseScene(scene);
+        if (watertight) rtcReleaseScene(watertight);
         if (device) rtcReleaseDevice(device);
     }
 };
@@ -64,7 +66,9 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     impl_->device = rtcNewDevice(nullptr);
     if (!impl_->device) throw Error("Embree: expected a ray tracing device, found error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     impl_->scene = rtcNewScene(impl_->device);
-    rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
+    impl_->watertight = rtcNewScene(impl_->device);
+    rtcSetSceneFlags(impl_->watertight, RTC_SCENE_FLAG_ROBUST);
+    for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     impl_->meshes.resize(room.meshes.size());
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
@@ -78,12 +82,12 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
         std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(impl_->scene, geometry, static_cast<unsigned>(m));
+        for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
         for (std::size_t t = 0; t < count; ++t) impl_->meshes[m].triangles.push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
         if (count == 0) impl_->meshes[m].triangles.push_back({});
     }
-    rtcCommitScene(impl_->scene);
+    for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcCommitScene(scene);
 }
 SceneBvh::~SceneBvh() = default;
 
@@ -94,6 +98,8 @@ RayHit SceneBvh::first_hit(Vec3f origin, Vec3f direction, float near_m, float fa
     ray.ray = {origin.x, origin.y, origin.z, near_m, direction.x, direction.y, direction.z, 0.f, far_m, ~0u, 0u, 0u};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(impl_->scene, &context, &ray);
+    // Few rays leave a room, and those that seem to may have met an edge.
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) rtcIntersect1(impl_->watertight, &context, &ray);
     RayHit hit;
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
     hit.distance = ray.ray.tfar;

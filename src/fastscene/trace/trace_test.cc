@@ -224,6 +224,20 @@ TEST(Trace, TwoSetsOfCameraRaysAgree) {
     EXPECT_GT(psnr(picture({}, fine), picture(other, fine)), 42);
 }
 
+// The tree that is asked first is not watertight: no ray may slip out between two triangles, not even one that aims at where they meet.
+TEST(Trace, NoRayLeavesAClosedRoom) {
+    const TracedRoom room(furnished_room());
+    Random dice(8, "rays");
+    int lost = 0;
+    for (int i = 0; i < 400'000; ++i) {
+        const Vec3f from{dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f)};
+        Vec3f to{dice.uniform(kLow.x, kHigh.x), dice.uniform(kLow.y, kHigh.y), dice.chance(0.5f) ? kLow.z : kHigh.z};
+        if (i % 2) to.x = dice.chance(0.5f) ? kLow.x : kHigh.x;   // an edge of the room
+        lost += std::isinf(room.distance(from, normalize(to - from)));
+    }
+    EXPECT_EQ(lost, 0);
+}
+
 TEST(Trace, ClearanceIsZeroInsideAndTheDistanceOutside) {
     const TracedRoom room(furnished_room());
     EXPECT_EQ(room.clearance({1.2f, 1.1f, 1.5f}, 0.5f), 0.f);
