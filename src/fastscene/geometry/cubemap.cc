@@ -1,8 +1,9 @@
 #include "fastscene/geometry/cubemap.h"
 
 #include <cmath>
+#include <numbers>
 
-#include "fastscene/base/parallel.h"
+#include "fastscene/geometry/averaged.h"
 
 namespace fastscene {
 
@@ -36,17 +37,12 @@ ImageColor face_from_equirect(const ImageColor& equirect, CubeFace face, const P
 }
 
 ImageColor equirect_from_faces(const std::array<ImageColor, 6>& faces, const Pinhole& camera, EquirectSize size) {
-    ImageColor out(size.width, size.height);
-    parallel_for(size.height, 8, [&](std::int64_t begin, std::int64_t end) {
-        for (int y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < size.width; ++x) {
-                const Vec3f d = direction_of_pixel(x, y, size);
-                const CubeFace face = face_of_direction(d);
-                const auto at = camera.project(transpose(pano_from_face(face)) * d);
-                out.at(x, y) = sample_flat(faces[static_cast<std::size_t>(face)], *at);
-            }
+    const int n = samples_a_side(2 * std::numbers::pi / size.width, 1.0 / static_cast<double>(camera.fx));
+    return averaged(size.width, size.height, n, [&](Vec2f at) {
+        const Vec3f d = direction_at(at, size);
+        const CubeFace face = face_of_direction(d);
+        return sample_flat(faces[static_cast<std::size_t>(face)], *camera.project(transpose(pano_from_face(face)) * d));
     });
-    return out;
 }
 
 }  // namespace fastscene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fastscene/base/parallel.h"
+#include "fastscene/geometry/averaged.h"
 
 namespace fastscene {
 namespace {
@@ -17,33 +17,6 @@ const Vec3f& pixel_on_sphere(const ImageColor& image, int x, int y) {
         x += image.width / 2;
     }
     return image.at(wrap_column(x, image.width), std::clamp(y, 0, image.height - 1));
-}
-
-// Samples a side so that samples lie no farther apart than the source's pixels.
-int samples_a_side(double target_angle, double source_angle) {
-    return std::clamp(static_cast<int>(std::ceil(target_angle / source_angle - 0.05)), 1, 16);
-}
-
-// Means of n x n samples a pixel: direction(px, py) says where to look.
-template <class Direction>
-ImageColor resample(const ImageColor& equirect, int width, int height, int n, const Direction& direction) {
-    ImageColor out(width, height);
-    const EquirectSize size{equirect.width, equirect.height};
-    const float step = 1.f / static_cast<float>(n);
-    parallel_for(height, 8, [&](std::int64_t begin, std::int64_t end) {
-        for (int y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < width; ++x) {
-                Vec3f sum;
-                for (int j = 0; j < n; ++j)
-                    for (int i = 0; i < n; ++i) {
-                        const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) * step,
-                                       static_cast<float>(y) + (static_cast<float>(j) + 0.5f) * step};
-                        sum += sample_equirect(equirect, pixel_of_direction(direction(at), size));
-                    }
-                out.at(x, y) = sum * (step * step);
-            }
-    });
-    return out;
 }
 
 }  // namespace
@@ -67,14 +40,16 @@ Vec3f sample_flat(const ImageColor& picture, Vec2f pixel) {
 
 ImageColor pinhole_from_equirect(const ImageColor& equirect, const Pinhole& camera, const Mat3f& pano_from_camera) {
     const int n = samples_a_side(1.0 / static_cast<double>(camera.fx), 2 * std::numbers::pi / equirect.width);
-    return resample(equirect, camera.width, camera.height, n,
-                    [&](Vec2f at) { return pano_from_camera * camera.direction_at(at); });
+    const EquirectSize size{equirect.width, equirect.height};
+    return averaged(camera.width, camera.height, n,
+                    [&](Vec2f at) { return sample_equirect(equirect, pixel_of_direction(pano_from_camera * camera.direction_at(at), size)); });
 }
 
 ImageColor equirect_from_equirect(const ImageColor& equirect, EquirectSize size, const Mat3f& source_from_target) {
     const int n = samples_a_side(1.0 / size.width, 1.0 / equirect.width);
-    return resample(equirect, size.width, size.height, n,
-                    [&](Vec2f at) { return source_from_target * direction_at(at, size); });
+    const EquirectSize source{equirect.width, equirect.height};
+    return averaged(size.width, size.height, n,
+                    [&](Vec2f at) { return sample_equirect(equirect, pixel_of_direction(source_from_target * direction_at(at, size), source)); });
 }
 
 }  // namespace fastscene

@@ -40,6 +40,24 @@ Square cut(const ImageRgb8& image, const ImageMask& mask, int left, int top, int
     return out;
 }
 
+// Half the size: mean colors; a hole wherever there was one.
+void shrink(ImageRgb8& image, ImageMask& mask) {
+    const ImageRgb8 large = std::move(image);
+    const ImageMask torn = std::move(mask);
+    image = ImageRgb8(large.width / 2, large.height / 2);
+    mask = ImageMask(image.width, image.height);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            int r = 2, g = 2, b = 2;   // rounds
+            for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+                const Rgb8 c = large.at(2 * x + i, 2 * y + j);
+                r += c.r, g += c.g, b += c.b;
+                mask.at(x, y) |= torn.at(2 * x + i, 2 * y + j);
+            }
+            image.at(x, y) = {static_cast<std::uint8_t>(r / 4), static_cast<std::uint8_t>(g / 4), static_cast<std::uint8_t>(b / 4)};
+        }
+}
+
 // A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face is whole.
 std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params, bool still, Random& dice) {
     std::optional<Square> best;
@@ -95,10 +113,11 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
         return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))];
     };
     const HoleSet::Face& face = any_face();
-    const ImageRgb8 image = load_rgb8(face.image);
+    ImageRgb8 image = load_rgb8(face.image);
     ImageMask mask(image.width, image.height);
     add_holes(mask, one_of(face.masks, dice));
     if (!still && dice.chance(static_cast<float>(params.strange_masks))) add_holes(mask, one_of(any_face().masks, dice));
+    if (!still && std::min(image.width, image.height) >= 2 * params.size && dice.chance(static_cast<float>(params.shrunk))) shrink(image, mask);
     if (image.width < params.size || image.height < params.size)
         throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(), std::min(image.width, image.height),
                          params.size);
@@ -159,7 +178,7 @@ std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data
         examples.held_out.push_back(draw_example(held_out, params, true, dice, broken));
     }
 
-    examples.about = {{"size", params.size}, {"strange-masks", params.strange_masks}, {"most-open", params.most_open}, {"jitter", params.jitter}};
+    examples.about = {{"size", params.size}, {"strange-masks", params.strange_masks}, {"shrunk", params.shrunk}, {"most-open", params.most_open}, {"jitter", params.jitter}};
     const auto figures = train_aotgan(params.network, examples, folder, run);
     if (broken > 0) run.warn(fmt::format("{} reads of broken pictures or masks were passed over", broken.load()));
     return figures;

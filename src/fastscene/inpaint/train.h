@@ -14,6 +14,7 @@ namespace fastscene {
 struct InpaintTrainParams {
     int size = 512;
     double strange_masks = 0.5;
+    double shrunk = 0;
     double most_open = 0.7;
     double jitter = 0.05;
     int held_out = 64;
@@ -23,6 +24,7 @@ template <class V>
 void visit_fields(InpaintTrainParams& p, V&& v) {
     v("size", p.size, Bounds{64, 2048}, "Side of the crops about holes that are trained on; a multiple of 8.");
     v("strange-masks", p.strange_masks, Bounds{0, 1}, "Share of the examples that have another picture's holes besides their own.");
+    v("shrunk", p.shrunk, Bounds{0, 1}, "Share of the examples at half their size: faces of a small panorama are soft, those of a large one are not.");
     v("most-open", p.most_open, Bounds{0.01, 1}, "Crops with a larger share of holes are left out.");
     v("jitter", p.jitter, Bounds{0, 1}, "How far brightness, contrast and balance of the colors stray.");
     v("held-out", p.held_out, Bounds{1, 100000}, "Held-out examples whose figures are measured while training.");

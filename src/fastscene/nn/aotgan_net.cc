@@ -73,6 +73,10 @@ AotganShape aotgan_shape(const Weights& weights) {
     if (first.size() != 4 || first[0] < 1 || first[0] > 1024 || first[1] != 4)
         throw Error("{}: encoder.1.weight: expected shape [width, 4, 7, 7], found {}", weights.path.string(), text_of_shape(first));
     AotganShape shape{first[0], 0, {}};
+    if (weights.has("decoder.4.weight")) {
+        const auto& last = weights.at("decoder.4.weight").shape;
+        shape.skips = last.size() == 4 && last[1] == 2 * shape.width;
+    }
     while (weights.has("middle." + std::to_string(shape.blocks) + ".fuse.1.weight")) ++shape.blocks;
     for (std::int64_t i = 0; i < 10 && weights.has("middle.0.block0" + std::to_string(i) + ".1.weight"); ++i) shape.rates.push_back(std::int64_t{1} << i);
     if (shape.blocks == 0 || shape.rates.empty() || 4 * shape.width % static_cast<std::int64_t>(shape.rates.size()) != 0)
@@ -91,12 +95,13 @@ AotganShape aotgan_shape(const Weights& weights) {
 Tensor aotgan_generator(const Scope& s, const AotganShape& shape, const Tensor& picture, const Tensor& mask) {
     const Scope encoder = s / "encoder", decoder = s / "decoder";
     Tensor x = (encoder / 0).out(reflected(at::cat({picture, mask}, 1), 3));
-    x = at::relu(conv(encoder / 1, x, shape.width, {7, 1, 0}));
-    x = at::relu(conv(encoder / 3, x, 2 * shape.width, {4, 2, 1}));
-    x = at::relu(conv(encoder / 5, x, 4 * shape.width, {4, 2, 1}));
+    const Tensor whole = at::relu(conv(encoder / 1, x, shape.width, {7, 1, 0}));
+    const Tensor half = at::relu(conv(encoder / 3, whole, 2 * shape.width, {4, 2, 1}));
+    const auto beside = [&](const Tensor& made, const Tensor& seen) { return shape.skips ? at::cat({made, seen}, 1) : made; };
+    x = at::relu(conv(encoder / 5, half, 4 * shape.width, {4, 2, 1}));
     for (std::int64_t i = 0; i < shape.blocks; ++i) x = aot_block(s / "middle" / i, shape, x);
-    x = at::relu(up_conv(decoder / 0, x, 2 * shape.width));
-    x = at::relu(up_conv(decoder / 2, x, shape.width));
+    x = beside(at::relu(up_conv(decoder / 0, x, 2 * shape.width)), half);
+    x = beside(at::relu(up_conv(decoder / 2, x, shape.width)), whole);
     return at::tanh(conv(decoder / 4, x, 3));
 }
 

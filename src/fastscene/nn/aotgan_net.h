@@ -9,11 +9,14 @@
 
 namespace fastscene::nn {
 
-// The official network has width 64, eight blocks and four rates; a slim one differs in width alone.
+// The official network has width 64, eight blocks, four rates and no skips; a slim one differs in width alone.
 struct AotganShape {
     std::int64_t width = 64;  // channels of the first layer; the middle has four times as many
     std::int64_t blocks = 8;
     std::vector<std::int64_t> rates{1, 2, 4, 8};  // dilations of a block's branches
+    // Ours: the decoder sees the encoder's maps of its own size too. Without them every known pixel must come through a quarter of the size,
+    // and holes of a pixel's width are painted by guess.
+    bool skips = false;
 };
 // What a checkpoint of the generator holds; `rates` cannot be seen in it: 1, 2, 4 … as many as there are branches, unless the metadata
 // say "rates". Throws Error when it is no such checkpoint.

@@ -122,7 +122,7 @@ class Trainer {
     }
 
   private:
-    AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}}; }
+    AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}, params_.skips}; }
     bool harmonic() const { return params_.holes == "harmonic"; }
     LearnerSettings settings() const {
         return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999}, params_.training.average, params_.training.clip};

@@ -17,6 +17,7 @@ namespace fastscene {
 
 struct AotganTrainingParams {
     int width = 64, blocks = 8;
+    bool skips = false;
     std::string holes = "white";
     std::string start, vgg;
     double l1 = 1, l1_holes = 0, l2_holes = 0, psnr = 0, style = 250, perceptual = 0.1, pyramid = 1, adversarial = 0.01;
@@ -27,6 +28,7 @@ template <class V>
 void visit_fields(AotganTrainingParams& p, V&& v) {
     v("width", p.width, Bounds{4, 256}, "Channels of the generator's first layer; the official network has 64, a slim one fewer.");
     v("blocks", p.blocks, Bounds{1, 32}, "Blocks in the middle; the official network has 8.");
+    v("skips", p.skips, "The decoder sees the encoder's maps of its own size too (the official network's does not).");
     v("holes", p.holes, Choices{{"white", "harmonic"}},
       "What the network finds in holes: white, as published, and it paints the picture; or the harmonic fill, and it paints what that lacks.");
     v("start", p.start, "Weights to begin from (G*.pt, .safetensors); empty: random ones.");

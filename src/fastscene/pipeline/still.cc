@@ -31,9 +31,13 @@ Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_f
 
 Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background) {
     const EquirectSize size{width, width / 2};
-    // As fine as the sphere at its middle; two degrees over the cube's edges, so that no bilinear sample falls outside.
+    // Two degrees over the cube's edges, so that no bilinear sample falls outside.
     constexpr float kFovDeg = 94.f;
-    const double side = width / std::numbers::pi * std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
+    // Every splat is drawn at least as wide as a pixel (0.3 of one is added to its variance). A sphere is mostly coarser than the views that
+    // taught the splats, so faces as fine as the sphere would blur it; they are twice as fine, and averaged.
+    constexpr int kWidestAveraged = 4096;   // beyond that the six faces would take gigabytes
+    const double finer = width <= kWidestAveraged ? 2 : 1;
+    const double side = finer * width / std::numbers::pi * std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
     const Pinhole camera = Pinhole::with_fov(std::max(8, static_cast<int>(std::ceil(side))), std::max(8, static_cast<int>(std::ceil(side))), kFovDeg);
     std::array<ImageColor, 6> colors, others;  // the others: alpha and range
     for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
