@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/base/random.h"
+#include "fastscene/nn/team.h"
 
 namespace fastscene::nn {
 namespace {
@@ -81,8 +82,19 @@ Learner::Learner(std::string name, const Start& start, at::TensorOptions options
     for (const auto& [key, tensor] : weights_.all()) average_.get(key, tensor.sizes()).set_requires_grad(false);
 }
 
+// One for every parameter, so that all processes of a team send as many numbers.
+std::vector<Tensor> Learner::gradients() const {
+    std::vector<Tensor> out;
+    for (const auto& [key, parameter] : adam_.parameters()) {
+        if (!parameter.grad().defined()) parameter.mutable_grad() = at::zeros_like(parameter);
+        out.push_back(parameter.grad());
+    }
+    return out;
+}
+
 double Learner::update(double rate) {
     const at::NoGradGuard no_gradients;
+    if (team_) team_->mean(gradients());
     Tensor square = at::zeros({}, at::kDouble);
     for (const auto& [key, parameter] : adam_.parameters())
         if (parameter.grad().defined()) square += parameter.grad().square().sum().to(square.options());

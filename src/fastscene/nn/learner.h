@@ -13,6 +13,8 @@
 
 namespace fastscene::nn {
 
+class Team;
+
 // What a new parameter starts from, by its name and shape.
 using Start = std::function<at::Tensor(const std::string& key, at::IntArrayRef shape)>;
 // Kernels and matrices normal with this deviation, or with that of He et al. 2015 (`gain` / sqrt(fan-in)); weights of norms 1; the rest 0.
@@ -55,6 +57,8 @@ class Learner {
     // Along the gradients that the last backward() left: shortens them, one step of Adam, moves the average, forgets them.
     // Returns the gradients' length before. A step whose gradients are not finite is left out (NaN comes back).
     double update(double rate);
+    // From now on update() takes the mean of the team's gradients. The team must live as long.
+    void join(const Team& team) { team_ = &team; }
     void forget_gradients() { adam_.forget_gradients(); }
     // While frozen, gradients pass through the network without being kept for its parameters.
     void freeze(bool frozen);
@@ -68,10 +72,13 @@ class Learner {
     Weights kept() const;
 
   private:
+    std::vector<at::Tensor> gradients() const;
+
     std::string name_;
     TrainableWeights weights_, average_;
     Adam adam_;
     LearnerSettings settings_;
+    const Team* team_ = nullptr;
 };
 
 }  // namespace fastscene::nn

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <future>
 #include <numbers>
+#include <optional>
 
 #include "fastscene/base/file.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/safetensors.h"
+#include "fastscene/nn/team.h"
 #include "fastscene/nn/training_log.h"
 
 namespace fastscene::nn {
@@ -69,6 +71,18 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
                              name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
+// What the first process has, checkpoint and all, for those that joined it.
+std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, const Team& team) {
+    std::vector<at::Tensor> tensors;
+    for (const auto& [name, tensor] : whole_state(task)) tensors.push_back(tensor);
+    team.from_first(tensors);
+    for (Learner* learner : task.learners) {
+        learner->set_steps(team.from_first(learner->steps()));
+        learner->join(team);
+    }
+    return team.from_first(step);
+}
+
 // Means of the numbers of several steps.
 class Means {
   public:
@@ -97,7 +111,8 @@ class Means {
 // The examples of each step, drawn one step ahead.
 class Drawer {
   public:
-    Drawer(const TrainingTask& task, std::uint64_t seed) : task_(task), seed_(seed) {}
+    Drawer(const TrainingTask& task, std::uint64_t seed, const Team* team)
+        : task_(task), seed_(seed), processes_(team ? team->size() : 1), process_(team ? team->process() : 0) {}
     Batch at(std::int64_t step, bool another_follows) {
         Batch now = next_.valid() ? next_.get() : draw(step);
         if (another_follows) next_ = std::async(std::launch::async, [this, step] { return draw(step + 1); });
@@ -106,11 +121,12 @@ class Drawer {
 
   private:
     Batch draw(std::int64_t step) const {
-        Random dice(seed_, "training step", static_cast<std::uint64_t>(step));
+        Random dice(seed_, "training step", static_cast<std::uint64_t>(step * processes_ + process_));
         return task_.draw(dice);
     }
     const TrainingTask& task_;
     std::uint64_t seed_;
+    std::int64_t processes_, process_;
     std::future<Batch> next_;
 };
 
@@ -130,22 +146,30 @@ double rate_at(const TrainingParams& params, std::int64_t step) {
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
-    make_directories(folder / "sheets");
-    settle_settings(task, params, folder, run);
-    const std::int64_t first = load_checkpoint(task, folder);
-    TrainingLog log(folder, first);
-    const double minutes_before = log.minutes();
+    const std::unique_ptr<Team> team = Team::meet(params);
+    const bool keeps = !team || team->process() == 0;   // the folder is the first process's
+    if (keeps) {
+        make_directories(folder / "sheets");
+        settle_settings(task, params, folder, run);
+    }
+    std::int64_t first = keeps ? load_checkpoint(task, folder) : 0;
+    if (team) first = same_beginning(task, first, *team);
+    TrainingOutcome outcome{first, first >= params.steps, {}};
+    std::optional<TrainingLog> log;
+    if (keeps) log.emplace(folder, first);
+    const double minutes_before = log ? log->minutes() : 0;
     const Clock::time_point begin = Clock::now();
     if (first > 0) run.note(fmt::format("training: goes on after step {}", first));
 
-    TrainingOutcome outcome{first, first >= params.steps, {}};
     Means means;
     const auto log_now = [&](const Numbers& more = {}) {
-        if (!means.empty()) log.add(outcome.steps, minutes_before + minutes_since(begin), means.take());
-        log.add(outcome.steps, minutes_before + minutes_since(begin), more);
-        log.save();
+        if (!log) return;
+        if (!means.empty()) log->add(outcome.steps, minutes_before + minutes_since(begin), means.take());
+        log->add(outcome.steps, minutes_before + minutes_since(begin), more);
+        log->save();
     };
     const auto look_now = [&] {
+        if (!keeps) return;
         const Look look = task.look();
         outcome.held_out = look.held_out;
         Numbers named;
@@ -154,19 +178,29 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         if (!look.sheet.empty()) save_png(folder / "sheets" / fmt::format("{:08}.png", outcome.steps), look.sheet);
         run.note(fmt::format("training: step {}, held out: {}", outcome.steps, text_of(look.held_out)));
     };
-    const auto keep = [&] { save_checkpoint(task, outcome.steps, folder); };
+    const auto keep = [&] {
+        if (keeps) save_checkpoint(task, outcome.steps, folder);
+    };
+    // All processes end after the same step: the first's clock and its user decide.
+    enum : std::int64_t { goes_on, time_is_up, stopped };
+    const auto now_what = [&] {
+        const bool up = params.minutes > 0 && minutes_since(begin) >= params.minutes;
+        const std::int64_t mine = run.stop.stop_requested() ? stopped : up ? time_is_up : goes_on;
+        return team ? team->from_first(mine) : mine;
+    };
 
     Progress progress(run, "training", kShares);
-    Drawer drawer(task, run.seed);
+    Drawer drawer(task, run.seed, team.get());
     Clock::time_point kept = begin;
     if (first == 0 || outcome.finished) look_now();
     for (int shown = 0; outcome.steps < params.steps;) {
-        if (run.stop.stop_requested()) {
+        const std::int64_t now_to_do = now_what();
+        if (now_to_do == stopped) {
             log_now();
             keep();
             throw Stopped();
         }
-        if (params.minutes > 0 && minutes_since(begin) >= params.minutes) break;
+        if (now_to_do == time_is_up) break;
         means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps, rate_at(params, outcome.steps)));
         ++outcome.steps;
         outcome.finished = outcome.steps == params.steps;

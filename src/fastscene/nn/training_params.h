@@ -18,6 +18,8 @@ struct TrainingParams {
     int log_steps = 50, look_steps = 1000;
     double checkpoint_minutes = 5;
     std::string device = "auto", precision = "auto";
+    int processes = 1, process = 0;
+    std::string meet = "";
 };
 template <class V>
 void visit_fields(TrainingParams& p, V&& v) {
@@ -34,12 +36,15 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("checkpoint-minutes", p.checkpoint_minutes, Bounds{0, 1e5}, "Minutes between checkpoints.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Where it is trained; auto: CUDA if libtorch has it.");
     v("precision", p.precision, Choices{{"auto", "f32", "bf16"}}, "Of convolutions and products; auto: bf16 where the device computes with it.");
+    v("processes", p.processes, Bounds{1, 4096}, "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the mean of all gradients.");
+    v("process", p.process, Bounds{0, 4095}, "Which of them this is; 0 keeps the folder.");
+    v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
 }
 
 // What is the same whenever a training is gone on with. The other settings may change in between.
 inline Json lasting_settings(const TrainingParams& params) {
     Json all = fields_json(params);
-    for (const char* free : {"steps", "minutes", "log-steps", "look-steps", "checkpoint-minutes", "device"}) all.erase(free);
+    for (const char* free : {"steps", "minutes", "log-steps", "look-steps", "checkpoint-minutes", "device", "process", "meet"}) all.erase(free);
     return all;
 }
 

@@ -2,18 +2,23 @@
 #include "fastscene/nn/training.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <future>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/precision.h"
+#include "fastscene/nn/team.h"
 
 namespace fastscene::nn {
 namespace {
@@ -135,6 +140,64 @@ TEST(Training, StopsWithACheckpoint) {
     Lesson again;
     EXPECT_EQ(train(again.task, quick(20), folder.path, seeded(7)).steps, 20);
     EXPECT_EQ(again.learner.steps(), 20);
+}
+
+// A port that nobody listens at.
+int free_port() {
+    const int s = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in at{};
+    at.sin_family = AF_INET;
+    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof at;
+    EXPECT_EQ(::bind(s, reinterpret_cast<sockaddr*>(&at), sizeof at), 0);
+    EXPECT_EQ(::getsockname(s, reinterpret_cast<sockaddr*>(&at), &size), 0);
+    ::close(s);
+    return ntohs(at.sin_port);
+}
+
+// Two with a batch each learn what one learns from both batches; the first alone writes, and where it stops all stop.
+TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
+    constexpr int kSteps = 20;
+    const Folder one("fastscene-training-one"), first("fastscene-training-first"), second("fastscene-training-second");
+    Lesson alone;
+    const auto draw = alone.task.draw;
+    const auto of_step = [&](std::int64_t step) {   // the dice of both processes
+        Random a(7, "training step", static_cast<std::uint64_t>(2 * step)), b(7, "training step", static_cast<std::uint64_t>(2 * step + 1));
+        return Batch{at::cat({draw(a)[0], draw(b)[0]})};
+    };
+    const auto step = alone.task.step;
+    alone.task.step = [&](const Batch&, std::int64_t i, double rate) { return step(of_step(i), i, rate); };
+    train(alone.task, quick(kSteps), one.path, seeded(7));
+
+    TrainingParams params = quick(kSteps);
+    params.processes = 2;
+    params.meet = fmt::format("localhost:{}", free_port());
+    Lesson a, b(/*another beginning: the first's counts*/ 4);
+    auto other = std::async(std::launch::async, [&, params]() mutable {
+        params.process = 1;
+        return train(b.task, params, second.path, seeded(7)).steps;
+    });
+    EXPECT_EQ(train(a.task, params, first.path, seeded(7)).steps, kSteps);
+    EXPECT_EQ(other.get(), kSteps);
+    EXPECT_EQ(all_numbers(a.learner), all_numbers(b.learner));
+    const std::vector<float> together = all_numbers(a.learner), whole = all_numbers(alone.learner);
+    ASSERT_EQ(together.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_NEAR(together[i], whole[i], 2e-4) << i;
+    EXPECT_TRUE(fs::exists(first.path / "checkpoint.safetensors"));
+    EXPECT_FALSE(fs::exists(second.path));
+}
+
+TEST(Training, ATeamThatDoesNotMeetSaysSo) {
+    TrainingParams params = quick(1);
+    params.processes = 2;
+    EXPECT_THROW(Team::meet(params), UsageError);   // no place
+    params.meet = "localhost:0";
+    EXPECT_THROW(Team::meet(params), UsageError);
+    params.meet = fmt::format("localhost:{}", free_port());
+    params.process = 2;
+    EXPECT_THROW(Team::meet(params), UsageError);
+    params.process = 0;
+    EXPECT_THROW(Team::meet(params, 0.5), Error);   // nobody comes
 }
 
 TEST(Training, AFolderKeepsItsSettings) {

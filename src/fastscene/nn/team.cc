@@ -1,0 +1,110 @@
+#include "fastscene/nn/team.h"
+
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/cat.h>
+#include <ATen/ops/tensor.h>
+
+#include <chrono>
+
+#include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
+#include <torch/csrc/distributed/c10d/TCPStore.hpp>
+
+#include "fastscene/base/error.h"
+
+namespace fastscene::nn {
+namespace {
+
+using Patience = std::chrono::milliseconds;
+constexpr double kPatience_s = 3600;   // the first may look at many held-out pictures while the others wait
+
+struct Place {
+    std::string host;
+    std::uint16_t port;
+};
+Place place_from(const std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const bool number = !digits.empty() && digits.size() <= 5 && digits.find_first_not_of("0123456789") == std::string::npos;
+    const int port = number ? std::stoi(digits) : 0;
+    if (colon == 0 || port < 1 || port > 65535) throw UsageError("--meet: expected HOST:PORT of the first process, found \"{}\"", text);
+    return {text.substr(0, colon), static_cast<std::uint16_t>(port)};
+}
+
+// One long vector and back: one message instead of one a tensor.
+at::Tensor together(const std::vector<at::Tensor>& tensors) {
+    std::vector<at::Tensor> flat;
+    for (const at::Tensor& t : tensors) flat.push_back(t.detach().to(at::kCPU, at::kFloat).reshape(-1));
+    return at::cat(flat);
+}
+void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
+    std::int64_t at = 0;
+    for (const at::Tensor& t : tensors) {
+        t.detach().copy_(all.slice(0, at, at + t.numel()).reshape(t.sizes()));
+        at += t.numel();
+    }
+}
+
+}  // namespace
+
+struct Team::Group {
+    c10::intrusive_ptr<c10d::TCPStore> store;
+    c10::intrusive_ptr<c10d::ProcessGroupGloo> gloo;
+
+    template <class Work>
+    void wait(const char* what, const Work& work) const {
+        try {
+            work()->wait();
+        } catch (const std::exception& e) {
+            throw Error("training: expected all processes to {}, found one gone or silent: {}", what, e.what());
+        }
+    }
+};
+
+Team::Team(std::unique_ptr<Group> group, int size, int process) : group_(std::move(group)), size_(size), process_(process) {}
+Team::~Team() = default;
+
+std::unique_ptr<Team> Team::meet(const TrainingParams& params, double patience_s) {
+    if (params.processes == 1) return nullptr;
+    if (params.process >= params.processes) throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
+    const Place place = place_from(params.meet);
+    const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
+    auto group = std::make_unique<Group>();
+    try {
+        c10d::TCPStoreOptions where;
+        where.port = place.port;
+        where.isServer = params.process == 0;
+        where.numWorkers = static_cast<std::size_t>(params.processes);
+        where.timeout = in_ms(patience_s);
+        group->store = c10::make_intrusive<c10d::TCPStore>(place.host, where);
+        auto options = c10d::ProcessGroupGloo::Options::create(in_ms(kPatience_s));
+        options->devices.push_back(c10d::ProcessGroupGloo::createDefaultDevice());
+        group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes, options);
+    } catch (const std::exception& e) {
+        throw Error("training: expected {} processes at {}, found no meeting within {:.0f} s: {}", params.processes, params.meet, patience_s, e.what());
+    }
+    return std::unique_ptr<Team>(new Team(std::move(group), params.processes, params.process));
+}
+
+void Team::mean(const std::vector<at::Tensor>& tensors) const {
+    if (tensors.empty()) return;
+    const at::NoGradGuard no_gradients;
+    std::vector<at::Tensor> all{together(tensors)};
+    group_->wait("send their gradients", [&] { return group_->gloo->allreduce(all); });
+    apart(all[0] / size_, tensors);
+}
+
+void Team::from_first(const std::vector<at::Tensor>& tensors) const {
+    if (tensors.empty()) return;
+    const at::NoGradGuard no_gradients;
+    std::vector<at::Tensor> all{together(tensors)};
+    group_->wait("listen to the first", [&] { return group_->gloo->broadcast(all); });
+    apart(all[0], tensors);
+}
+
+std::int64_t Team::from_first(std::int64_t number) const {
+    std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
+    group_->wait("listen to the first", [&] { return group_->gloo->broadcast(one); });
+    return one[0].item<std::int64_t>();
+}
+
+}  // namespace fastscene::nn
