@@ -80,11 +80,7 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
 }
 
 ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose) {
-    const SplatPicture picture = render_splats(splats, truth_camera(), pose.world_from_camera);
-    ImageRgb8 out(kSize, kSize);
-    std::transform(picture.color.pixels.begin(), picture.color.pixels.end(), out.pixels.begin(),
-                   [](Vec3f c) { return Rgb8{byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; });
-    return out;
+    return srgb8_from_unit(render_splats(splats, truth_camera(), pose.world_from_camera).color);
 }
 
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures) {

@@ -54,11 +54,7 @@ Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg) {
 }
 
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
-    const SplatPicture picture = render_splats(splats, camera, world_from_camera);
-    ImageRgb8 out(camera.width, camera.height);
-    std::transform(picture.color.pixels.begin(), picture.color.pixels.end(), out.pixels.begin(),
-                   [](Vec3f c) { return Rgb8{byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; });
-    return out;
+    return srgb8_from_unit(render_splats(splats, camera, world_from_camera).color);
 }
 
 std::optional<fs::path> find_viewer_dir() {

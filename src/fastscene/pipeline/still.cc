@@ -13,12 +13,8 @@ namespace fastscene {
 namespace {
 
 Still still_from(const ImageColor& color, const ImageF& alpha, ImageF distance) {
-    Still out{ImageRgb8(color.width, color.height), ImageMask(color.width, color.height), std::move(distance)};
-    for (std::size_t i = 0; i < color.size(); ++i) {
-        const Vec3f c = color.pixels[i];
-        out.color.pixels[i] = {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)};
-        out.alpha.pixels[i] = byte_from_unit(alpha.pixels[i]);
-    }
+    Still out{srgb8_from_unit(color), ImageMask(color.width, color.height), std::move(distance)};
+    std::transform(alpha.pixels.begin(), alpha.pixels.end(), out.alpha.pixels.begin(), byte_from_unit);
     return out;
 }
 

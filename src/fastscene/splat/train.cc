@@ -107,10 +107,7 @@ std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<c
     for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i) {
         const View& v = *views[i * views.size() / std::min(views.size(), kMost)];
         const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model);
-        ImageRgb8 picture(v.camera.width, v.camera.height);
-        for (std::size_t k = 0; k < picture.pixels.size(); ++k)
-            picture.pixels[k] = {byte_from_unit(p.color.pixels[k].x), byte_from_unit(p.color.pixels[k].y), byte_from_unit(p.color.pixels[k].z)};
-        out.push_back({v.name, std::move(picture), v.color});
+        out.push_back({v.name, srgb8_from_unit(p.color), v.color});
     }
     return out;
 }

@@ -64,14 +64,9 @@ ImageMask cut_weights(const ImageMask& weights, const Pinhole& camera, const Mat
 ImageColor encoded(const ImageColor& linear) {
     ImageColor out(linear.width, linear.height);
     std::transform(linear.pixels.begin(), linear.pixels.end(), out.pixels.begin(), [](Vec3f c) {
-        return Vec3f{std::min(1.f, srgb_from_linear(c.x)), std::min(1.f, srgb_from_linear(c.y)), std::min(1.f, srgb_from_linear(c.z))};
+        const Vec3f v = srgb_from_linear(c);
+        return Vec3f{std::min(1.f, v.x), std::min(1.f, v.y), std::min(1.f, v.z)};
     });
-    return out;
-}
-ImageRgb8 bytes_of(const ImageColor& encoded) {
-    ImageRgb8 out(encoded.width, encoded.height);
-    std::transform(encoded.pixels.begin(), encoded.pixels.end(), out.pixels.begin(),
-                   [](Vec3f c) { return Rgb8{byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; });
     return out;
 }
 
@@ -83,7 +78,7 @@ class Cuts {
             plans_.emplace_back(equirect_picture(size), perspective_picture(camera, rotation), Filter::bicubic);
     }
     EquirectSize size() const { return size_; }
-    ImageRgb8 cut(const ImageColor& encoded, std::size_t i) const { return bytes_of(plans_[i].apply(encoded)); }
+    ImageRgb8 cut(const ImageColor& encoded, std::size_t i) const { return srgb8_from_unit(plans_[i].apply(encoded)); }
 
   private:
     EquirectSize size_;
