@@ -1,5 +1,9 @@
 // Inpainting: how near to the truth holes are painted, and what a face costs: our inpainters, and OpenCV's where it is there.
-// Prints a line a method; with --sheet, a picture: holes, each method, the truth.
+// Prints a line a method; with --sheet, a picture: holes, each method, the truth. With --speed: what a whole face costs the shipped network
+// and the official one (its size; weights do not matter), beside the machine's own matrix product.
+#include <ATen/core/grad_mode.h>
+#include <ATen/ops/mm.h>
+#include <ATen/ops/rand.h>
 #include <fmt/format.h>
 #include <time.h>
 
@@ -13,6 +17,10 @@
 #include "fastscene/inpaint/inpaint.h"
 #include "fastscene/inpaint/train.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/nn/aotgan.h"
+#include "fastscene/nn/hashed_aotgan.h"
+#include "fastscene/nn/runtime.h"
+#include "fastscene/nn/shipped.h"
 
 #ifdef FASTSCENE_BENCH_OPENCV
 #include <opencv2/core.hpp>
@@ -109,14 +117,51 @@ struct Sheet {
     }
 };
 
+// Products and sums of the generator's convolutions for a picture of side x side, two a multiply-add.
+double generator_gflop(double width, double blocks, double side) {
+    const double whole = side * side, half = whole / 4, quarter = whole / 16, w = width;
+    const double encoder = whole * 49 * 4 * w + half * 16 * w * 2 * w + quarter * 16 * 2 * w * 4 * w;
+    const double block = quarter * 9 * (4 * w) * (4 * w) * 3;   // four branches of a quarter of the channels each, fuse, gate
+    const double decoder = half * 9 * 4 * w * 2 * w + whole * 9 * 2 * w * w + whole * 9 * w * 3;
+    return 2e-9 * (encoder + blocks * block + decoder);
+}
+// The least of several runs.
+double seconds_of(int runs, const std::function<void()>& work) {
+    double best = 1e9;
+    for (int i = 0; i < runs; ++i) {
+        const double begin = cpu_s();
+        work();
+        best = std::min(best, cpu_s() - begin);
+    }
+    return best;
+}
+void print_speed(int side) {
+    use_our_threads();
+    const at::NoGradGuard no_gradients;
+    const at::Tensor a = at::rand({2048, 2048}), b = at::rand({2048, 2048});
+    const double peak = 2e-9 * 2048. * 2048. * 2048. / seconds_of(6, [&] { (void)at::mm(a, b); });
+    fmt::print("a product of 2048 x 2048 matrices: {:.0f} GFLOP per CPU second\n", peak);
+    const Aotgan::Picture face{ImageColor(side, side, Vec3f{0.5f, 0.5f, 0.5f}), ImageMask(side, side, std::uint8_t{1})};
+    const auto print = [&](const char* name, const Aotgan& network) {
+        const double seconds = seconds_of(4, [&] { (void)network.paint({face}, {}); });
+        fmt::print("{:<32} {:.2f} CPU s for a face of {}\n", name, seconds, side);
+        return seconds;
+    };
+    if (is_shipped("aotgan-rooms")) print("aotgan-rooms", Aotgan::of(shipped_weights("aotgan-rooms")));
+    const double work = generator_gflop(64, 8, side), full = print("width 64, eight blocks", Aotgan::of(hashed_aotgan(64, 8)));
+    fmt::print("{:.0f} GFLOP of convolutions, {:.0f} a CPU second: {:.0f} % of the product's\n", work, work / full, 100 * work / full / peak);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app("Inpainting of held-out faces: PSNR in the holes, GMSD of the face, CPU seconds a face.");
     std::string data, weights, sheet_path;
     int count = 200, size = 256, sheet_rows = 6, threads = 1;
-    app.add_option("data", data, "DIR/held-out of `fastscene inpaint dataset`.")->required();
-    app.add_option("--weights", weights, "For aotgan.");
+    app.add_option("data", data, "DIR/held-out of `fastscene inpaint dataset`.");
+    bool speed = false;
+    app.add_flag("--speed", speed, "Instead: what a face of --size costs, all of it hole.");
+    app.add_option("--weights", weights, "For aotgan; left out: those that come with the program.");
     app.add_option("--count", count);
     app.add_option("--size", size, "Side of the crops.");
     app.add_option("--threads", threads);
@@ -124,6 +169,7 @@ int main(int argc, char** argv) {
     app.add_option("--sheet-rows", sheet_rows);
     CLI11_PARSE(app, argc, argv);
     set_threads(threads);
+    if (speed) return print_speed(size), 0;
     std::vector<std::pair<std::string, Method>> methods{{"harmonic", ours("harmonic", "")}, {"aotgan", ours("aotgan", weights)}};
 #ifdef FASTSCENE_BENCH_OPENCV
     cv::setNumThreads(threads);

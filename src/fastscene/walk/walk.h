@@ -21,7 +21,7 @@ struct WalkParams {
     float clearance = 0.5f;       // never farther than this share of the free distance
     float step = 0.02f;           // of the greatest range
     int steps = 6;
-    std::string inpainter = "harmonic";
+    std::string inpainter = "aotgan";
     std::string inpaint_weights;
 };
 inline std::vector<std::string> walk_kinds() { return {"ours", "paper", "paper-direct", "paper-far"}; }
@@ -35,8 +35,8 @@ void visit_fields(WalkParams& p, V&& v) {
     v("clearance", p.clearance, Bounds{0.05, 0.95}, "Ours: greatest step as a share of the free distance in that direction.");
     v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
-    v("inpainter", p.inpainter, Choices{inpainters()}, "What paints the holes.");
-    v("inpaint-weights", p.inpaint_weights, "Checkpoint for --walk-inpainter aotgan: the official G*.pt or a .safetensors.");
+    v("inpainter", p.inpainter, Choices{inpainters()}, "What paints the holes: a network, or the smoothest fill there is.");
+    v("inpaint-weights", p.inpaint_weights, "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
 }
 
 // Positions (world, metres) in the order in which they are visited: each close to the ones before it, spread over
