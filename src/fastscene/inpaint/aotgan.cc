@@ -19,6 +19,9 @@ constexpr int kLargestCrop = 512;
 constexpr std::int64_t kMostPixels = 2 * 512 * 512;
 // How far the correction at a hole's rim reaches inward.
 constexpr float kFeather_px = 24;
+// A network that adds to the harmonic fill continues what it sees at the rim; farther in than this it only guesses, and the fill does no worse:
+// that of linear light, which is how shades fade on a wall.
+constexpr float kSure_px = 4, kUnsure_px = 6;
 
 // Distance of each hole pixel to the nearest known one, in pixels (two sweeps, at most 8 % long); 0 for known pixels.
 ImageF distance_to_known(const ImageMask& hole) {
@@ -106,6 +109,16 @@ void meet_the_known(Canvas& canvas, const ImageColor& srgb, const ImageMask& hol
         if (hole.pixels[i]) canvas.sum.pixels[i] += correction.pixels[i] * std::exp(-distance.pixels[i] / kFeather_px);
 }
 
+// What the network adds to the fill fades inward; at the rim itself the fill meets the known.
+void trust_near_the_rim(Canvas& canvas, const ImageColor& fill, const ImageMask& hole) {
+    const ImageF distance = distance_to_known(hole);
+    for (std::size_t i = 0; i < fill.size(); ++i) {
+        if (!hole.pixels[i]) continue;
+        const float trust = std::exp(-std::max(0.f, distance.pixels[i] - kSure_px) / kUnsure_px);
+        canvas.sum.pixels[i] = lerp(fill.pixels[i], canvas.sum.pixels[i], trust);
+    }
+}
+
 }  // namespace
 
 ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole, const Run& run) const {
@@ -115,7 +128,8 @@ ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole,
     ImageColor srgb = encoded(color, hole);
     if (network_.adds_to_fill()) srgb = HarmonicInpainter{}.fill(srgb, hole, run);
     Canvas canvas = painted_crops(network_, srgb, hole, crops, run);
-    if (!network_.adds_to_fill()) meet_the_known(canvas, srgb, hole, run);   // the fill meets it by itself
+    if (network_.adds_to_fill()) trust_near_the_rim(canvas, encoded(HarmonicInpainter{}.fill(color, hole, run), ImageMask(hole.width, hole.height)), hole);
+    else meet_the_known(canvas, srgb, hole, run);
     ImageColor out = color;
     for (std::size_t i = 0; i < out.size(); ++i)
         if (hole.pixels[i])
