@@ -158,9 +158,9 @@ int main(int argc, char** argv) {
     CLI::App app("Inpainting of held-out faces: PSNR in the holes, GMSD of the face, CPU seconds a face.");
     std::string data, weights, sheet_path;
     int count = 200, size = 256, sheet_rows = 6, threads = 1;
-    app.add_option("data", data, "DIR/held-out of `fastscene inpaint dataset`.");
     bool speed = false;
-    app.add_flag("--speed", speed, "Instead: what a face of --size costs, all of it hole.");
+    CLI::Option* const folder = app.add_option("data", data, "DIR/held-out of `fastscene inpaint dataset`.");
+    app.add_flag("--speed", speed, "Instead: what a face of --size costs, all of it hole.")->excludes(folder);
     app.add_option("--weights", weights, "For aotgan; left out: those that come with the program.");
     app.add_option("--count", count);
     app.add_option("--size", size, "Side of the crops.");
@@ -170,6 +170,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     set_threads(threads);
     if (speed) return print_speed(size), 0;
+    if (data.empty()) return app.exit(CLI::RequiredError("data or --speed"));
     std::vector<std::pair<std::string, Method>> methods{{"harmonic", ours("harmonic", "")}, {"aotgan", ours("aotgan", weights)}};
 #ifdef FASTSCENE_BENCH_OPENCV
     cv::setNumThreads(threads);

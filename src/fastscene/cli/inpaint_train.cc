@@ -23,6 +23,7 @@ Verb add_inpaint_train(CLI::App& inpaint) {
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
                 const auto figures = train_inpainter(flags->data, params, flags->out, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                if (figures.empty()) return session.print("done; process 0 keeps the network", Json::object());
                 std::string text = flags->out + "/generator.safetensors: held out:";
                 Json json{{"weights", flags->out + "/generator.safetensors"}};
                 for (const auto& [name, value] : figures) {

@@ -19,6 +19,11 @@ inline float linear_from_srgb(float v) {
 inline std::uint8_t byte_from_unit(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.f, 1.f) * 255.f + 0.5f); }
 
 inline Vec3f srgb_from_linear(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
+// sRGB values as floats in [0, 1]; light brighter than white is white.
+inline Vec3f unit_from_linear(Vec3f c) {
+    const Vec3f v = srgb_from_linear(c);
+    return {std::min(1.f, v.x), std::min(1.f, v.y), std::min(1.f, v.z)};
+}
 inline Rgb8 srgb8_from_unit(Vec3f c) { return {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}; }
 inline Rgb8 srgb8_from_linear(Vec3f c) { return srgb8_from_unit(srgb_from_linear(c)); }
 inline Vec3f linear_from_srgb8(Rgb8 c) {
@@ -34,6 +39,11 @@ inline Vec3f unit_from_srgb8(Rgb8 c) {
     return {static_cast<float>(c.r) / 255.f, static_cast<float>(c.g) / 255.f, static_cast<float>(c.b) / 255.f};
 }
 
+inline ImageColor unit_from_linear(const ImageColor& image) {
+    ImageColor out(image.width, image.height);
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Vec3f c) { return unit_from_linear(c); });
+    return out;
+}
 inline ImageRgb8 srgb8_from_unit(const ImageColor& image) {
     ImageRgb8 out(image.width, image.height);
     std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Vec3f c) { return srgb8_from_unit(c); });

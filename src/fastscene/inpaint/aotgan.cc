@@ -68,15 +68,6 @@ struct Canvas {
     }
 };
 
-// The known pixels as the network wants them: sRGB in 0..1.
-ImageColor encoded(const ImageColor& color, const ImageMask& hole) {
-    ImageColor srgb(color.width, color.height);
-    for (std::size_t i = 0; i < color.size(); ++i)
-        if (!hole.pixels[i])
-            for (std::size_t c = 0; c < 3; ++c) srgb.pixels[i][c] = std::clamp(srgb_from_linear(color.pixels[i][c]), 0.f, 1.f);
-    return srgb;
-}
-
 // What the network makes of the surroundings of all holes; crops of one size go through it together.
 Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageMask& hole, const std::vector<Crop>& crops, const Run& run) {
     std::map<std::pair<int, int>, std::vector<Crop>> by_size;
@@ -125,10 +116,10 @@ ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole,
     FASTSCENE_CHECK(color.same_size(hole));
     const std::vector<Crop> crops = crops_around(hole, kContext, Aotgan::kMultiple, Aotgan::kSmallest, kLargestCrop);
     if (crops.empty()) return color;
-    ImageColor srgb = encoded(color, hole);
+    ImageColor srgb = unit_from_linear(color);
     if (network_.adds_to_fill()) srgb = HarmonicInpainter{}.fill(srgb, hole, run);
     Canvas canvas = painted_crops(network_, srgb, hole, crops, run);
-    if (network_.adds_to_fill()) trust_near_the_rim(canvas, encoded(HarmonicInpainter{}.fill(color, hole, run), ImageMask(hole.width, hole.height)), hole);
+    if (network_.adds_to_fill()) trust_near_the_rim(canvas, unit_from_linear(HarmonicInpainter{}.fill(color, hole, run)), hole);
     else meet_the_known(canvas, srgb, hole, run);
     ImageColor out = color;
     for (std::size_t i = 0; i < out.size(); ++i)

@@ -60,16 +60,6 @@ ImageMask cut_weights(const ImageMask& weights, const Pinhole& camera, const Mat
     return out;
 }
 
-// sRGB-encoded floats: a cubic through linear light would ring darkly about every lamp.
-ImageColor encoded(const ImageColor& linear) {
-    ImageColor out(linear.width, linear.height);
-    std::transform(linear.pixels.begin(), linear.pixels.end(), out.pixels.begin(), [](Vec3f c) {
-        const Vec3f v = srgb_from_linear(c);
-        return Vec3f{std::min(1.f, v.x), std::min(1.f, v.y), std::min(1.f, v.z)};
-    });
-    return out;
-}
-
 // The same cuts through every panorama of one size, planned once. Cubic: what bilinear cuts lose in sharpness no trainer brings back.
 class Cuts {
   public:
@@ -78,7 +68,7 @@ class Cuts {
             plans_.emplace_back(equirect_picture(size), perspective_picture(camera, rotation), Filter::bicubic);
     }
     EquirectSize size() const { return size_; }
-    ImageRgb8 cut(const ImageColor& encoded, std::size_t i) const { return srgb8_from_unit(plans_[i].apply(encoded)); }
+    ImageRgb8 cut(const ImageColor& unit, std::size_t i) const { return srgb8_from_unit(plans_[i].apply(unit)); }
 
   private:
     EquirectSize size_;
@@ -99,7 +89,7 @@ ViewSet project_views(const std::vector<Panorama>& panoramas, const ViewsParams&
         if (panorama.range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
         const ImageMask weights = weights_of(panorama, params);
         if (!cuts || cuts->size().width != panorama.color.width) cuts.emplace(panorama.size(), camera, rotations);
-        const ImageColor color = encoded(panorama.color);
+        const ImageColor color = unit_from_linear(panorama.color);   // a cubic through linear light would ring darkly about every lamp
         for (std::size_t i = 0; i < rotations.size(); ++i) {
             View view;
             view.name = fmt::format("{:03}_{:02}.png", p, i);
