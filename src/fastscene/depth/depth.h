@@ -19,12 +19,15 @@ struct DepthParams {
     std::string backend = "auto";
     std::string weights;           // of egformer
     float camera_height_m = 1.6f;  // over the floor: a tripod at eye height
+    int looks = 0;                 // of the network at the picture, turned and mirrored
 };
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
       "What tells the range: auto takes exact for a prompt, image with --range, else egformer, with its shipped weights or --depth-weights; without any, layout.");
     v("weights", p.weights, "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program.");
+    v("looks", p.looks, Bounds{0, 8},
+      "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as small as the one that ships, else once, as published.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20}, "Height of the camera over the floor in metres, where range is estimated.");
 }
 

@@ -6,7 +6,10 @@
 #include "fastscene/base/random.h"
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/box_layout.h"
+#include "fastscene/depth/estimator.h"
 #include "fastscene/depth/metric_range.h"
+#include "fastscene/geometry/sphere.h"
+#include "fastscene/nn/egformer.h"
 
 namespace fastscene {
 namespace {
@@ -108,6 +111,33 @@ TEST(MetricRange, SaysWhenThereIsNoFloor) {
     EXPECT_FALSE(fit.sure);
     EXPECT_GT(fit.scale, 0);
     EXPECT_EQ(fit.shift, 0);
+}
+
+// All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one look does not.
+TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
+    const Egformer network = Egformer::shipped(kShippedDepth);
+    const EquirectSize size{network.shape().width, network.shape().height};
+    const ImageColor picture = painted(some_box(), size);
+    ImageColor turned = picture, mirrored = picture;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            turned.at(wrap_column(x + size.width / 4, size.width), y) = picture.at(x, y);
+            mirrored.at(size.width - 1 - x, y) = picture.at(x, y);
+        }
+    const auto unlike = [&](int looks) {
+        const ImageF a = network.relative_depth(picture, looks), b = network.relative_depth(turned, looks), c = network.relative_depth(mirrored, looks);
+        double turn = 0, mirror = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                turn = std::max(turn, std::abs(static_cast<double>(b.at(wrap_column(x + size.width / 4, size.width), y)) - a.at(x, y)));
+                mirror = std::max(mirror, std::abs(static_cast<double>(c.at(size.width - 1 - x, y)) - a.at(x, y)));
+            }
+        return std::pair{turn, mirror};
+    };
+    const auto [turn, mirror] = unlike(8);
+    EXPECT_LT(turn, 1e-5);
+    EXPECT_LT(mirror, 1e-5);
+    EXPECT_GT(unlike(1).second, 1e-3);
 }
 
 TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {

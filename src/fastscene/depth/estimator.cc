@@ -33,10 +33,14 @@ class LayoutEstimator : public DepthEstimator {
 
 class EgformerEstimator : public DepthEstimator {
   public:
-    EgformerEstimator(Egformer network, std::string name, float camera_height_m) : network_(std::move(network)), name_(std::move(name)), camera_height_m_(camera_height_m) {}
+    EgformerEstimator(Egformer network, std::string name, const DepthParams& params)
+        : network_(std::move(network)),
+          name_(std::move(name)),
+          camera_height_m_(params.camera_height_m),
+          looks_(params.looks > 0 ? params.looks : network_.shape().height <= kSmallNetwork ? 8 : 1) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
         run.check_stop();
-        const ImageF relative = network_.relative_depth(color);
+        const ImageF relative = network_.relative_depth(color, looks_);
         run.check_stop();
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
@@ -44,6 +48,7 @@ class EgformerEstimator : public DepthEstimator {
         return {aligned_to_picture(metric_range(relative, fit), color),
                 {{"backend", "egformer"},
                  {"weights", name_},
+                 {"looks", looks_},
                  {"camera_height_m", fit.camera_height_m},
                  {"ceiling_above_camera_m", fit.ceiling_m},
                  {"scale", fit.scale},
@@ -53,9 +58,11 @@ class EgformerEstimator : public DepthEstimator {
     }
 
   private:
+    static constexpr int kSmallNetwork = 128;  // rows: eight looks of such a one take a few seconds
     Egformer network_;
     std::string name_;
     float camera_height_m_;
+    int looks_;
 };
 
 }  // namespace
@@ -64,8 +71,8 @@ std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) 
     FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto" || params.backend == "egformer");
     const float height = params.camera_height_m;
     if (params.backend == "layout") return std::make_unique<LayoutEstimator>(height);
-    if (const std::filesystem::path file = params.weights; !file.empty()) return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), height);
-    if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, height);
+    if (const std::filesystem::path file = params.weights; !file.empty()) return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), params);
+    if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, params);
     if (params.backend == "egformer") throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
     return std::make_unique<LayoutEstimator>(height);
 }

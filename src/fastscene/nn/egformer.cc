@@ -66,7 +66,8 @@ Egformer Egformer::of(Weights weights) {
 
 const EgformerShape& Egformer::shape() const { return state_->constants.shape; }
 
-ImageF Egformer::relative_depth(const ImageColor& color) const {
+ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
+    FASTSCENE_CHECK(looks >= 1 && looks <= 8);
     const at::NoGradGuard no_gradients;
     use_our_threads();
     const EgformerShape& size = shape();
@@ -80,7 +81,16 @@ ImageF Egformer::relative_depth(const ImageColor& color) const {
         planes[seen.size() + i] = static_cast<float>(c.g) / 255.f;
         planes[2 * seen.size() + i] = static_cast<float>(c.b) / 255.f;
     }
-    const at::Tensor depth = nn::egformer(nn::Scope(state_->weights), state_->constants, input).contiguous();
+    at::Tensor sum;
+    for (int look = 0; look < looks; ++look) {
+        const std::int64_t turn = look / 2 * (size.width / 4);
+        const bool mirrored = look % 2 == 1;
+        const at::Tensor turned = input.roll(turn, 3);
+        const at::Tensor found = nn::egformer(nn::Scope(state_->weights), state_->constants, mirrored ? turned.flip(3) : turned.contiguous());
+        const at::Tensor back = (mirrored ? found.flip(3) : found).roll(-turn, 3);
+        sum = look == 0 ? back : sum + back;
+    }
+    const at::Tensor depth = (looks == 1 ? sum : sum / looks).contiguous();
     ImageF out(size.width, size.height);
     std::copy_n(depth.data_ptr<float>(), out.size(), out.pixels.begin());
     return out;

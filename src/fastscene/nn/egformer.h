@@ -34,8 +34,9 @@ class Egformer {
 
     const EgformerShape& shape() const;
     // Linear color of any 2:1 size -> relative depth in (0, 1) at shape() size: an unknown scale and an unknown shift away from
-    // range (depth/metric_range.h finds them).
-    ImageF relative_depth(const ImageColor& color) const;
+    // range (depth/metric_range.h finds them). Mean of 1 to 8 looks at the picture: as it is, mirrored, turned by a quarter, that mirrored … A
+    // panorama has no beginning and no handedness, and what a network says otherwise is its error.
+    ImageF relative_depth(const ImageColor& color, int looks = 1) const;
 
   private:
     struct State;
