@@ -31,10 +31,14 @@ Footprint footprint_of(const Placed& p, float margin) {
     return f;
 }
 
-// In the door's way, or tall before a window.
+// In the door's way, tall before a window, or in its sill.
 bool Layout::blocks_opening(const Footprint& box, float height) const {
     for (const Opening& o : plan_.openings) {
         const WallFace face = plan_.wall(o.wall);
+        if (o.kind == Opening::Kind::window && height > o.y0 - kSillThickness) {
+            const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);
+            if (overlap(box, {flat(middle), {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2}, yaw_of(face.inward), o.y0 - kSillThickness, o.y0})) return true;
+        }
         const bool door = o.kind != Opening::Kind::window;
         // What is on a desk may reach a little above the sill.
         constexpr float kAboveSill = 0.2f;

@@ -84,9 +84,9 @@ class Layout {
 
   private:
     bool fits(const Placed& placed, bool with_clearance) const;
-    // Whether the way from the door to a spot for the camera stays open with this piece.
     // What a place is worth for being where the wish says.
     float as_asked(const Placed& placed, const PromptObject& wish) const;
+    // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
     bool blocks_opening(const Footprint& box, float height) const;
     bool may_leave(std::size_t index) const;

@@ -20,8 +20,15 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     Placed p;
     p.piece = make_piece(request);
     const Vec3f size = p.piece.size_m;
-    // Panelling and its rail stand proud of the wall.
+    // Panelling and its rail stand proud of the wall; so does the sill of a window that the piece reaches up to.
     const float gap = plan_.panelling ? 0.037f : kWallGap;
+    const auto gap_at = [&](const WallFace& face, float u) {
+        const bool at_sill = std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
+            const float left = face.from + u - size.x / 2, right = left + size.x;
+            return o.kind == Opening::Kind::window && o.wall == face.wall && size.y > o.y0 - kSillThickness && right > o.u0 - kSillBeside && left < o.u1 + kSillBeside;
+        });
+        return at_sill ? std::max(gap, kSillReach + 0.005f) : gap;
+    };
     for (const bool clearance : {true, false}) {
         std::optional<Placed> best;
         float best_score = -std::numeric_limits<float>::infinity();
@@ -30,7 +37,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
             if (wish.wall >= 0 && dot(face.inward, plan_.wall(wish.wall).inward) < 0.99f) continue;
             p.yaw = yaw_of(face.inward);
             for (float u = size.x / 2 + gap; u <= face.length - size.x / 2 - gap; u += kSlotStep) {
-                p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap);
+                p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u));
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, clearance)) continue;
                 if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y)) continue;

@@ -16,6 +16,8 @@
 namespace fastscene {
 
 inline constexpr float kWallThickness = 0.22f;
+// A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how far it stands proud.
+inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
 
 // A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its left end as seen from inside.
 struct Opening {

@@ -80,8 +80,10 @@ bool Plan::holds(const Footprint& box) const {
     if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f && std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f && box.y0 > -0.01f)) return false;
     for (const Vec2f corner : corners_of(box))
         if (!(box.y1 < ceiling_at(corner) + 0.01f)) return false;
-    for (const Block& b : blocks)
-        if (overlap(box, {(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, height})) return false;
+    for (const Block& b : blocks) {
+        const float proud = b.kind == Block::Kind::column ? kCapitalReach : 0.f;
+        if (overlap(box, {(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f + Vec2f{proud, proud}, 0, 0, height})) return false;
+    }
     return true;
 }
 

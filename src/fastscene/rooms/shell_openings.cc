@@ -53,7 +53,7 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
     // The sill, and a casing on the wall where the style has mouldings.
-    wall.box(o.u0 - 0.05f, o.u1 + 0.05f, o.y0 - 0.03f, o.y0, -0.12f, 0.04f, frame, object);
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -0.12f, kSillReach, frame, object);
     if (plan.style.mouldings != Mouldings::none) {
         wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.025f, frame, object);
         wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);

@@ -107,7 +107,7 @@ void build_columns(const Plan& plan, Room& room, int wall, int trim) {
             room.meshes.push_back(box_mesh({b.low.x - out, y0, b.low.y - out}, {b.high.x + out, y1, b.high.y + out}, trim, object));
         };
         collar(0, 0.12f, 0.02f);
-        collar(plan.height - 0.1f, plan.height - 0.001f, 0.025f);
+        collar(plan.height - 0.1f, plan.height - 0.001f, kCapitalReach);
     }
 }
 

@@ -27,24 +27,47 @@ Vec3f emission_of(const Room& room, int mesh) { return room.materials[static_cas
 
 }  // namespace
 
+std::size_t Lights::facing_of(Vec3f n, bool one_sided) {
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+        if (std::abs(n[k]) > std::abs(n[axis])) axis = k;
+    const auto field = [&](float v) { return static_cast<std::size_t>(std::clamp((v / std::abs(n[axis]) + 1) * 1.5f, 0.f, 2.f)); };
+    return ((2 * axis + (n[axis] < 0)) * 3 + field(n[(axis + 1) % 3])) * 3 + field(n[(axis + 2) % 3]) + (one_sided ? kFacings / 2 : 0);
+}
+
+// By power, distance and which way they face. The ceiling about a flat lamp sees a strip of its rim; drawn by power alone, five samples of six would
+// go to its underside.
+std::array<float, Lights::kFacings> Lights::Light::shares_at(Vec3f position) const {
+    std::array<float, kFacings> cumulative;
+    float sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& part = parts[i];
+        const Vec3f to = part.center - position;
+        const float d2 = dot(to, to), cosine = -dot(part.normal, to) / std::sqrt(std::max(d2, 1e-8f));
+        // A part is bent and near ones fill much of the sky, so none is given up wholly.
+        const float facing = (part.one_sided ? std::max(0.f, cosine) : std::abs(cosine)) + 0.03f;
+        cumulative[i] = sum += part.cumulative.back() * facing / std::max(d2, 0.25f * part.area + 1e-4f);
+    }
+    return cumulative;
+}
+
 Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
+    for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
     std::vector<int> light_of_object(room.objects.size(), -1);
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
         const float bright = luminance(emission_of(room, static_cast<int>(m)));
         if (!(bright > 0)) continue;
-        Light part;
-        std::vector<float> areas;
+        float whole = 0;
+        Vec3f center;
         for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
             const auto [a, b, c] = corners(room, static_cast<int>(m), static_cast<int>(t));
             const float area = 0.5f * length(cross(b - a, c - a));
-            part.triangles.push_back({static_cast<std::int32_t>(m), static_cast<std::int32_t>(t)});
-            areas.push_back(area);
-            part.area += area;
-            part.center += (a + b + c) * (area / 3);
+            whole += area;
+            center += (a + b + c) * (area / 3);
         }
-        if (!(part.area > 0)) continue;
-        if (part.area > kLargeArea) {
+        if (!(whole > 0)) continue;
+        if (whole > kLargeArea) {
             large_[m] = true;
             continue;
         }
@@ -53,15 +76,30 @@ Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large
         int index = owned ? light_of_object[static_cast<std::size_t>(mesh.object)] : -1;
         if (index < 0) {
             index = static_cast<int>(lights_.size());
-            lights_.emplace_back();
+            lights_.emplace_back().part_of_facing.fill(-1);
             if (owned) light_of_object[static_cast<std::size_t>(mesh.object)] = index;
         }
         Light& light = lights_[static_cast<std::size_t>(index)];
-        light.center = (light.center * light.area + part.center) / (light.area + part.area);
-        light.area += part.area;
-        for (std::size_t t = 0; t < areas.size(); ++t) {
-            light.triangles.push_back(part.triangles[t]);
-            light.cumulative.push_back(light.power += areas[t] * bright);
+        light.center = (light.center * light.area + center) / (light.area + whole);
+        light.area += whole;
+        light.power += whole * bright;
+        for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+            const auto [a, b, c] = corners(room, static_cast<int>(m), static_cast<int>(t));
+            const Vec3f across = cross(b - a, c - a);
+            const float area = 0.5f * length(across);
+            if (!(area > 0)) continue;
+            std::int8_t& k = light.part_of_facing[facing_of(across, closed_[m])];
+            if (k < 0) {
+                k = static_cast<std::int8_t>(light.parts.size());
+                light.parts.emplace_back();
+            }
+            Part& part = light.parts[static_cast<std::size_t>(k)];
+            part.one_sided = closed_[m];
+            part.center = (part.center * part.area + (a + b + c) * (area / 3)) / (part.area + area);
+            part.normal = (part.normal * part.area + across * 0.5f) / (part.area + area);
+            part.area += area;
+            part.triangles.push_back({static_cast<std::int32_t>(m), static_cast<std::int32_t>(t), area * bright});
+            part.cumulative.push_back((part.cumulative.empty() ? 0.f : part.cumulative.back()) + area * bright);
         }
         light_of_mesh_[m] = index;
     }
@@ -147,8 +185,15 @@ Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f posit
         out.density = portal_density(room, choice, from, out.direction);
         return out;
     }
-    const std::size_t t = pick(light.cumulative.data(), light.cumulative.size(), which.y);
-    const Triangle triangle = light.triangles[t];
+    const auto shares = light.shares_at(position);
+    const float all = shares[light.parts.size() - 1];
+    const std::size_t k = pick(shares.data(), light.parts.size(), which.y);
+    const Part& part = light.parts[k];
+    // What is left of the number after the part was drawn is as even as the number was.
+    const float below = k ? shares[k - 1] : 0.f, share = (shares[k] - below) / all;
+    const float within = std::clamp((which.y * all - below) / (shares[k] - below), 0.f, 0.999999f);
+    const std::size_t t = pick(part.cumulative.data(), part.cumulative.size(), within);
+    const Triangle triangle = part.triangles[t];
     const auto [a, b, c] = corners(room, triangle.mesh, triangle.triangle);
     const float r = std::sqrt(uv.x);
     const Vec3f to = a * (1 - r) + b * (r * (1 - uv.y)) + c * (r * uv.y) - from;
@@ -161,7 +206,7 @@ Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f posit
     if (!(there > 1e-5f)) return out;
     out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
     out.radiance = emission;
-    out.density = chance * luminance(emission) / light.power * far * far / there;
+    out.density = chance * share * luminance(emission) / part.cumulative.back() * far * far / there;
     return out;
 }
 
@@ -170,8 +215,16 @@ float Lights::density(const Room& room, const Choice& choice, Vec3f position, Ve
     if (!hit) return portal_density(room, choice, position, direction);
     const int i = light_of_mesh_[static_cast<std::size_t>(hit.mesh)];
     if (i < 0) return 0;
+    const Light& light = lights_[static_cast<std::size_t>(i)];
+    const auto [a, b, c] = corners(room, hit.mesh, hit.triangle);
+    const std::int8_t found = light.part_of_facing[facing_of(cross(b - a, c - a), closed_[static_cast<std::size_t>(hit.mesh)])];
+    if (found < 0) return 0;
+    const std::size_t k = static_cast<std::size_t>(found);
+    const Part& part = light.parts[k];
+    const auto shares = light.shares_at(position);
+    const float share = (shares[k] - (k ? shares[k - 1] : 0.f)) / shares[light.parts.size() - 1];
     const float there = std::abs(dot(hit.normal, direction));
-    return choice.chance(i) * luminance(emission_of(room, hit.mesh)) / lights_[static_cast<std::size_t>(i)].power * hit.distance * hit.distance / std::max(1e-5f, there);
+    return choice.chance(i) * share * luminance(emission_of(room, hit.mesh)) / part.cumulative.back() * hit.distance * hit.distance / std::max(1e-5f, there);
 }
 
 Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const {

@@ -46,20 +46,34 @@ class Lights {
   private:
     struct Triangle {
         std::int32_t mesh, triangle;
+        float power;
     };
+    // Triangles of a lamp that face about the same way.
+    struct Part {
+        Vec3f center, normal;             // normal: mean of the triangles', not unit where they bend
+        float area = 0;
+        bool one_sided = false;           // of a closed body: nobody sees it from behind
+        std::vector<Triangle> triangles;
+        std::vector<float> cumulative;    // their powers; the last is the part's
+    };
+    // Ways to face: the sides of a cube in three by three fields, for closed bodies and for sheets.
+    static constexpr int kFacings = 2 * 6 * 9;
+    static std::size_t facing_of(Vec3f normal, bool one_sided);
     // The glowing parts of one object, or one window.
     struct Light {
         int portal = -1;
         Vec3f center, direction;          // direction: a portal shines only into the room; zero: all around
         float power = 0, area = 0;
-        std::vector<Triangle> triangles;
-        std::vector<float> cumulative;    // their powers
+        std::vector<Part> parts;
+        std::array<std::int8_t, kFacings> part_of_facing{};   // -1: none faces that way
+        // Rising shares of the parts in what a place gets from the lamp: the first parts.size().
+        std::array<float, kFacings> shares_at(Vec3f position) const;
     };
     float portal_density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction) const;
     std::optional<SkyTable> sky_;         // where there are portals
     std::vector<Light> lights_;
     std::vector<int> light_of_mesh_;      // -1: none
-    std::vector<bool> large_;
+    std::vector<bool> large_, closed_;
 };
 
 }  // namespace fastscene

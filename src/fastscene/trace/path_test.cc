@@ -49,6 +49,38 @@ Room box_room(const Material& walls) {
 // Closed room, albedo 1/2, emission 1/2: radiance 1 everywhere.
 TEST(Path, Furnace) { EXPECT_NEAR(mean_radiance(box_room(diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})), normalize(Vec3f{0.3f, 0.2f, 1}), 4096), 1.f, 0.01f); }
 
+// The ceiling sees one narrow side of a flat lamp under it, a twentieth of what glows: most samples must go there, not to the underside.
+TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
+    Room room = box_room(diffuse({0, 0, 0}));
+    room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
+    const float half = 0.2f, deep = 0.05f, ceiling = 1.4f;
+    room.meshes.push_back(box_mesh({-2, ceiling, -2}, {2, 1.45f, 2}, 0, -1, false));
+    room.meshes.push_back(box_mesh({-half, ceiling - deep, -half}, {half, ceiling - 0.001f, half}, 1, -1, false));
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    const Vec3f place{0.8f, ceiling, 0}, down{0, -1, 0};
+    const Lights::Choice choice = lights.choice_at(place, down);
+    double sum = 0, squares = 0;
+    constexpr int kSamples = 4096;
+    for (int i = 0; i < kSamples; ++i) {
+        Random random(3, "flat lamp", static_cast<std::uint64_t>(i));
+        const double e = luminance(lights.sample(room, bvh, choice, place, down, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
+        sum += e, squares += e * e;
+    }
+    const double mean = sum / kSamples, deviation = std::sqrt(squares / kSamples - mean * mean);
+    // The lamp's side, parallel strips by quadrature.
+    double wanted = 0;
+    constexpr int kStrips = 200;
+    for (int i = 0; i < kStrips; ++i)
+        for (int k = 0; k < kStrips; ++k) {
+            const double y = 0.001 + (deep - 0.001) * (i + 0.5) / kStrips, z = 2 * half * ((k + 0.5) / kStrips - 0.5), x = 0.8 - half;
+            const double d2 = x * x + y * y + z * z;
+            wanted += 10 * (y * x) / (d2 * d2) * (deep - 0.001) * 2 * half / (kStrips * kStrips);
+        }
+    EXPECT_NEAR(mean / wanted, 1, 0.03);
+    EXPECT_LT(deviation / mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
+}
+
 // A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed form of a
 // parallel rectangle (Howell, B-3).
 TEST(Path, LightAskedAndFoundIsCountedOnce) {
