@@ -10,7 +10,7 @@ foreach(pair "kVersion|${VERSION}" "kSourceDir|${SOURCE_DIR}" "kCompiler|${COMPI
   string(APPEND text "inline constexpr std::string_view ${name} = \"${pair}\";\n")
 endforeach()
 string(APPEND text "inline constexpr std::pair<std::string_view, std::string_view> kRooms[] = {\n")
-foreach(room base math image geometry scene io nn trace rooms panorama depth inpaint walk views splat)
+foreach(room base math image geometry scene io nn trace rooms panorama depth inpaint walk views splat metrics)
   file(GLOB files ${SOURCE_DIR}/src/fastscene/${room}/*.h ${SOURCE_DIR}/src/fastscene/${room}/*.cc ${SOURCE_DIR}/src/fastscene/${room}/*.tsv)
   list(FILTER files EXCLUDE REGEX "_test\\.cc$")
   if(room STREQUAL nn)  # with the weights that it carries

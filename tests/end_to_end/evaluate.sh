@@ -60,28 +60,50 @@ cmp -s first.csv eval/table.csv || fail "another table when drawn again"
 expect 2 "$fastscene" evaluate --redraw nowhere
 says "results.json"
 
-# Other systems: pictures, splats, time.
-mkdir -p peer/bedroom third
+# Other systems: pictures, splats, what is seen all around, time. Our own splats under another name are worth what ours are: the same
+# cameras, the same panorama, the same room.
+mkdir -p peer/bedroom third sphere/bedroom
 expect 0 "$fastscene" render eval/scenes/ours/bedroom-3 --size 120x100 -o peer/bedroom/a.png
 echo 70 >peer/minutes.txt
 cp eval/scenes/ours/bedroom-3/splat/scene.ply third/bedroom.ply
-expect 0 "$fastscene" evaluate small.toml -o eval --peer "Some system=peer" --peer "Third=third"
-grep -q '^| Some system .*70.0 |$' eval/table.md || fail "the peer's minutes are not in the table"
-grep -q '^| Third ' eval/table.md || fail "the peer's splats are not in the table"
-expect 2 "$fastscene" evaluate small.toml -o eval --peer "Nobody=$work"
+cp eval/measured/ours/bedroom-3/source/splats/sphere.png sphere/bedroom/source.png
+echo 12.5 >sphere/bedroom/minutes.txt
+expect 0 "$fastscene" evaluate small.toml -o eval --peer "Some system=peer" --peer "Third=third" --peer "Sphere=sphere"
+grep -q '^| Some system .*70.0<sup>.*</sup> |$' eval/table.md || fail "the peer's minutes are not in the table"
+grep -q '^| Sphere .* 12.5 |$' eval/table.md || fail "the scene's own minutes are not in the table"
+grep -q 'minutes: one figure for all its scenes' eval/table.md || fail "one figure for all scenes, unsaid"
+column() { sed -n 's/^"\(.*\)","\(.*\)","bedroom",[0-9]*,\(.*\),\(.*\),$/\1|\2|\3|\4/p' eval/scenes.csv | grep "^$1||$2|" | cut -d'|' -f4; }
+for measure in psnr source_psnr; do
+  [ -n "$(column Ours $measure)" ] && [ "$(column Ours $measure)" = "$(column Third $measure)" ] || fail "$measure of the same splats differs: ours $(column Ours $measure), theirs $(column Third $measure)"
+done
+[ "$(column Sphere source_psnr)" = "$(column Ours source_psnr)" ] || fail "source.png is not measured as the splats are"
+cmp -s eval/measured/peers/third/bedroom/stills/walked/00.png eval/measured/ours/bedroom-3/stills/walked/00.png || fail "a peer's splats are seen by other cameras"
+expect 2 "$fastscene" evaluate small.toml -o nothing --peer "Nobody=$work"
 says "bedroom"
-expect 2 "$fastscene" evaluate small.toml -o eval --peer nobody
+lacks nothing
+expect 2 "$fastscene" evaluate small.toml -o nothing --peer nobody
 says "NAME=DIR"
+expect 2 "$fastscene" evaluate small.toml -o nothing --peer "ours=peer"
+says "expected a name of its own"
+
+# A finished run as a scene: read only, and measured as it was.
+contents eval/scenes >before
+sed 's/^prompt = .*/run = "eval\/scenes\/ours\/bedroom-3"/; /^seeds/d' small.toml >given.toml
+expect 0 "$fastscene" evaluate given.toml -o given
+contents eval/scenes | diff before - >log || fail "a run that was lent has changed"
+lacks given/scenes
+[ "$(sed -n 's/^"Ours","","bedroom",3,psnr,//p' given/scenes.csv)" = "$(sed -n 's/^"Ours","","bedroom",3,psnr,//p' eval/scenes.csv)" ] || fail "a run is measured otherwise than the same scene"
 
 # One scene fails, the others go on, and the exit code says so. A second row starts from the first one's panorama.
-sed 's/^measures.*/measures = ["stills"]/; s/^name = "bedroom"/name = "odd"/; s/^prompt = .*/panorama = "odd.png"/' small.toml >odd.toml
+sed 's/^measures.*/measures = ["stills"]/; s/^columns.*/columns = ["niqe", "minutes"]/; s/^name = "bedroom"/name = "odd"/; s/^prompt = .*/panorama = "odd.png"/' small.toml >odd.toml
 "$fastscene" render eval/scenes/ours/bedroom-3 --size 90x80 -o odd.png >/dev/null 2>&1
 printf '\n[[scene]]\nname = "bedroom"\nprompt = "%s"\nseeds = [3]\n[[variant]]\nname = "Fewer"\nsettings = { walk-viewpoints = 1 }\n' "$prompt" >>odd.toml
 expect 1 "$fastscene" evaluate odd.toml -o eval2
 says "odd.png"
 has eval2/report.html eval2/scenes/ours/bedroom-3/splat/scene.ply
 cmp -s eval2/scenes/ours/bedroom-3/panorama/stage.json eval2/scenes/fewer/bedroom-3/panorama/stage.json || fail "the panorama was made twice"
-grep -q "failed" eval2/report.html || fail "the report does not name the failure"
+says "2 of 4 scenes failed"
+for form in html md tex csv; do grep -q "odd.png: expected" eval2/{report,table}.$form 2>/dev/null || fail "the failure is not in .$form"; done
 
 # Suites that ship, and typos.
 expect 0 "$fastscene" evaluate

@@ -39,6 +39,21 @@ void redraw(const std::filesystem::path& folder, const Session& session) {
     session.print((folder / "report.html").string(), results);
 }
 
+// "1 of 4 scenes", "1 of 4 scenes and 2 of 3 of other systems"; empty: none.
+std::string failed_text(const Json& results) {
+    std::string text;
+    for (const auto& [kind, what] : {std::pair{"ours", "scenes"}, std::pair{"peer", "of other systems"}}) {
+        int failed = 0, all = 0;
+        for (const Json& record : results.at("records")) {
+            if (record.at("kind") != kind) continue;
+            ++all;
+            failed += record.contains("failed");
+        }
+        if (failed > 0) text += fmt::format("{}{} of {} {}", text.empty() ? "" : " and ", failed, all, what);
+    }
+    return text;
+}
+
 void act(const EvaluateFlags& flags, const Session& session) {
     if (!flags.redraw.empty()) return redraw(flags.redraw, session);
     if (flags.suite.empty()) {
@@ -63,9 +78,8 @@ void act(const EvaluateFlags& flags, const Session& session) {
     text.pop_back();
     session.print(text, results);
     run.note(fmt::format("open {} in a browser", (options.out / "report.html").string()));
-    int failed = 0;
-    for (const Json& record : results.at("records")) failed += record.contains("failed");
-    if (failed > 0) throw Error("{} of {} scenes failed; {} says why", failed, results.at("records").size(), (options.out / "report.html").string());
+    const std::string failed = failed_text(results);
+    if (!failed.empty()) throw Error("{} failed; {} says why", failed, (options.out / "report.html").string());
 }
 
 }  // namespace
@@ -79,7 +93,7 @@ Verb add_evaluate(CLI::App& app) {
         ->type_name("draft|standard|high")
         ->check(CLI::IsMember(qualities()).description(""));
     verb->add_option("--scenes", flags->scenes, "Only the first N scenes; 0: all.")->type_name("N")->capture_default_str();
-    verb->add_option("--peer", flags->peers, "Another system as a row: NAME=DIR with SCENE/*.png or SCENE.ply. May be given often.")
+    verb->add_option("--peer", flags->peers, "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be given often.")
         ->type_name("NAME=DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("--weights", flags->weights, "Folder of the metrics' parameters and networks, as for `metrics images`.")->type_name("DIR");

@@ -8,17 +8,27 @@
 namespace fastscene {
 namespace {
 
-constexpr double kWidth = 460, kLabelWidth = 206, kBarHeight = 20, kBarStep = 27, kTop = 34;
+constexpr double kWidth = 460, kBarHeight = 16, kLabelStep = 16, kBarGap = 12, kTop = 34;
+constexpr std::size_t kLabelLetters = 70;  // of a line
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text, const std::string& style = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>", x, y, anchor, style.empty() ? "" : " class=\"" + style + "\"", html_escaped(text));
 }
 
-std::string shortened(const std::string& text, std::size_t letters) {
-    if (text.size() <= letters) return text;
-    std::size_t end = letters - 1;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a letter of several bytes
-    return text.substr(0, end) + "…";
+// In lines of at most so many letters, broken between words where there are some.
+std::vector<std::string> lines_of(const std::string& text, std::size_t letters) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = std::min(text.size(), begin + letters);
+        if (end < text.size()) {
+            const std::size_t space = text.rfind(' ', end);
+            if (space != std::string::npos && space > begin) end = space;
+            while (end > begin + 1 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a letter of several bytes
+        }
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + (end < text.size() && text[end] == ' ');
+    }
+    return lines;
 }
 
 std::string frame(double width, double height, const std::string& title, const std::string& inside) {
@@ -61,16 +71,18 @@ std::string html_escaped(const std::string& text) {
 std::string bar_chart(const std::string& title, const std::string& hint, const std::vector<Bar>& bars) {
     double most = 1e-9;
     for (const Bar& bar : bars) most = std::max(most, bar.value);
-    const double room = kWidth - kLabelWidth - 52;
+    constexpr double kValueWidth = 52;
     std::string inside = text_at(0, 16, "start", title, "chart-title") + text_at(kWidth, 16, "end", hint, "chart-hint");
-    for (std::size_t i = 0; i < bars.size(); ++i) {
-        const double y = kTop + static_cast<double>(i) * kBarStep, length = std::max(1.0, room * std::max(0.0, bars[i].value) / most);
-        inside += fmt::format("<g><title>{}: {}</title>", html_escaped(bars[i].label), html_escaped(bars[i].text));
-        inside += text_at(kLabelWidth - 10, y + 14, "end", shortened(bars[i].label, 31), "chart-label");
-        inside += fmt::format("<rect class=\"bar {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" rx=\"3\"/>", bars[i].kind, kLabelWidth, y, length, kBarHeight);
-        inside += text_at(kLabelWidth + length + 6, y + 14, "start", bars[i].text, "chart-value") + "</g>";
+    double y = kTop;
+    for (const Bar& bar : bars) {
+        inside += fmt::format("<g><title>{}: {}</title>", html_escaped(bar.label), html_escaped(bar.text));
+        for (const std::string& line : lines_of(bar.label, kLabelLetters)) inside += text_at(0, y + 11, "start", line, "chart-label"), y += kLabelStep;
+        const double length = std::max(1.0, (kWidth - kValueWidth) * std::max(0.0, bar.value) / most);
+        inside += fmt::format("<rect class=\"bar {}\" x=\"0\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" rx=\"3\"/>", bar.kind, y, length, kBarHeight);
+        inside += text_at(length + 6, y + 13, "start", bar.text, "chart-value") + "</g>";
+        y += kBarHeight + kBarGap;
     }
-    return frame(kWidth, kTop + static_cast<double>(bars.size()) * kBarStep + 4, title, inside);
+    return frame(kWidth, y, title, inside);
 }
 
 std::string line_chart(const std::string& title, const std::string& x_label, const std::string& y_label, const std::vector<Curve>& curves) {

@@ -13,7 +13,7 @@ struct Bar {
     double value = 0;
     std::string text;          // the value as it is written
 };
-// Horizontal bars from zero, one below the other; `hint` says which way is better.
+// Horizontal bars from zero, one below the other, each under its label; `hint` says which way is better.
 std::string bar_chart(const std::string& title, const std::string& hint, const std::vector<Bar>& bars);
 
 struct Curve {

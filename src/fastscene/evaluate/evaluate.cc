@@ -1,6 +1,7 @@
 #include "fastscene/evaluate/evaluate.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/columns.h"
@@ -24,20 +25,26 @@ struct Job {
     std::uint64_t seed;
     fs::path place;     // below scenes/ and measured/
     double weight;      // of the time, in scenes made from nothing
-    fs::path folder(const fs::path& out) const { return out / "scenes" / place; }
+    fs::path folder(const fs::path& out) const { return scene->run.empty() ? out / "scenes" / place : scene->run; }
 };
 
-std::vector<Job> jobs_of(const Suite& suite, const EvaluateOptions& options, std::string_view last_stage) {
+std::vector<Job> jobs_of(const Suite& suite, const fs::path& out, std::string_view last_stage) {
     std::vector<Job> jobs;
-    const std::size_t scenes = options.scenes > 0 ? std::min<std::size_t>(suite.scenes.size(), static_cast<std::size_t>(options.scenes)) : suite.scenes.size();
     for (const SuiteVariant& variant : suite.variants)
-        for (std::size_t i = 0; i < scenes; ++i)
-            for (const std::uint64_t seed : suite.scenes[i].seeds) {
-                const fs::path place = fs::path(slug_of(variant.name)) / fmt::format("{}-{}", suite.scenes[i].name, seed);
-                const bool made = finished_stage(options.out / "scenes" / place, last_stage).has_value();
-                jobs.push_back({&variant, &suite.scenes[i], seed, place, made ? 0.3 : 1});
+        for (const SuiteScene& scene : suite.scenes) {
+            if (!scene.run.empty() && scene.variant != variant.name) continue;
+            for (const std::uint64_t seed : scene.seeds) {
+                Job job{&variant, &scene, seed, fs::path(slug_of(variant.name)) / fmt::format("{}-{}", scene.name, seed), 1};
+                if (finished_stage(job.folder(out), last_stage)) job.weight = 0.3;
+                jobs.push_back(std::move(job));
             }
+        }
     return jobs;
+}
+
+Suite first_scenes(Suite suite, int count) {
+    if (count > 0 && static_cast<std::size_t>(count) < suite.scenes.size()) suite.scenes.resize(static_cast<std::size_t>(count));
+    return suite;
 }
 
 // Variants of one scene mostly share its beginning: a finished stage of a sibling is tried first. Its key decides whether it fits.
@@ -55,24 +62,36 @@ void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::
 }
 
 Sample cost_of(const Json& report) {
-    return {"", "", {}, {{"minutes", report.at("seconds").get<double>() / 60}, {"cpu_minutes", report.at("cpu_seconds").get<double>() / 60},
-                 {"memory_gb", report.at("peak_memory_bytes").get<double>() / 1e9}}, {}};
+    Sample sample;
+    sample.values = {{"minutes", report.at("seconds").get<double>() / 60}, {"cpu_minutes", report.at("cpu_seconds").get<double>() / 60},
+                     {"memory_gb", report.at("peak_memory_bytes").get<double>() / 1e9}};
+    return sample;
+}
+
+// Of a run that somebody else made.
+Json cost_of_stages(const RunFolder& folder) {
+    Cost total;
+    for (const std::string_view stage : kStages)
+        if (const auto record = finished_stage(folder.root, stage)) {
+            total.seconds += record->cost.seconds;
+            total.cpu_seconds += record->cost.cpu_seconds;
+            total.peak_memory_bytes = std::max(total.peak_memory_bytes, record->cost.peak_memory_bytes);
+        }
+    return {{"seconds", total.seconds}, {"cpu_seconds", total.cpu_seconds}, {"peak_memory_bytes", total.peak_memory_bytes}};
 }
 
 class Evaluation {
   public:
-    Evaluation(const Suite& suite, const EvaluateOptions& options, const Run& run) : suite_(suite), options_(options), run_(run) {
+    Evaluation(const Suite& suite, const EvaluateOptions& options, const Run& run)
+        : suite_(first_scenes(suite, options.scenes)), options_(options), run_(run), last_stage_(last_stage_of(suite)), peers_(suite.peers) {
         if (options_.weights.empty()) options_.weights = default_metrics_weights();
-        const bool only_holes = suite.measures == std::vector<std::string>{"holes"};
-        last_stage_ = only_holes ? "depth" : "splat";
-        jobs_ = jobs_of(suite_, options_, last_stage_);
+        jobs_ = jobs_of(suite_, options_.out, last_stage_);
         for (const Job& job : jobs_) total_ += job.weight;
+        peers_.insert(peers_.end(), options_.peers.begin(), options_.peers.end());
+        check_peers(peers_, suite_);
     }
 
     Json go() {
-        std::vector<SuitePeer> peers = suite_.peers;
-        peers.insert(peers.end(), options_.peers.begin(), options_.peers.end());
-        for (const SuitePeer& peer : peers) check_peer(peer, suite_);
         std::size_t number = 0;
         for (const Job& job : jobs_) {
             run_.check_stop();
@@ -81,27 +100,44 @@ class Evaluation {
             done_ += job.weight;
             write();
         }
-        for (const SuitePeer& peer : peers)
-            for (Json& record : peer_records(peer, suite_, options_.out, options_.weights, run_)) records_.push_back(std::move(record));
+        const PeerInputs inputs{suite_, options_.out, options_.weights, [&](const SuiteScene& scene) { return own_run(scene); }};
+        for (const SuitePeer& peer : peers_)
+            for (Json& record : peer_records(peer, inputs, run_)) records_.push_back(std::move(record));
         return write();
     }
 
   private:
     // Rows that differ in what comes after the panorama are judged by the same true pictures; another preset lights its room otherwise.
-    std::filesystem::path truth_of(const Job& job) const { return options_.out / "truth" / fmt::format("{}-{}-{}", job.scene->name, job.seed, job.variant->quality); }
+    fs::path truth_of(const Job& job) const {
+        const std::string quality = job.scene->run.empty() ? job.variant->quality : recorded_run({job.scene->run}).request.quality;
+        return options_.out / "truth" / fmt::format("{}-{}-{}", job.scene->name, job.seed, quality);
+    }
+    std::optional<OwnRun> own_run(const SuiteScene& scene) const {
+        for (const Job& job : jobs_)
+            if (job.scene == &scene && finished_stage(job.folder(options_.out), last_stage_)) return OwnRun{{job.folder(options_.out)}, truth_of(job)};
+        return std::nullopt;
+    }
+
+    // The scene made, or gone on with; a run of the suite's stays as it is. Returns the report of its cost.
+    Json make(const Job& job, const RunFolder& folder, const Run& run) const {
+        if (!job.scene->run.empty()) return cost_of_stages(folder);
+        start_from_sibling(jobs_, job, options_.out);
+        SceneRequest request{job.scene->source, job.variant->quality, job.variant->params, last_stage_, false};
+        if (!request.source.picture.empty()) request.params.panorama.backend = "image";
+        if (!request.source.weights.empty()) request.params.panorama.backend = "diffusion360";
+        return make_scene(request, folder, run);
+    }
 
     Json record_of(const Job& job, const Run& run) {
         const RunFolder folder{job.folder(options_.out)};
+        const bool given = !job.scene->run.empty();
         Json record{{"variant", job.variant->name}, {"kind", "ours"}, {"scene", job.scene->name}, {"seed", job.seed}, {"quality", job.variant->quality},
                     {"prompt", job.scene->source.prompt}, {"folder", fs::relative(folder.root, options_.out).generic_string()}};
         if (!job.scene->source.picture.empty()) record["picture"] = job.scene->source.picture.string();
         try {
-            start_from_sibling(jobs_, job, options_.out);
-            SceneRequest request{job.scene->source, job.variant->quality, job.variant->params, last_stage_, false};
-            if (!request.source.picture.empty()) request.params.panorama.backend = "image";
-            if (!request.source.weights.empty()) request.params.panorama.backend = "diffusion360";
-            const Json report = make_scene(request, folder, run);
-            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, options_.weights, job.scene->source.prompt};
+            if (given) record["quality"] = recorded_run(folder).request.quality;
+            const Json report = make(job, folder, run);
+            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, given, options_.weights, job.scene->source.prompt};
             Measured measured = measure_scene(inputs, folder, run);
             measured.samples.push_back(cost_of(report));
             record.update(json_of(measured));
@@ -115,7 +151,7 @@ class Evaluation {
 
     Json write() const {
         Json results{{"suite", suite_.name}, {"title", suite_.title}, {"about", suite_.about}, {"notes", suite_.notes}, {"versions", build_json()},
-                     {"scenes_done", records_.size()}, {"scenes_all", jobs_.size()}};
+                     {"scenes_done", std::min(records_.size(), jobs_.size())}, {"scenes_all", jobs_.size()}};
         Json shown = Json::array();
         for (const std::string& key : suite_.columns) {
             const Column& c = column_of(key);
@@ -124,15 +160,17 @@ class Evaluation {
         }
         results["columns"] = shown;
         results["rows"] = table_rows(suite_, records_);
+        results["parameters"] = parameters_used(suite_, records_);
         results["records"] = records_;
         write_results(options_.out, results);
         return results;
     }
 
-    const Suite& suite_;
+    const Suite suite_;  // of the scenes that were chosen
     EvaluateOptions options_;
     const Run& run_;
     std::string last_stage_;
+    std::vector<SuitePeer> peers_;
     std::vector<Job> jobs_;
     double total_ = 0, done_ = 0;
     std::vector<Json> records_;
@@ -141,9 +179,10 @@ class Evaluation {
 }  // namespace
 
 Json evaluate(const Suite& suite, const EvaluateOptions& options, const Run& run) {
+    Evaluation evaluation(suite, options, run);  // refuses what cannot be before anything is written
     make_directories(options.out);
     const FolderLock lock(options.out);
-    return Evaluation(suite, options, run).go();
+    return evaluation.go();
 }
 
 }  // namespace fastscene

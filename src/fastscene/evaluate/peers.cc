@@ -3,28 +3,52 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/measures.h"
-#include "fastscene/evaluate/stills.h"
-#include "fastscene/io/splat_io.h"
-#include "fastscene/pipeline/stage_cache.h"
+#include "fastscene/metrics/images.h"
 
 namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
 
-// What the peer has of a scene: a folder of pictures or a splat file; empty: nothing.
-fs::path contribution(const SuitePeer& peer, const std::string& scene) {
-    if (fs::is_directory(peer.folder / scene)) return peer.folder / scene;
+bool is_source(const fs::path& file) { return file.stem() == "source"; }
+
+// What the peer has of a scene; `pictures` may also hold source.png.
+OtherScene contribution(const SuitePeer& peer, const std::string& scene) {
+    OtherScene other;
+    const fs::path folder = peer.folder / scene;
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const std::string end = slug_of(entry.path().extension().string());
+            if (end != "png" && end != "jpg" && end != "jpeg") continue;
+            if (is_source(entry.path())) other.sphere = entry.path();
+            else other.pictures = folder;
+        }
     for (const char* end : {".ply", ".compressed.ply", ".spz", ".glb"})
-        if (const fs::path file = peer.folder / (scene + end); fs::exists(file)) return file;
-    return {};
+        if (const fs::path file = peer.folder / (scene + end); fs::exists(file)) {
+            other.splats = file;
+            break;
+        }
+    return other;
 }
 
-double minutes_of(const SuitePeer& peer) {
-    const fs::path file = peer.folder / "minutes.txt";
+bool is_empty(const OtherScene& other) { return other.pictures.empty() && other.sphere.empty() && other.splats.empty(); }
+
+// The stills without the sphere that lies beside them.
+fs::path stills_alone(const OtherScene& other, const fs::path& work) {
+    if (other.pictures.empty() || other.sphere.empty()) return other.pictures;
+    const fs::path alone = work / "given";
+    fs::remove_all(alone);
+    make_directories(alone);
+    for (const fs::path& file : pictures_in(other.pictures, "stills"))
+        if (!is_source(file)) fs::copy_file(file, alone / file.filename());
+    return alone;
+}
+
+double minutes_in(const fs::path& file) {
     const std::string text = read_file(file);
     char* end = nullptr;
     const double minutes = std::strtod(text.c_str(), &end);
@@ -32,49 +56,63 @@ double minutes_of(const SuitePeer& peer) {
     return minutes;
 }
 
-// Its splats through the suite's cameras.
-fs::path drawn(const fs::path& splats, const fs::path& work, const StillsParams& p, const Run& run) {
-    constexpr int kPanoramaWidth = 2048;  // a peer has none: pictures as fine as those of a standard scene
-    make_directories(work);
-    const Json params{{"count", p.count}, {"size", p.size_px}, {"fov", p.fov_deg}, {"radius", p.radius_m}, {"file", splats.string()}, {"bytes", fs::file_size(splats)},
-                      {"time", fs::last_write_time(splats).time_since_epoch().count()}};
-    run_stage(work, "stills", stage_key("metrics", params, {}, 0), run, [&](const fs::path& to) {
-        save_walked_stills(to / "walked", load_splats(splats).splats, p, still_camera(p, kPanoramaWidth), {}, run);
-    });
-    return work / "stills" / "walked";
+// Its time: measured of this scene, or told once for all.
+void add_minutes(const SuitePeer& peer, const std::string& scene, Measured& measured) {
+    const fs::path own = peer.folder / scene / "minutes.txt", all = peer.folder / "minutes.txt";
+    if (!fs::exists(own) && !fs::exists(all)) return;
+    Sample sample;
+    sample.shared = !fs::exists(own);
+    sample.values["minutes"] = minutes_in(sample.shared ? all : own);
+    if (sample.shared) sample.notes["minutes"] = {"one figure for all its scenes"};
+    measured.samples.push_back(std::move(sample));
 }
 
-}  // namespace
+Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene& other, const PeerInputs& inputs, const Run& run) {
+    const fs::path given = other.splats.empty() ? peer.folder / scene.name : other.splats;
+    Json record{{"variant", peer.name}, {"kind", "peer"}, {"scene", scene.name}, {"seed", 0}, {"prompt", scene.source.prompt}, {"folder", given.string()}};
+    try {
+        const fs::path work = inputs.out / "measured" / "peers" / slug_of(peer.name) / scene.name;
+        const std::optional<OwnRun> own = inputs.own_run(scene);
+        if (own) record["cameras"] = own->folder.root.generic_string();
+        const MeasureInputs measure{.suite = &inputs.suite, .out = inputs.out, .work = work, .truth = own ? own->truth : fs::path(), .weights = inputs.weights, .prompt = scene.source.prompt};
+        const OtherScene judged{stills_alone(other, work), other.sphere, other.splats};
+        Measured measured = measure_other(measure, judged, own ? std::optional(own->folder) : std::nullopt, inputs.suite.variants.front().params.panorama.width, run);
+        add_minutes(peer, scene.name, measured);
+        record.update(json_of(measured));
+    } catch (const Error& e) {
+        record["failed"] = e.what();
+        run.warn(fmt::format("{}, {}: {}", peer.name, scene.name, e.what()));
+    }
+    return record;
+}
 
 void check_peer(const SuitePeer& peer, const Suite& suite) {
     if (!fs::is_directory(peer.folder)) throw UsageError("--peer {}: expected a folder, found none at {}", peer.name, peer.folder.string());
-    if (!suite.has("stills")) throw UsageError("--peer {}: expected a suite that measures stills, found {}", peer.name, suite.name);
+    if (!suite.has("stills") && !suite.has("source") && !suite.has("held-out"))
+        throw UsageError("--peer {}: expected a suite that measures stills, source or held-out, found {}", peer.name, suite.name);
     std::string names;
     for (const SuiteScene& scene : suite.scenes) {
-        if (!contribution(peer, scene.name).empty()) return;
+        if (!is_empty(contribution(peer, scene.name))) return;
         names += (names.empty() ? "" : ", ") + scene.name;
     }
     throw UsageError("--peer {}: expected pictures in {}/SCENE/ or splats in {}/SCENE.ply for a SCENE of {}, found none", peer.name, peer.folder.string(), peer.folder.string(), names);
 }
 
-std::vector<Json> peer_records(const SuitePeer& peer, const Suite& suite, const fs::path& out, const fs::path& weights, const Run& run) {
-    std::vector<Json> records;
-    for (const SuiteScene& scene : suite.scenes) {
-        const fs::path given = contribution(peer, scene.name);
-        if (given.empty()) continue;
-        Json record{{"variant", peer.name}, {"kind", "peer"}, {"scene", scene.name}, {"seed", 0}, {"prompt", scene.source.prompt}, {"folder", given.string()}};
-        try {
-            const fs::path work = out / "measured" / "peers" / slug_of(peer.name) / scene.name;
-            const fs::path pictures = fs::is_directory(given) ? given : drawn(given, work, suite.stills, run);
-            Measured measured = measure_pictures({&suite, out, work, {}, false, weights, scene.source.prompt}, pictures, run);
-            if (fs::exists(peer.folder / "minutes.txt")) measured.samples.push_back({"", "", {}, {{"minutes", minutes_of(peer)}}, {}});
-            record.update(json_of(measured));
-        } catch (const Error& e) {
-            record["failed"] = e.what();
-            run.warn(fmt::format("{}, {}: {}", peer.name, scene.name, e.what()));
-        }
-        records.push_back(std::move(record));
+}  // namespace
+
+void check_peers(const std::vector<SuitePeer>& peers, const Suite& suite) {
+    std::set<std::string> rows;
+    for (const SuiteVariant& variant : suite.variants) rows.insert(slug_of(variant.name));
+    for (const SuitePeer& peer : peers) {
+        if (!rows.insert(slug_of(peer.name)).second) throw UsageError("--peer {}: expected a name of its own, found another row of this name", peer.name);
+        check_peer(peer, suite);
     }
+}
+
+std::vector<Json> peer_records(const SuitePeer& peer, const PeerInputs& inputs, const Run& run) {
+    std::vector<Json> records;
+    for (const SuiteScene& scene : inputs.suite.scenes)
+        if (const OtherScene other = contribution(peer, scene.name); !is_empty(other)) records.push_back(record_of(peer, scene, other, inputs, run));
     return records;
 }
 

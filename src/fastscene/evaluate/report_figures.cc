@@ -33,13 +33,20 @@ std::string picture_data(const fs::path& out, const fs::path& picture, int width
 std::string figures_html(const Json& figures, const fs::path& out) {
     std::string html;
     for (const Json& figure : figures) {
-        const bool wide = figure.at("wide").get<bool>(), stills = figure.at("pictures").size() > 3;
+        const bool wide = figure.at("wide").get<bool>();
+        const int columns = wide ? 0 : figure.value("columns", 0);  // rows beside each other
+        const bool stills = columns == 0 && figure.at("pictures").size() > 3;
         const std::string caption = figure.at("caption");
-        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + fmt::format("<div class=\"row{}\">\n", wide ? " wide" : stills ? " stills" : "");
+        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + fmt::format("<div class=\"row{}\"{}>\n", wide ? " wide" : stills ? " stills" : columns ? " beside" : "",
+                                                                                                                                               columns ? fmt::format(" style=\"--columns: {}\"", columns) : "");
         for (const Json& picture : figure.at("pictures")) {
             const std::string label = html_escaped(picture.at("label"));
+            if (picture.at("file") == "") {  // a gap in the grid
+                html += "<div></div>\n";
+                continue;
+            }
             html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label,
-                                picture_data(out, picture.at("file").get<std::string>(), wide ? kSphereWidth : stills ? kStillWidth : kPairWidth),
+                                picture_data(out, picture.at("file").get<std::string>(), wide ? kSphereWidth : stills || columns ? kStillWidth : kPairWidth),
                                 label.empty() ? "" : "<span>" + label + "</span>");
         }
         html += "</div></figure>\n";

@@ -1,5 +1,7 @@
 #include "fastscene/evaluate/rows.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +9,10 @@
 
 namespace fastscene {
 namespace {
+
+void add_once(std::vector<std::string>& list, const std::string& item) {
+    if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
 
 struct RowKey {
     std::string name, group, kind;
@@ -16,24 +22,40 @@ struct RowKey {
 // All figures of one cell.
 struct Cell {
     std::vector<double> values;
-    int infinite = 0;
-    std::string note;
+    std::vector<std::string> scenes, infinite;                             // which have a figure
+    std::vector<std::pair<std::string, std::vector<std::string>>> notes;   // each once, with its scenes
+    int counted = 0, pictures = 0;
+    bool shared = false;
 
-    Json json() const {
-        if (values.empty()) return infinite ? Json{{"value", "inf"}, {"count", infinite}} : Json{{"note", note.empty() ? "not measured" : note}};
-        double mean = 0, square = 0;
-        for (const double v : values) mean += v;
-        mean /= static_cast<double>(values.size());
-        for (const double v : values) square += (v - mean) * (v - mean);
-        Json cell{{"value", mean}, {"count", values.size()}};
-        if (values.size() > 1) cell["sd"] = std::sqrt(square / static_cast<double>(values.size() - 1));
+    void note(const std::string& text, const std::string& scene) {
+        for (auto& [known, where] : notes)
+            if (known == text) return add_once(where, scene);
+        notes.push_back({text, {scene}});
+    }
+
+    // `measured`: scenes of the row that did not fail.
+    Json json(int of, std::size_t measured) const {
+        Json cell = Json::object();
+        if (values.empty() && !infinite.empty()) cell = {{"value", "inf"}, {"count", infinite.size()}, {"of", of}, {"scenes", infinite}};
+        if (!values.empty()) {
+            double mean = 0, square = 0;
+            for (const double v : values) mean += v / static_cast<double>(values.size());
+            for (const double v : values) square += (v - mean) * (v - mean);
+            cell = {{"value", mean}, {"count", values.size()}, {"of", of}, {"scenes", scenes}};
+            if (values.size() > 1 && !shared) cell["sd"] = std::sqrt(square / static_cast<double>(values.size() - 1));
+        }
+        std::vector<std::string> said;
+        for (const auto& [text, where] : notes) said.push_back(where.size() < measured ? fmt::format("{}: {}", fmt::join(where, ", "), text) : text);
+        if (!values.empty() && !infinite.empty()) said.push_back(fmt::format("{}: infinite, not in the mean", fmt::join(infinite, ", ")));
+        if (!said.empty()) cell["notes"] = said;
+        if (counted < pictures) cell["pictures"] = {{"counted", counted}, {"of", pictures}};
         return cell;
     }
 };
 
 struct Row {
     RowKey key;
-    int scenes = 0;
+    std::vector<std::string> scenes;
     std::map<std::string, Cell> cells;
     Json curve = Json::object();  // series and at, where it is a point of a curve
 };
@@ -41,24 +63,55 @@ struct Row {
 Row& row_of(std::vector<Row>& rows, const RowKey& key) {
     for (Row& row : rows)
         if (row.key == key) return row;
-    return rows.emplace_back(Row{key, 0, {}, Json::object()});
+    return rows.emplace_back(Row{key, {}, {}, Json::object()});
 }
 
-void add_sample(Row& row, const Json& sample) {
+void add_sample(Row& row, const Json& sample, const std::string& scene) {
     for (const auto& [column, value] : sample.at("values").items()) {
-        if (value.is_number()) row.cells[column].values.push_back(value.get<double>());
-        else ++row.cells[column].infinite;
+        Cell& cell = row.cells[column];
+        cell.shared |= sample.value("shared", false);
+        if (!value.is_number()) {
+            cell.infinite.push_back(scene);
+            continue;
+        }
+        cell.values.push_back(value.get<double>());
+        cell.scenes.push_back(scene);
     }
-    for (const auto& [column, note] : sample.at("notes").items()) row.cells[column].note = note.get<std::string>();
+    for (const auto& [column, notes] : sample.at("notes").items())
+        for (const Json& note : notes) row.cells[column].note(note, scene);
+    const Json pictures = sample.value("pictures", Json::object());
+    for (const auto& [column, share] : pictures.items()) {
+        row.cells[column].counted += share.at("counted").get<int>();
+        row.cells[column].pictures += share.at("of").get<int>();
+    }
+}
+
+// A scene's name, with its seed where it has several.
+std::string scene_id(const Suite& suite, const Json& record) {
+    const std::string name = record.at("scene");
+    for (const SuiteScene& scene : suite.scenes)
+        if (scene.name == name && scene.seeds.size() > 1 && record.at("kind") == "ours") return fmt::format("{}, seed {}", name, record.at("seed").get<std::uint64_t>());
+    return name;
+}
+
+// How many scenes a row should have.
+int scenes_asked(const Suite& suite, const RowKey& row) {
+    std::size_t count = 0;
+    for (const SuiteScene& scene : suite.scenes)
+        if (row.kind == "peer") ++count;
+        else if (scene.run.empty() || scene.variant == row.name) count += scene.seeds.size();
+    return static_cast<int>(count);
 }
 
 Json published_rows(const Suite& suite) {
     Json out = Json::array();
     for (const PublishedRow& row : suite.published) {
         Json cells = Json::object();
-        for (const std::string& column : suite.columns)
-            cells[column] = row.values.contains(column) ? Json{{"value", row.values.at(column)}, {"count", 1}} : Json{{"note", "not published"}};
-        out.push_back({{"name", row.name}, {"group", ""}, {"kind", "published"}, {"ours", row.ours}, {"scenes", 0}, {"cells", cells}});
+        for (const std::string& column : suite.columns) {
+            cells[column] = Json::object();
+            if (row.values.contains(column)) cells[column]["value"] = row.values.at(column);
+        }
+        out.push_back({{"name", row.name}, {"group", ""}, {"kind", "published"}, {"ours", row.ours}, {"scenes", 0}, {"of", 0}, {"cells", cells}});
     }
     return out;
 }
@@ -68,20 +121,17 @@ Json published_rows(const Suite& suite) {
 Json table_rows(const Suite& suite, const std::vector<Json>& records) {
     std::vector<Row> rows;
     for (const Json& record : records) {
-        const std::string name = record.at("variant"), kind = record.at("kind");
+        const std::string name = record.at("variant"), kind = record.at("kind"), scene = scene_id(suite, record);
         if (record.contains("failed")) {
-            Row& row = row_of(rows, {name, "", kind});
-            for (const std::string& column : suite.columns)
-                if (row.cells[column].note.empty()) row.cells[column].note = fmt::format("failed: {}", record.at("failed").get<std::string>());
+            row_of(rows, {name, "", kind});
             continue;
         }
-        std::vector<std::string> counted;  // a scene's cost is a sample of its own in the same row
         for (const Json& sample : record.at("samples")) {
             const std::string group = sample.at("group");
             Row& row = row_of(rows, {name, group, group == kInputGroup ? "source" : kind});
-            add_sample(row, sample);
+            add_sample(row, sample, scene);
             if (sample.contains("at")) row.curve = {{"series", sample.at("series")}, {"at", sample.at("at")}};
-            if (std::find(counted.begin(), counted.end(), group) == counted.end()) ++row.scenes, counted.push_back(group);
+            add_once(row.scenes, scene);
         }
     }
     // A variant without figures of its own beside its cost (holes, several radii) would be an empty row.
@@ -92,13 +142,33 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
     });
     Json out = published_rows(suite);
     for (const Row& row : rows) {
+        const int of = scenes_asked(suite, row.key);
         Json cells = Json::object();
         for (const std::string& column : suite.columns) {
             const auto found = row.cells.find(column);
-            cells[column] = found != row.cells.end() ? found->second.json() : Json{{"note", row.key.group.empty() ? "not measured" : ""}};
+            cells[column] = found != row.cells.end() ? found->second.json(of, row.scenes.size()) : Json::object();
         }
-        out.push_back({{"name", row.key.name}, {"group", row.key.group}, {"kind", row.key.kind}, {"scenes", row.scenes}, {"cells", cells}});
+        out.push_back({{"name", row.key.name}, {"group", row.key.group}, {"kind", row.key.kind}, {"scenes", row.scenes.size()}, {"of", of}, {"cells", cells}});
         out.back().update(row.curve);
+    }
+    return out;
+}
+
+Json parameters_used(const Suite& suite, const std::vector<Json>& records) {
+    Json out = Json::object();
+    for (const Json& record : records) {
+        const Json parameters = record.value("parameters", Json::object());
+        for (const auto& [column, used] : parameters.items()) {
+            Json& list = out[column];
+            if (list.is_null()) list = Json::array();
+            auto known = std::find_if(list.begin(), list.end(), [&](const Json& other) { return other.at("identity") == used.at("identity"); });
+            if (known == list.end()) {
+                list.push_back(used);
+                list.back()["scenes"] = Json::array();
+                known = std::prev(list.end());
+            }
+            known->at("scenes").push_back(record.at("variant").get<std::string>() + ", " + scene_id(suite, record));
+        }
     }
     return out;
 }

@@ -7,6 +7,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/columns.h"
 #include "fastscene/evaluate/toml_table.h"
+#include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
 // suites/*.toml, by cmake/embed.cmake.
@@ -33,12 +34,22 @@ std::vector<std::string> setting_names() {
     return names;
 }
 
-void apply_settings(const TomlTable& table, SceneParams& params) {
+fs::path below(const fs::path& folder, const std::string& path) { return path.empty() || fs::path(path).is_absolute() ? fs::path(path) : folder / path; }
+
+// A setting that names a file.
+std::string weights_file(const TomlTable& table, const std::string& name, const fs::path& folder) {
+    const std::string text = table.text(name), file = below(folder, text).string();
+    if (!text.empty() && !fs::is_regular_file(file)) table.fail(name, fmt::format("expected a file, found none at {}", file));
+    return file;
+}
+
+// Paths start at `folder`.
+void apply_settings(const TomlTable& table, const fs::path& folder, SceneParams& params) {
     visit_settings(params, [&](const std::string& name, auto& value) {
         using T = std::decay_t<decltype(value)>;
         if (!table.has(name)) return;
         if constexpr (std::is_same_v<T, bool>) value = table.flag(name, value);
-        else if constexpr (std::is_same_v<T, std::string>) value = table.text(name);
+        else if constexpr (std::is_same_v<T, std::string>) value = name.ends_with("weights") ? weights_file(table, name, folder) : table.text(name);
         else if constexpr (std::is_integral_v<T>) value = static_cast<T>(table.whole(name, 0, -2'000'000'000, 2'000'000'000));
         else value = static_cast<T>(table.number(name, 0, -1e30, 1e30));
     });
@@ -72,12 +83,15 @@ class Reader {
         if (suite_.columns.empty())
             for (const Column& column : columns())
                 if (column.measure == "cost" || suite_.has(column.measure)) suite_.columns.push_back(column.key);
+        check_columns();
         read_stills();
         read_held_out();
-        for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
-        if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt or a panorama");
+        const fs::path painter = path_of(top_.text("diffusion360"));
+        if (!painter.empty() && !fs::is_directory(painter)) top_.fail("diffusion360", fmt::format("expected a folder, found none at {}", painter.string()));
         for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
         if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
+        for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
+        if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt, a panorama or a run");
         for (const toml::table* row : top_.tables("published")) read_published(*row);
         for (const toml::table* peer : top_.tables("peer")) read_peer(*peer);
         return std::move(suite_);
@@ -86,9 +100,17 @@ class Reader {
   private:
     std::vector<std::string> chosen(std::string_view key, const std::vector<std::string>& known) const {
         const std::vector<std::string> names = top_.texts(key);
-        for (const std::string& name : names)
-            if (std::find(known.begin(), known.end(), name) == known.end()) top_.fail(key, fmt::format("unknown \"{}\"{}", name, meant(name, known)));
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (std::find(known.begin(), known.end(), names[i]) == known.end()) top_.fail_item(key, i, fmt::format("unknown \"{}\"{}", names[i], meant(names[i], known)));
+            if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i))
+                top_.fail_item(key, i, fmt::format("expected each once, found \"{}\" twice", names[i]));
+        }
         return names;
+    }
+    void check_columns() const {
+        for (std::size_t i = 0; i < suite_.columns.size(); ++i)
+            if (const Column& column = column_of(suite_.columns[i]); column.measure != "cost" && !suite_.has(column.measure))
+                top_.fail_item("columns", i, fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}", column.key, column.measure, fmt::join(suite_.measures, ", ")));
     }
 
     void read_stills() {
@@ -115,27 +137,57 @@ class Reader {
     }
 
     void read_scene(const toml::table& found) {
-        const TomlTable table(found, file_.string(), "[[scene]]", {"name", "prompt", "panorama", "range", "seeds"});
+        const TomlTable table(found, file_.string(), "[[scene]]", {"name", "prompt", "panorama", "range", "seeds", "run", "variant"});
         SuiteScene scene;
+        if (table.has("run")) read_run(table, scene);
+        else read_source(table, scene);
+        const fs::path file = scene.run.empty() ? scene.source.picture.stem() : scene.run.filename();
+        scene.name = slug_of(table.text("name", file.empty() ? scene.source.prompt : file.string()));
+        if (!names_.insert(scene.name).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
+        suite_.scenes.push_back(std::move(scene));
+    }
+    void read_source(const TomlTable& table, SuiteScene& scene) {
         scene.source.prompt = table.text("prompt");
         scene.source.picture = path_of(table.text("panorama"));
         scene.source.range_map = path_of(table.text("range"));
         if (scene.source.picture.empty()) scene.source.weights = path_of(top_.text("diffusion360"));
-        if (scene.source.prompt.empty() && scene.source.picture.empty()) table.fail_missing("prompt", "a prompt or a panorama");
+        if (scene.source.prompt.empty() && scene.source.picture.empty()) table.fail_missing("prompt", "a prompt, a panorama or a run");
         if (scene.source.picture.empty() && !scene.source.range_map.empty()) table.fail("range", "expected together with panorama, found alone");
+        if (table.has("variant")) table.fail("variant", "expected together with run, found alone: what is made is made for every row");
         for (const char* key : {"panorama", "range"})
             if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path))) table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));
-        scene.name = slug_of(table.text("name", scene.source.picture.empty() ? scene.source.prompt : scene.source.picture.stem().string()));
-        if (!names_.insert(scene.name).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
-        if (table.has("seeds")) {
-            scene.seeds.clear();
-            for (const double seed : table.numbers("seeds")) {
-                if (!(seed >= 0 && seed < 9e15 && seed == static_cast<double>(static_cast<std::uint64_t>(seed)))) table.fail("seeds", fmt::format("expected whole numbers from 0, found {}", seed));
-                scene.seeds.push_back(static_cast<std::uint64_t>(seed));
-            }
-            if (scene.seeds.empty()) table.fail("seeds", "expected at least one, found none");
+        if (table.has("seeds")) scene.seeds = seeds_of(table);
+    }
+    static std::vector<std::uint64_t> seeds_of(const TomlTable& table) {
+        std::vector<std::uint64_t> seeds;
+        for (const double seed : table.numbers("seeds")) {
+            if (!(seed >= 0 && seed < 9e15 && seed == static_cast<double>(static_cast<std::uint64_t>(seed)))) table.fail("seeds", fmt::format("expected whole numbers from 0, found {}", seed));
+            if (std::find(seeds.begin(), seeds.end(), static_cast<std::uint64_t>(seed)) != seeds.end()) table.fail("seeds", fmt::format("expected each once, found {} twice", seed));
+            seeds.push_back(static_cast<std::uint64_t>(seed));
         }
-        suite_.scenes.push_back(std::move(scene));
+        if (seeds.empty()) table.fail("seeds", "expected at least one, found none");
+        return seeds;
+    }
+    void read_run(const TomlTable& table, SuiteScene& scene) {
+        for (const char* key : {"panorama", "range", "seeds"})
+            if (table.has(key)) table.fail(key, "expected without run, which has its own");
+        scene.run = path_of(table.text("run"));
+        if (scene.run.filename().empty()) scene.run = scene.run.parent_path();
+        try {
+            const RecordedRun recorded = recorded_run({scene.run});
+            scene.source = recorded.request.source;
+            scene.seeds = {recorded.seed};
+        } catch (const std::exception& e) {
+            table.fail("run", e.what());
+        }
+        if (const std::string last = last_stage_of(suite_); !finished_stage(scene.run, last))
+            table.fail("run", fmt::format("expected a run finished as far as {}, found one that is not: {}", last, scene.run.string()));
+        if (table.has("prompt")) scene.source.prompt = table.text("prompt");
+        scene.variant = table.text("variant", suite_.variants.size() == 1 ? suite_.variants[0].name : "");
+        std::vector<std::string> rows;
+        for (const SuiteVariant& variant : suite_.variants) rows.push_back(variant.name);
+        if (scene.variant.empty()) table.fail_missing("variant", fmt::format("the row that the run belongs to, one of {}", fmt::join(rows, ", ")));
+        if (std::find(rows.begin(), rows.end(), scene.variant) == rows.end()) table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, rows)));
     }
 
     std::string quality_of(const TomlTable& table) const {
@@ -148,8 +200,8 @@ class Reader {
     SceneParams params_of(const TomlTable& table, const toml::table* own) const {
         SceneParams params = params_of_quality(quality_of(table));
         if (top_.has("diffusion360")) params.panorama.width = 1024;  // what the model was trained for
-        if (const toml::table* common = top_.table("settings")) apply_settings({*common, file_.string(), "[settings]", setting_names()}, params);
-        if (own) apply_settings({*own, file_.string(), "settings", setting_names()}, params);
+        if (const toml::table* common = top_.table("settings")) apply_settings({*common, file_.string(), "[settings]", setting_names()}, file_.parent_path(), params);
+        if (own) apply_settings({*own, file_.string(), "settings", setting_names()}, file_.parent_path(), params);
         return params;
     }
     void read_variant(const toml::table& found) {
@@ -171,10 +223,11 @@ class Reader {
         const TomlTable table(found, file_.string(), "[[peer]]", {"name", "folder"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
         if (table.text("folder").empty()) table.fail_missing("folder", "the folder of its pictures or splats");
+        if (!rows_.insert(slug_of(table.text("name"))).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
         suite_.peers.push_back({table.text("name"), path_of(table.text("folder"))});
     }
 
-    fs::path path_of(const std::string& text) const { return text.empty() || fs::path(text).is_absolute() ? fs::path(text) : file_.parent_path() / text; }
+    fs::path path_of(const std::string& text) const { return below(file_.parent_path(), text); }
 
     TomlTable top_;
     std::string name_;
@@ -187,6 +240,8 @@ class Reader {
 }  // namespace
 
 bool Suite::has(std::string_view measure) const { return std::find(measures.begin(), measures.end(), measure) != measures.end(); }
+
+std::string last_stage_of(const Suite& suite) { return suite.measures == std::vector<std::string>{"holes"} ? "depth" : "splat"; }
 
 const std::vector<std::string>& measure_names() {
     static const std::vector<std::string> names{"stills", "source", "held-out", "holes"};

@@ -11,11 +11,13 @@
 
 namespace fastscene {
 
-// One scene: a sentence or a panorama, made once for each seed.
+// One scene: a sentence or a panorama, made once for each seed; or a finished run, taken as it is.
 struct SuiteScene {
     std::string name;                  // names its folders; unique
     SceneSource source;
     std::vector<std::uint64_t> seeds{0};
+    std::filesystem::path run;         // the finished run's folder, read only; empty: the scene is made. Source and seed are then the run's
+    std::string variant;               // of a run: the row that it belongs to
 };
 // One row of the table: what is set otherwise than in the suite.
 struct SuiteVariant {
@@ -63,8 +65,12 @@ struct Suite {
 // "stills", "source", "held-out", "holes".
 const std::vector<std::string>& measure_names();
 
+// The stage that all measures of the suite can do with: "depth" where only holes are measured, else "splat".
+std::string last_stage_of(const Suite& suite);
+
 // `quality` (not empty) takes the place of every quality that the file names. Relative paths in the file start at its folder.
-// Throws Error naming file, line and key, what was expected and found, and the known key that comes nearest.
+// Throws Error naming file, line and key, what was expected and found, and the known key that comes nearest; also for what could only
+// fail later: columns that no measure fills, weights, folders and runs that are not there.
 Suite read_suite(std::string_view text, const std::string& name, const std::filesystem::path& file, const std::string& quality = "");
 
 // A suite that ships, by name, or a file.

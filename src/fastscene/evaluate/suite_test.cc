@@ -5,9 +5,13 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
+#include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
 namespace {
+
+namespace fs = std::filesystem;
 
 const std::string kHead = "title = \"T\"\nmeasures = [\"stills\"]\n";
 const std::string kScene = "[[scene]]\nprompt = \"a bedroom\"\n";
@@ -81,8 +85,81 @@ TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
     expect(kHead, {"mine.toml", "scene", "found none"});
     expect(kScene, {"mine.toml", "measures", "found none"});
     expect(kHead + "[[scene]]\npanorama = \"none.jpg\"\n", {"mine.toml:4:", "panorama", "none.jpg"});
+    expect(kHead + "columns = [\"niqe\",\n\"psnr\"]\n" + kScene, {"mine.toml:4: columns", "\"psnr\" is filled by the measure \"held-out\"", "found stills"});
+    expect(kHead + "columns = [\"niqe\", \"niqe\"]\n" + kScene, {"mine.toml:3: columns", "\"niqe\" twice"});
+    expect("measures = [\"stills\", \"stills\"]\n" + kScene, {"mine.toml:1: measures", "twice"});
+    expect(kHead + kScene + "seeds = [1, 2, 1]\n", {"mine.toml:5: [[scene]]: seeds", "1 twice"});
+    expect(kHead + kScene + "[[peer]]\nname = \"P\"\nfolder = \"p\"\n[[peer]]\nname = \"p\"\nfolder = \"q\"\n", {"mine.toml:9: [[peer]]: name", "twice"});
     expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
     expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
+}
+
+// A folder of its own with a file in it.
+class SuiteFiles : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::remove_all(folder_);
+        write_file_in("weights.pt");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    void write_file_in(const std::string& name) const {
+        make_directories((folder_ / name).parent_path());
+        write_file(folder_ / name, "x");
+    }
+    Suite read_there(const std::string& text) const { return read_suite(text, "mine", folder_ / "mine.toml"); }
+    std::string complaint_there(const std::string& text) const {
+        try {
+            read_there(text);
+            return "";
+        } catch (const Error& e) {
+            return e.what();
+        }
+    }
+    // A finished run, as far as a suite asks.
+    void make_run(const std::string& name, const std::string& last_stage) const {
+        make_directories(folder_ / name);
+        write_json(folder_ / name / "run.json", {{"prompt", "a loft"}, {"seed", 7}, {"quality", "draft"}, {"params", json_of_params(params_of_quality("draft"))}});
+        run_stage(folder_ / name, last_stage, "key", {}, [](const fs::path& out) { write_file(out / "file", "x"); });
+    }
+    fs::path folder_ = fs::temp_directory_path() / "fastscene_suite_test";
+};
+
+TEST_F(SuiteFiles, PathsStartAtTheSuitesFolderAndMustBeThere) {
+    const std::string weights = kHead + "[settings]\nwalk-inpaint-weights = \"weights.pt\"\n" + kScene;
+    EXPECT_EQ(read_there(weights).variants[0].params.walk.inpaint_weights, (folder_ / "weights.pt").string());
+    const auto expect = [&](const std::string& text, std::initializer_list<const char*> parts) {
+        const std::string said = complaint_there(text);
+        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+    };
+    expect(kHead + "[settings]\nwalk-inpaint-weights = \"none.pt\"\n" + kScene, {"mine.toml:4: [settings]: walk-inpaint-weights", "expected a file", "none.pt"});
+    expect(kHead + "[settings]\ndepth-weights = \"/none.pkl\"\n" + kScene, {"mine.toml:4: [settings]: depth-weights", "/none.pkl"});
+    expect(kHead + "[[variant]]\nname = \"v\"\nsettings = { walk-inpaint-weights = \"none.pt\" }\n" + kScene, {"mine.toml:5: settings: walk-inpaint-weights"});
+    expect("diffusion360 = \"painter\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder", "painter"});
+    expect("diffusion360 = \"weights.pt\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder"});
+}
+
+TEST_F(SuiteFiles, ARunIsASceneAsItIs) {
+    make_run("loft", "splat");
+    make_run("half", "depth");
+    const Suite suite = read_there(kHead + "[[scene]]\nrun = \"loft/\"\n" + kScene);
+    EXPECT_EQ(suite.scenes[0].name, "loft");
+    EXPECT_EQ(suite.scenes[0].run, folder_ / "loft");
+    EXPECT_EQ(suite.scenes[0].source.prompt, "a loft");
+    EXPECT_EQ(suite.scenes[0].seeds, std::vector<std::uint64_t>{7});
+    EXPECT_EQ(suite.scenes[0].variant, "ours");
+    const std::string rows = "[[variant]]\nname = \"A\"\n[[variant]]\nname = \"B\"\n";
+    EXPECT_EQ(read_there(kHead + rows + "[[scene]]\nrun = \"loft\"\nvariant = \"B\"\n").scenes[0].variant, "B");
+    EXPECT_EQ(complaint_there("measures = [\"holes\"]\n[[scene]]\nrun = \"half\"\n"), "") << "holes need no splats";
+    const auto expect = [&](const std::string& text, std::initializer_list<const char*> parts) {
+        const std::string said = complaint_there(text);
+        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+    };
+    expect(kHead + "[[scene]]\nrun = \"half\"\n", {"mine.toml:4: [[scene]]: run", "finished as far as splat"});
+    expect(kHead + "[[scene]]\nrun = \"none\"\n", {"mine.toml:4: [[scene]]: run", "no run.json"});
+    expect(kHead + "[[scene]]\nrun = \"loft\"\nseeds = [1]\n", {"mine.toml:5: [[scene]]: seeds", "without run"});
+    expect(kHead + rows + "[[scene]]\nrun = \"loft\"\n", {"mine.toml:7: [[scene]]: variant", "one of A, B"});
+    expect(kHead + rows + "[[scene]]\nrun = \"loft\"\nvariant = \"C\"\n", {"mine.toml:9: [[scene]]: variant", "known: A, B"});
+    expect(kHead + kScene + "variant = \"ours\"\n", {"mine.toml:5: [[scene]]: variant", "together with run"});
 }
 
 TEST(Suite, AnUnknownNameSaysWhatWasMeant) {

@@ -39,6 +39,11 @@ std::string TomlTable::place(std::string_view key) const {
     return fmt::format("{}:{}: {}{}", file_, line_of(found ? *found : static_cast<const toml::node&>(table_)), where_.empty() ? "" : where_ + ": ", key);
 }
 void TomlTable::fail(std::string_view key, const std::string& text) const { throw Error("{}: {}", place(key), text); }
+void TomlTable::fail_item(std::string_view key, std::size_t index, const std::string& text) const {
+    const toml::array* list = node(key) ? node(key)->as_array() : nullptr;
+    if (!list || index >= list->size()) fail(key, text);
+    throw Error("{}:{}: {}{}: {}", file_, line_of((*list)[index]), where_.empty() ? "" : where_ + ": ", key, text);
+}
 void TomlTable::fail_missing(std::string_view key, const std::string& expected) const { fail(key, "expected " + expected + ", found none"); }
 
 std::string TomlTable::text(std::string_view key, const std::string& otherwise) const {

@@ -30,6 +30,8 @@ class TomlTable {
 
     // "file:line: [[scene]]: key: …"
     [[noreturn]] void fail(std::string_view key, const std::string& text) const;
+    // The same, at the line of an item of a list.
+    [[noreturn]] void fail_item(std::string_view key, std::size_t index, const std::string& text) const;
     [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
     std::string place(std::string_view key) const;
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "fastscene/base/file.h"
+#include "fastscene/evaluate/cells.h"
 
 namespace fastscene {
 namespace {
@@ -24,99 +23,118 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 }
 std::string markdown_escaped(const std::string& text) { return replaced(replaced(text, "|", "\\|"), "\n", " "); }
 std::string csv_quoted(const std::string& text) { return "\"" + replaced(text, "\"", "\"\"") + "\""; }
-std::string latex_escaped(std::string text) {
-    text = replaced(std::move(text), "\\", "\\textbackslash ");
-    for (const char* c : {"&", "%", "$", "#", "_", "{", "}"}) text = replaced(std::move(text), c, std::string("\\") + c);
+std::string latex_escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '\\') out += "\\textbackslash{}";
+        else if (c == '^') out += "\\textasciicircum{}";
+        else if (c == '~') out += "\\textasciitilde{}";
+        else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) out += std::string("\\") + c;
+        else out += c;
+    }
+    return out;
+}
+std::string one_line(const std::string& text) { return replaced(text, "\n", " "); }
+
+std::string full(const Json& cell, const char* key) {
+    if (!cell.contains(key)) return "";
+    const Json& value = cell.at(key);
+    return value.is_string() ? value.get<std::string>() : value.is_number_integer() ? value.dump() : fmt::format("{}", value.get<double>());
+}
+
+std::string markdown_cell(const Json& results, const Json& row, const Json& column, const Footnotes& footnotes) {
+    const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
+    std::string text = cell_text(cell, column.at("digits"));
+    if (is_best(results, row, column)) text = "**" + text + "**";
+    if (const std::string sd = deviation_text(cell, column.at("digits")); !sd.empty()) text += " ± " + sd;
+    if (const std::string share = share_text(cell); !share.empty()) text += " (" + share + ")";
+    if (const std::string marks = footnotes.marks(cell); !marks.empty()) text += "<sup>" + marks + "</sup>";
     return text;
 }
 
-std::string full(const Json& cell) {
-    if (!cell.contains("value")) return "";
-    return cell.at("value").is_string() ? cell.at("value").get<std::string>() : fmt::format("{}", cell.at("value").get<double>());
+std::string latex_cell(const Json& results, const Json& row, const Json& column, const Footnotes& footnotes) {
+    const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
+    std::string text = !cell.contains("value") ? "--" : cell.at("value") == "inf" ? "$\\infty$" : cell_text(cell, column.at("digits"));
+    if (is_best(results, row, column)) text = "\\textbf{" + text + "}";
+    if (const std::string sd = deviation_text(cell, column.at("digits")); !sd.empty()) text += " $\\pm$ " + sd;
+    if (const std::string share = share_text(cell); !share.empty()) text += " (" + share + ")";
+    if (const std::string marks = footnotes.marks(cell); !marks.empty()) text += "\\textsuperscript{" + marks + "}";
+    return text;
+}
+
+bool has_deviations(const Json& results) {
+    for (const Json& row : results.at("rows"))
+        for (const Json& cell : row.at("cells"))
+            if (cell.contains("sd")) return true;
+    return false;
+}
+
+// What stands below the table: failures first, then what cells leave out, then how it was measured.
+std::string markdown_notes(const Json& results, const Footnotes& footnotes) {
+    std::string notes;
+    for (const std::string& failure : failures_of(results)) notes += fmt::format("- failed: {}\n", one_line(failure));
+    for (const Footnote& note : footnotes.all()) notes += fmt::format("- <sup>{}</sup> {}: {}\n", note.mark, note.columns, one_line(note.text));
+    if (has_deviations(results)) notes += "- ±: the deviation between scenes.\n";
+    for (const ParameterNote& note : parameter_notes(results)) notes += fmt::format("- {} {}\n", note.column, note.text);
+    for (const Json& note : results.at("notes")) notes += fmt::format("- {}\n", note.get<std::string>());
+    return notes.empty() ? "" : "\n" + notes;
+}
+
+std::string joined(const Json& note) {
+    if (note.is_string()) return note;
+    std::string out;
+    for (const Json& one : note) out += (out.empty() ? "" : "; ") + one.get<std::string>();
+    return out;
 }
 
 }  // namespace
 
-std::string cell_text(const Json& cell, int digits) {
-    if (!cell.contains("value")) return "–";
-    return cell.at("value").is_string() ? cell.at("value").get<std::string>() : fmt::format("{:.{}f}", cell.at("value").get<double>(), digits);
-}
-
-std::string row_title(const Json& row) {
-    const std::string name = row.at("name"), group = row.at("group");
-    return group.empty() ? name : name + ", " + group;
-}
-
-bool is_best(const Json& results, const Json& row, const Json& column) {
-    const std::string key = column.at("key"), better = column.at("better");
-    const auto counts = [&](const Json& r) {
-        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && r.at("cells").at(key).contains("value") && r.at("cells").at(key).at("value").is_number();
-    };
-    if (better == "neither" || !counts(row)) return false;
-    const double own = row.at("cells").at(key).at("value");
-    int rivals = 0;
-    for (const Json& other : results.at("rows")) {
-        if (!counts(other)) continue;
-        ++rivals;
-        const double v = other.at("cells").at(key).at("value");
-        if (better == "higher" ? v > own : v < own) return false;
-    }
-    return rivals > 1;
-}
-
-std::vector<std::string> reasons_of(const Json& results, const std::string& column) {
-    std::vector<std::string> out;
-    for (const Json& row : results.at("rows")) {
-        const Json& cell = row.at("cells").at(column);
-        if (row.at("kind") == "published" || !cell.contains("note")) continue;
-        const std::string note = cell.at("note");
-        if (!note.empty() && note != "not measured" && std::find(out.begin(), out.end(), note) == out.end()) out.push_back(note);
-    }
-    return out;
-}
-
 std::string table_markdown(const Json& results) {
-    std::string out = fmt::format("# {}\n\n", results.at("title").get<std::string>()), line = "| |", rule = "|---|";
+    const Footnotes footnotes(results);
+    const bool with_scenes = scene_counts_differ(results);
+    std::string out = fmt::format("# {}\n\n", results.at("title").get<std::string>()), line = with_scenes ? "| | scenes |" : "| |", rule = with_scenes ? "|---|--:|" : "|---|";
     for (const Json& column : results.at("columns")) {
         line += fmt::format(" {}{} |", markdown_escaped(with_unit(column)), arrow(column, " ↑", " ↓"));
         rule += "--:|";
     }
     out += line + "\n" + rule + "\n";
     for (const Json& row : results.at("rows")) {
-        out += fmt::format("| {}{} |", markdown_escaped(row_title(row)), row.at("kind") == "published" ? " (published)" : "");
-        for (const Json& column : results.at("columns")) {
-            const std::string text = cell_text(row.at("cells").at(column.at("key").get<std::string>()), column.at("digits"));
-            out += is_best(results, row, column) ? fmt::format(" **{}** |", text) : fmt::format(" {} |", text);
-        }
+        out += fmt::format("| {} |", markdown_escaped(published_title(row))) + (with_scenes ? fmt::format(" {} |", row_scenes(row)) : "");
+        for (const Json& column : results.at("columns")) out += fmt::format(" {} |", markdown_cell(results, row, column, footnotes));
         out += "\n";
     }
-    std::string notes;
-    for (const Json& note : results.at("notes")) notes += fmt::format("- {}\n", note.get<std::string>());
-    for (const Json& column : results.at("columns"))
-        for (const std::string& reason : reasons_of(results, column.at("key"))) notes += fmt::format("- {}: {}\n", column.at("label").get<std::string>(), reason);
-    return notes.empty() ? out : out + "\n" + notes;
+    return out + markdown_notes(results, footnotes);
 }
 
 std::string table_csv(const Json& results) {
-    std::string out = "row,group,kind,scenes";
-    for (const Json& column : results.at("columns")) out += "," + column.at("key").get<std::string>();
+    std::string out = "row,group,kind,scenes,of,failed";
+    for (const Json& column : results.at("columns")) out += fmt::format(",{0},{0}_sd,{0}_n", column.at("key").get<std::string>());
     for (const Json& row : results.at("rows")) {
-        out += fmt::format("\n{},{},{},{}", csv_quoted(row.at("name")), csv_quoted(row.at("group")), row.at("kind").get<std::string>(), row.at("scenes").get<int>());
-        for (const Json& column : results.at("columns")) out += "," + full(row.at("cells").at(column.at("key").get<std::string>()));
+        const int scenes = row.at("scenes");
+        std::string failed;
+        if (row.at("kind") != "published")
+            for (const std::string& failure : failures_of(results, row.at("name"))) failed += (failed.empty() ? "" : "; ") + failure;
+        out += fmt::format("\n{},{},{},{},{},{}", csv_quoted(row.at("name")), csv_quoted(row.at("group")), row.at("kind").get<std::string>(), scenes, row.value("of", scenes),
+                           failed.empty() ? "" : csv_quoted(failed));
+        for (const Json& column : results.at("columns")) {
+            const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
+            out += fmt::format(",{},{},{}", full(cell, "value"), full(cell, "sd"), full(cell, "count"));
+        }
     }
     return out + "\n";
 }
 
 std::string table_latex(const Json& results) {
-    std::string out = fmt::format("% {}\n% method", results.at("title").get<std::string>());
+    const Footnotes footnotes(results);
+    const bool with_scenes = scene_counts_differ(results);
+    std::string out = fmt::format("% {}\n% method{}", one_line(results.at("title")), with_scenes ? " & scenes" : "");
     for (const Json& column : results.at("columns")) out += " & " + with_unit(column) + arrow(column, " (higher is better)", " (lower is better)");
+    for (const Footnote& note : footnotes.all()) out += fmt::format("\n% {}: {}: {}", note.mark, note.columns, one_line(note.text));
+    for (const std::string& failure : failures_of(results)) out += "\n% failed: " + one_line(failure);
+    for (const ParameterNote& note : parameter_notes(results)) out += fmt::format("\n% {}: {}", note.column, note.text);
     for (const Json& row : results.at("rows")) {
-        out += "\n" + latex_escaped(row_title(row));
-        for (const Json& column : results.at("columns")) {
-            const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
-            const std::string text = cell.contains("value") ? cell.at("value") == "inf" ? "$\\infty$" : cell_text(cell, column.at("digits")) : "--";
-            out += is_best(results, row, column) ? " & \\textbf{" + text + "}" : " & " + text;
-        }
+        out += "\n" + latex_escaped(row_title(row)) + (with_scenes ? " & " + row_scenes(row) : "");
+        for (const Json& column : results.at("columns")) out += " & " + latex_cell(results, row, column, footnotes);
         out += " \\\\";
     }
     return out + "\n";
@@ -129,8 +147,8 @@ std::string scenes_csv(const Json& results) {
         if (record.contains("failed")) out += fmt::format("{},\"\",{},,,{}\n", who, scene, csv_quoted("failed: " + record.at("failed").get<std::string>()));
         for (const Json& sample : record.value("samples", Json::array())) {
             const std::string begin = fmt::format("{},{},{}", who, csv_quoted(sample.at("group")), scene);
-            for (const auto& [key, value] : sample.at("values").items()) out += fmt::format("{},{},{},\n", begin, key, full({{"value", value}}));
-            for (const auto& [key, note] : sample.at("notes").items()) out += fmt::format("{},{},,{}\n", begin, key, csv_quoted(note.get<std::string>()));
+            for (const auto& [key, value] : sample.at("values").items()) out += fmt::format("{},{},{},\n", begin, key, full({{"value", value}}, "value"));
+            for (const auto& [key, note] : sample.at("notes").items()) out += fmt::format("{},{},,{}\n", begin, key, csv_quoted(joined(note)));
         }
     }
     return out;

@@ -214,6 +214,13 @@ Json missing_measures(const fs::path& weights, const std::vector<std::string>& w
     return missing;
 }
 
+std::vector<fs::path> measure_files(const fs::path& weights, const std::string& measure) {
+    std::vector<fs::path> files;
+    for (const Kind& kind : kinds())
+        if (kind.name == measure) files = look_for(kind, weights).files;
+    return files;
+}
+
 std::string image_table(const Json& report) {
     std::vector<std::string> names;
     for (const auto& [name, value] : report.at("mean").items()) names.push_back(name);

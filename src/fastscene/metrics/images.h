@@ -29,6 +29,8 @@ std::string image_table(const Json& report);
 
 // Measures of `wanted` (empty: all) whose parameters or networks the folder lacks: name -> what to fetch.
 Json missing_measures(const std::filesystem::path& weights, const std::vector<std::string>& wanted);
+// The files, or folders of files, that a measure takes its parameters and networks from, as far as they are there.
+std::vector<std::filesystem::path> measure_files(const std::filesystem::path& weights, const std::string& measure);
 
 // $FASTSCENE_WEIGHTS, else metrics/ in the user's cache.
 std::filesystem::path default_metrics_weights();

@@ -11,7 +11,8 @@ std::string_view source_dir() { return generated::kSourceDir; }
 std::string code_version(std::string_view stage) {
     // The rooms that a stage's result depends on besides the lower floors.
     const auto matters = [stage](std::string_view room) {
-        for (const std::string_view other : {"panorama", "depth", "inpaint", "walk", "views", "splat", "metrics"})
+        if (room == "metrics") return stage == "scores";  // true pictures and bounds hang on what makes them
+        for (const std::string_view other : {"panorama", "depth", "inpaint", "walk", "views", "splat"})
             if (room == other) return room == stage || (stage == "walk" && room == "inpaint");
         const bool makes_rooms = room == "trace" || room == "rooms";
         return makes_rooms ? stage == "panorama" || stage == "depth" : true;

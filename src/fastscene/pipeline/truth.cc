@@ -76,25 +76,26 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
 
 RunTruth::~RunTruth() = default;
 
-Json RunTruth::measure(const TruthParams& params) {
+Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& splats, const std::filesystem::path& out) {
     const RunFolder& folder = impl_->folder;
+    const std::filesystem::path to = out.empty() ? folder.metrics() : out;
     const SceneParams& settings = impl_->recorded.request.params;
     TruthInputs inputs;
     inputs.truth = impl_->truth_set(params);
     inputs.room = [&]() -> const TracedRoom& { return impl_->lit_room(params.samples); };
     inputs.first = load_first_panorama(folder);
     inputs.world_from_pano = load_walk_poses(folder);
-    inputs.splats = load_splat_ply(folder.scene_ply());
+    inputs.splats = splats.empty() ? load_splat_ply(folder.scene_ply()) : load_splats(splats).splats;
     inputs.views = settings.views;
     inputs.splat = settings.splat;
     inputs.shot = panorama_parts(impl_->panorama_with(params.samples).trace);
     inputs.key = stage_key("metrics", json_of_params(settings), {impl_->walk.result}, impl_->recorded.seed);
-    const Json truth = measure_truth(inputs, params, folder.metrics(), impl_->run);
+    const Json truth = measure_truth(inputs, params, to, impl_->run);
 
-    Json report = previous_report(folder.metrics() / "report.json");
+    Json report = previous_report(to / "report.json");
     report["truth"] = truth;
     report["truth_by_radius"][fmt::format("{}", params.radius_m)] = truth;
-    write_json(folder.metrics() / "report.json", report);
+    write_json(to / "report.json", report);
     return report;
 }
 

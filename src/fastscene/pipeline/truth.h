@@ -18,8 +18,9 @@ class RunTruth {
     ~RunTruth();
 
     // run.seed (of the constructor) chooses the poses, not the room. Writes metrics/report.json (the section "truth"; sections of other
-    // radii are kept under "truth_by_radius") and metrics/truth/*.png; returns the report.
-    Json measure(const TruthParams& params);
+    // radii are kept under "truth_by_radius") and metrics/truth/*.png; returns the report. `splats` (not empty) are judged instead of
+    // the run's own; `out` (not empty) takes the place of metrics/.
+    Json measure(const TruthParams& params, const std::filesystem::path& splats = {}, const std::filesystem::path& out = {});
 
   private:
     struct Impl;
