@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Brings what another system made into the form that `fastscene evaluate --peer NAME=DIR` measures: DIR/SCENE/NN.png or DIR/SCENE.ply.
+# Brings what another system made into the form that `fastscene evaluate --peer NAME=DIR` measures: DIR/SCENE/NN.png, DIR/SCENE/source.png or DIR/SCENE.ply.
 #   bench/peers/collect.sh SYSTEM FROM SCENE DIR [MINUTES]
-# SYSTEM: text2room, scenescape, set-the-scene, perf, hunyuanworld, worldgen, pictures (a folder), video (a file) or splats (a .ply).
+# SYSTEM: text2room, scenescape, set-the-scene, perf, hunyuanworld, worldgen, pictures (a folder), video (a file), splats (a .ply) or
+# sphere (a 2:1 picture all around from the source panorama's place, as large as that: what paper-table3 compares).
 # FROM: what that system left: its output folder, or the file itself.   SCENE: the scene's name in the suite (evaluate SUITE --show).
-# MINUTES: what the scene took there; goes into DIR/minutes.txt.        PICTURES=30: how many to take, spread over all of them.
+# MINUTES: what the scene took there; goes into DIR/SCENE/minutes.txt.  PICTURES=30: how many to take, spread over all of them.
 # Those systems are run by their own programs, on their own machines; nothing of them is fetched here.
 set -euo pipefail
 fail() { echo "collect.sh: $*" >&2; exit 1; }
-[ $# -ge 4 ] || { sed -n '2,7s/^# //p' "$0" >&2; exit 2; }
+[ $# -ge 4 ] || { sed -n '2,8s/^# //p' "$0" >&2; exit 2; }
 system=$1 from=$2 scene=$3 dir=$4 minutes=${5:-} wanted=${PICTURES:-30}
 [ -e "$from" ] || fail "$from: expected what $system left, found nothing"
 mkdir -p "$dir"
@@ -16,7 +17,8 @@ mkdir -p "$dir"
 take_pictures() {
   local count=$# i=0 at
   [ "$count" -gt 0 ] || fail "$from: expected pictures, found none"
-  rm -rf "${dir:?}/$scene"; mkdir -p "$dir/$scene"
+  mkdir -p "$dir/$scene"
+  find "$dir/$scene" -maxdepth 1 -type f -name '[0-9]*' -delete  # of an earlier call; source.png and minutes.txt stay
   while [ "$i" -lt "$wanted" ] && [ "$i" -lt "$count" ]; do
     at=$((i * count / (wanted < count ? wanted : count) + 1))
     cp "${!at}" "$dir/$scene/$(printf '%03d' "$i").${!at##*.}"
@@ -40,6 +42,13 @@ from_splats() {
   cp "$1" "$dir/$scene.ply"
   echo "$dir/$scene.ply"
 }
+from_sphere() {
+  case $1 in *.png | *.jpg | *.jpeg) ;; *) fail "$1: expected a .png or .jpg" ;; esac
+  mkdir -p "$dir/$scene"
+  rm -f "$dir/$scene"/source.*
+  cp "$1" "$dir/$scene/source.${1##*.}"
+  echo "$dir/$scene/source.${1##*.}"
+}
 # first_of PATTERN…: the newest file or folder below FROM that matches the first pattern that anything matches.
 first_of() {
   local pattern found
@@ -57,6 +66,7 @@ case $system in
   pictures) from_folder "$from" ;;
   video) from_video "$from" ;;
   splats) from_splats "$from" ;;
+  sphere) from_sphere "$from" ;;
   # Where each leaves its final pictures or splats, as its own program writes them.
   text2room)  # output/…/TIME/output_rendering/rendering_T.png; rendering_noise_T.png are of shaken poses
     folder=$(first_of output_rendering '*/output_rendering')
@@ -68,6 +78,6 @@ case $system in
   worldgen) found=$(first_of splat.ply '*.ply' '*.mp4'); any "$found" ;;
   hunyuanworld)  # layered meshes: pictures of them, rendered by whoever shows them
     found=$(first_of renders '*/renders' '*.mp4'); any "$found" ;;
-  *) fail "unknown system $system: expected text2room, scenescape, set-the-scene, perf, hunyuanworld, worldgen, pictures, video or splats" ;;
+  *) fail "unknown system $system: expected text2room, scenescape, set-the-scene, perf, hunyuanworld, worldgen, pictures, video, splats or sphere" ;;
 esac
-[ -z "$minutes" ] || echo "$minutes" >"$dir/minutes.txt"
+[ -z "$minutes" ] || { mkdir -p "$dir/$scene"; echo "$minutes" >"$dir/$scene/minutes.txt"; }

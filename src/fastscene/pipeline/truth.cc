@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "fastscene/base/file.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/same_room.h"
 #include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
@@ -42,6 +44,9 @@ struct RunTruth::Impl {
             const PanoramaParams panorama = panorama_with(samples);
             PromptSpec prompt = read_prompt(recorded.request.source.prompt, panorama);
             room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
+            // An estimated range says nothing of the room.
+            const SceneParams& params = recorded.request.params;
+            if (depth_backend(recorded.request.source, params.depth) == "exact") check_same_room(*room, load_float(folder.depth_range()), folder.root);
             lit_samples = samples;
         }
         return *room;
