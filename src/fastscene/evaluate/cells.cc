@@ -73,7 +73,9 @@ bool scene_counts_differ(const Json& results) {
 bool is_best(const Json& results, const Json& row, const Json& column) {
     const std::string better = column.at("better");
     const int digits = column.at("digits");
-    const auto counts = [&](const Json& r) { return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && has_number(cell_at(r, column)); };
+    const auto counts = [&](const Json& r) {
+        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && has_number(cell_at(r, column));
+    };
     if (better == "neither" || !counts(row)) return false;
     const Json& own = cell_at(row, column);
     int rivals = 0;
@@ -120,7 +122,8 @@ std::vector<std::string> failures_of(const Json& results, const std::string& var
     for (const Json& record : results.at("records")) {
         if (!record.contains("failed") || (!variant.empty() && record.at("variant") != variant)) continue;
         const std::string seed = record.at("kind") == "ours" ? fmt::format(", seed {}", record.at("seed").get<std::uint64_t>()) : "";
-        out.push_back(fmt::format("{}, {}{}: {}", record.at("variant").get<std::string>(), record.at("scene").get<std::string>(), seed, record.at("failed").get<std::string>()));
+        const std::string variant_of = record.at("variant"), scene = record.at("scene"), why = record.at("failed");
+        out.push_back(fmt::format("{}, {}{}: {}", variant_of, scene, seed, why));
     }
     return out;
 }

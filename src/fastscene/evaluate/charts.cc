@@ -9,7 +9,7 @@ namespace fastscene {
 namespace {
 
 constexpr double kWidth = 460, kBarHeight = 16, kLabelStep = 16, kBarGap = 12, kTop = 34;
-constexpr std::size_t kLabelLetters = 70;  // of a line
+constexpr std::size_t kLabelLetters = 54;  // of a line; phones show them larger
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text, const std::string& style = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>", x, y, anchor, style.empty() ? "" : " class=\"" + style + "\"", html_escaped(text));

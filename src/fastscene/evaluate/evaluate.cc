@@ -137,7 +137,8 @@ class Evaluation {
         try {
             if (given) record["quality"] = recorded_run(folder).request.quality;
             const Json report = make(job, folder, run);
-            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, given, options_.weights, job.scene->source.prompt};
+            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, given, options_.weights,
+                                       job.scene->source.prompt};
             Measured measured = measure_scene(inputs, folder, run);
             measured.samples.push_back(cost_of(report));
             record.update(json_of(measured));

@@ -22,8 +22,9 @@ struct EvaluateOptions {
 //   results.json  everything below, as numbers        scenes/VARIANT/SCENE-SEED/  the runs: resumed, never made twice
 //   report.html   one page that stands alone          measured/…                  pictures and scores, kept by content
 //   table.md .csv .tex, scenes.csv
-// A scene that fails leaves its reason in its cells, and the others go on. Returns results.json (docs/evaluate.md has its form).
-// Throws UsageError for a peer's folder that holds nothing of the suite, Stopped on request; then all that was made stays.
+// A scene that fails is named with its reason below the table, and the others go on. Returns results.json (docs/evaluate.md has its form).
+// Throws UsageError for a peer's folder that holds nothing of the suite, before anything is written; Stopped on request; then all that was
+// made stays.
 Json evaluate(const Suite& suite, const EvaluateOptions& options, const Run& run);
 
 }  // namespace fastscene

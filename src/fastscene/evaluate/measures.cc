@@ -129,7 +129,8 @@ class SceneMeasures {
             const std::string group = p.radii_m.size() > 1 ? fmt::format("within {} m", radius) : "";
             Json params{{"views", p.views}, {"bounds", in_.bounds && theirs.empty()}, {"radius", radius}};
             if (!theirs.empty()) params["splats"] = content_identity(theirs);
-            const fs::path dir = sheet_.made(fmt::format("held-out-{}", radius), params, folder, [&](const fs::path& to) { make_held_out(room, folder, theirs, radius, to); });
+            const auto make = [&](const fs::path& to) { make_held_out(room, folder, theirs, radius, to); };
+            const fs::path dir = sheet_.made(fmt::format("held-out-{}", radius), params, folder, make);
             add_truth(group, read_json(dir / "truth.json"), !theirs.empty());
             if (!group.empty()) sheet_.sample_of(group).at = radius;
             sheet_.scores("held-out", group, dir / "splats", dir / "truth");

@@ -74,9 +74,11 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
         const fs::path work = inputs.out / "measured" / "peers" / slug_of(peer.name) / scene.name;
         const std::optional<OwnRun> own = inputs.own_run(scene);
         if (own) record["cameras"] = own->folder.root.generic_string();
-        const MeasureInputs measure{.suite = &inputs.suite, .out = inputs.out, .work = work, .truth = own ? own->truth : fs::path(), .weights = inputs.weights, .prompt = scene.source.prompt};
+        const MeasureInputs measure{.suite = &inputs.suite, .out = inputs.out, .work = work, .truth = own ? own->truth : fs::path(), .weights = inputs.weights,
+                                    .prompt = scene.source.prompt};
         const OtherScene judged{stills_alone(other, work), other.sphere, other.splats};
-        Measured measured = measure_other(measure, judged, own ? std::optional(own->folder) : std::nullopt, inputs.suite.variants.front().params.panorama.width, run);
+        const int width = inputs.suite.variants.front().params.panorama.width;
+        Measured measured = measure_other(measure, judged, own ? std::optional(own->folder) : std::nullopt, width, run);
         add_minutes(peer, scene.name, measured);
         record.update(json_of(measured));
     } catch (const Error& e) {

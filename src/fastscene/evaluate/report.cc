@@ -37,7 +37,7 @@ std::string table_html(const Json& results, const Footnotes& footnotes) {
     const bool with_scenes = scene_counts_differ(results);
     std::string out = std::string("<div class=\"scroll\"><table>\n<tr><th></th>") + (with_scenes ? "<th>scenes</th>" : "");
     for (const Json& column : results.at("columns")) {
-        const std::string better = column.at("better"), arrow = better == "higher" ? " ↑" : better == "lower" ? " ↓" : "";
+        const std::string better = column.at("better"), arrow = better == "higher" ? "&nbsp;↑" : better == "lower" ? "&nbsp;↓" : "";
         out += fmt::format("<th title=\"{}\">{}{}</th>", escaped(column, "about"), html_escaped(label_of(column)), arrow);
     }
     out += "</tr>\n";
@@ -45,7 +45,8 @@ std::string table_html(const Json& results, const Footnotes& footnotes) {
     for (const Json& row : results.at("rows")) {
         const std::string kind = row.at("kind");
         const bool turn = before == "published" && kind != "published";
-        out += fmt::format("<tr class=\"{}{}{}\"><td><i class=\"swatch {}\"></i>{}</td>", kind, row.value("ours", false) ? " target" : "", turn ? " turn" : "", kind, html_escaped(published_title(row)));
+        out += fmt::format("<tr class=\"{}{}{}\"><td><i class=\"swatch {}\"></i>{}</td>", kind, row.value("ours", false) ? " target" : "", turn ? " turn" : "", kind,
+                           html_escaped(published_title(row)));
         if (with_scenes) out += "<td>" + row_scenes(row) + "</td>";
         for (const Json& column : results.at("columns")) out += cell_html(results, row, column, footnotes);
         out += "</tr>\n";
@@ -54,10 +55,19 @@ std::string table_html(const Json& results, const Footnotes& footnotes) {
     return out + "</table></div>\n";
 }
 
+// Words in `quotes` as code.
+std::string with_code(const std::string& text) {
+    std::string out;
+    bool inside = false;
+    for (const char c : html_escaped(text)) out += c != '`' ? std::string(1, c) : (inside = !inside) ? "<code>" : "</code>";
+    return inside ? html_escaped(text) : out;
+}
+
 // Below the table: what failed, what cells leave out and why they are empty, each once.
 std::string notes_html(const Json& results, const Footnotes& footnotes) {
     std::string items, failures, mixed;
-    for (const Footnote& note : footnotes.all()) items += fmt::format("<li><sup>{}</sup> <b>{}</b>: {}</li>\n", note.mark, html_escaped(note.columns), html_escaped(note.text));
+    for (const Footnote& note : footnotes.all())
+        items += fmt::format("<li><sup>{}</sup> <b>{}</b>: {}</li>\n", note.mark, html_escaped(note.columns), with_code(note.text));
     for (const std::string& failure : failures_of(results)) failures += "<li>" + html_escaped(failure) + "</li>\n";
     for (const ParameterNote& note : parameter_notes(results))
         if (note.mixed) mixed += fmt::format("<li><b>{}</b>: {}</li>\n", html_escaped(note.column), html_escaped(note.text));
@@ -107,9 +117,8 @@ std::string size_text(const Json& results) {
 std::string report_html(const Json& results, const fs::path& out) {
     std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
                        escaped(results, "title") + "</title>\n<style>\n" + std::string(kReportStyle) + "</style></head>\n<body><main>\n";
-    html += fmt::format("<header><div class=\"kicker\">fastscene evaluate {}</div><h1>{}</h1>\n<p>{}</p><div class=\"meta\">{}, fastscene {}</div></header>\n", escaped(results, "suite"),
-                        escaped(results, "title"), escaped(results, "about"), size_text(results),
-                        escaped(results.at("versions"), "fastscene"));
+    html += fmt::format("<header><div class=\"kicker\">fastscene evaluate {}</div><h1>{}</h1>\n<p>{}</p><div class=\"meta\">{}, fastscene {}</div></header>\n",
+                        escaped(results, "suite"), escaped(results, "title"), escaped(results, "about"), size_text(results), escaped(results.at("versions"), "fastscene"));
     const Footnotes footnotes(results);
     html += "<h2>Results</h2>\n" + table_html(results, footnotes) + notes_html(results, footnotes);
     if (const std::string curves = curves_html(results); !curves.empty()) html += "<h2>Curves</h2>\n<div class=\"charts\">" + curves + "</div>\n";

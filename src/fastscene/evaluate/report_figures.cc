@@ -37,8 +37,9 @@ std::string figures_html(const Json& figures, const fs::path& out) {
         const int columns = wide ? 0 : figure.value("columns", 0);  // rows beside each other
         const bool stills = columns == 0 && figure.at("pictures").size() > 3;
         const std::string caption = figure.at("caption");
-        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + fmt::format("<div class=\"row{}\"{}>\n", wide ? " wide" : stills ? " stills" : columns ? " beside" : "",
-                                                                                                                                               columns ? fmt::format(" style=\"--columns: {}\"", columns) : "");
+        const std::string kind = wide ? " wide" : stills ? " stills" : columns ? " beside" : "";
+        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + "<div class=\"row" + kind + "\"";
+        html += columns ? fmt::format(" style=\"--columns: {}\">\n", columns) : ">\n";
         for (const Json& picture : figure.at("pictures")) {
             const std::string label = html_escaped(picture.at("label"));
             if (picture.at("file") == "") {  // a gap in the grid

@@ -45,7 +45,8 @@ struct Cell {
             if (values.size() > 1 && !shared) cell["sd"] = std::sqrt(square / static_cast<double>(values.size() - 1));
         }
         std::vector<std::string> said;
-        for (const auto& [text, where] : notes) said.push_back(where.size() < measured ? fmt::format("{}: {}", fmt::join(where, ", "), text) : text);
+        for (const auto& [text, where] : notes)
+            said.push_back(where.size() < measured ? fmt::format("{}: {}", fmt::join(where, ", "), text) : text);
         if (!values.empty() && !infinite.empty()) said.push_back(fmt::format("{}: infinite, not in the mean", fmt::join(infinite, ", ")));
         if (!said.empty()) cell["notes"] = said;
         if (counted < pictures) cell["pictures"] = {{"counted", counted}, {"of", pictures}};
@@ -90,7 +91,8 @@ void add_sample(Row& row, const Json& sample, const std::string& scene) {
 std::string scene_id(const Suite& suite, const Json& record) {
     const std::string name = record.at("scene");
     for (const SuiteScene& scene : suite.scenes)
-        if (scene.name == name && scene.seeds.size() > 1 && record.at("kind") == "ours") return fmt::format("{}, seed {}", name, record.at("seed").get<std::uint64_t>());
+        if (scene.name == name && scene.seeds.size() > 1 && record.at("kind") == "ours")
+            return fmt::format("{}, seed {}", name, record.at("seed").get<std::uint64_t>());
     return name;
 }
 

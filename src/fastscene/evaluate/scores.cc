@@ -27,7 +27,8 @@ void note_undefined(const Json& report, const std::string& measure, Score& score
             if (count++ == 0) first = picture;
         }
     for (const auto& [reason, where] : reasons)
-        score.notes.push_back(fmt::format("undefined for {} of {} pictures, which the mean leaves out ({}: {})", where.second, score.pictures, where.first, reason));
+        score.notes.push_back(
+            fmt::format("undefined for {} of {} pictures, which the mean leaves out ({}: {})", where.second, score.pictures, where.first, reason));
 }
 
 }  // namespace
@@ -51,7 +52,8 @@ Score score_from_report(const Json& report, const std::string& measure, int tran
 }
 
 Score score_of(const std::string& measure, const ScoreInputs& inputs, const fs::path& kept, const Run& run) {
-    const Json what{{"measure", measure}, {"pictures", inputs.pictures_key}, {"reference", inputs.reference_key}, {"prompt", inputs.prompt}, {"parameters", inputs.parameters}};
+    const Json what{{"measure", measure}, {"pictures", inputs.pictures_key}, {"reference", inputs.reference_key}, {"prompt", inputs.prompt},
+                    {"parameters", inputs.parameters}};
     make_directories(kept);
     run_stage(kept, measure, stage_key("scores", what, {}, 0), run, [&](const fs::path& to) {
         run.note(fmt::format("{}: judging {} pictures", measure, pictures_in(inputs.pictures, measure).size()));

@@ -110,7 +110,8 @@ class Reader {
     void check_columns() const {
         for (std::size_t i = 0; i < suite_.columns.size(); ++i)
             if (const Column& column = column_of(suite_.columns[i]); column.measure != "cost" && !suite_.has(column.measure))
-                top_.fail_item("columns", i, fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}", column.key, column.measure, fmt::join(suite_.measures, ", ")));
+                top_.fail_item("columns", i, fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}", column.key, column.measure,
+                                                         fmt::join(suite_.measures, ", ")));
     }
 
     void read_stills() {
