@@ -133,7 +133,7 @@ nn::Listener hidden_states(Case& c, const std::string& tower, const std::string&
 
 void check_clip_text(Case& c) {
     HashedWeights weights;
-    const nn::ClipTower tower = nn::clip_tower(c.network().json().at("config"), c.network().name());
+    const nn::ClipTower tower = nn::clip_text_tower(c.network().json().at("config"), c.network().name());
     if (c.json().contains("input_ids")) {
         const nn::Listener listener = hidden_states(c, "text_model", "");
         const nn::ClipText out = nn::clip_text(Scope(weights, "", &listener), tower, ids_of(c.json()["input_ids"]));
@@ -176,7 +176,7 @@ std::filesystem::path picture_of(const Case& c, std::string name) {
 void check_clip(Case& c) {
     HashedWeights weights;
     const Json& config = c.network().json().at("config");
-    const nn::ClipTower vision = nn::clip_tower(config.at("v"), "v"), text = nn::clip_tower(config.at("t"), "t");
+    const nn::ClipTower vision = nn::clip_vision_tower(config.at("v"), "v"), text = nn::clip_text_tower(config.at("t"), "t");
     const auto dimension = config.at("p").get<std::int64_t>();
     if (c.json().contains("input")) {
         c.tensor("image_features", nn::clip_image_features(Scope(weights), vision, raw(c.input(), {1, 3, vision.image_size, vision.image_size}), dimension));
@@ -272,7 +272,7 @@ struct Tiny {
         unet_config = nn::unet_config(models.at("unet"), "unet");
         control_config = models.contains("controlnet") ? nn::unet_config(models["controlnet"], "controlnet") : unet_config;
         vae_config = nn::vae_config(models.at("vae"), "vae");
-        tower = nn::clip_tower(models.at("text_encoder"), "text_encoder");
+        tower = nn::clip_text_tower(models.at("text_encoder"), "text_encoder");
     }
     Tensor prompts(const Case& c, const std::string& prompt, const std::string& negative) {
         const auto tokens = weighted_tokens(tokenizer(c), {prompt, negative}, ClipTokenizer::kEnd);

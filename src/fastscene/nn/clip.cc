@@ -31,26 +31,53 @@ Tensor layers(const Scope& s, Tensor x, const ClipTower& tower, const Tensor& ma
     return x;
 }
 
-}  // namespace
-
-ClipTower clip_tower(const Json& json, const std::string& where) {
+// `t`: what holds where the file says nothing.
+ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     const ConfigFields f(json, where);
-    ClipTower t;
-    t.width = f.whole("hidden_size", 512);
-    t.inner = f.whole("intermediate_size", 4 * t.width);
-    t.layers = f.whole("num_hidden_layers", 12);
-    t.heads = f.whole("num_attention_heads", 8);
+    t.width = f.whole("hidden_size", t.width);
+    t.inner = f.whole("intermediate_size", t.inner);
+    t.layers = f.whole("num_hidden_layers", t.layers);
+    t.heads = f.whole("num_attention_heads", t.heads);
     if (t.width < 1 || t.heads < 1 || t.width % t.heads) throw Error("{}: expected \"hidden_size\" to divide among the heads, found {} among {}", where, t.width, t.heads);
     const std::string act = f.text("hidden_act", "quick_gelu");
     if (act != "quick_gelu" && act != "gelu") throw f.wrong("hidden_act", "\"quick_gelu\" or \"gelu\"", act);
     t.quick_gelu = act == "quick_gelu";
-    t.eps = f.number("layer_norm_eps", 1e-5);
-    t.vocabulary = f.whole("vocab_size", 49408);
-    t.positions = f.whole("max_position_embeddings", 77);
-    t.image_size = f.whole("image_size", 224);
-    t.patch = f.whole("patch_size", 32);
-    if (t.patch < 1 || t.image_size % t.patch) throw Error("{}: expected \"image_size\" to be a multiple of \"patch_size\", found {} and {}", where, t.image_size, t.patch);
+    t.eps = f.number("layer_norm_eps", t.eps);
+    t.vocabulary = f.whole("vocab_size", t.vocabulary);
+    t.positions = f.whole("max_position_embeddings", t.positions);
+    t.image_size = f.whole("image_size", t.image_size);
+    t.patch = f.whole("patch_size", t.patch);
+    if (t.patch < 1 || t.image_size < t.patch || t.image_size % t.patch) throw Error("{}: expected \"image_size\" to be a multiple of \"patch_size\", found {} and {}", where, t.image_size, t.patch);
     return t;
+}
+
+// The tower's object, with what `…_dict` says put over it; empty when the file names neither.
+Json tower_json(const ConfigFields& file, const std::string& key) {
+    Json out = Json::object();
+    for (const std::string& name : {key, key + "_dict"})
+        if (const Json* part = file.find(name.c_str())) {
+            if (!part->is_object()) throw file.wrong(name.c_str(), "an object", *part);
+            for (const auto& [field, value] : part->items()) out[field] = value;
+        }
+    return out;
+}
+
+}  // namespace
+
+ClipTower clip_text_tower(const Json& json, const std::string& where) { return tower_of(json, where, {}); }
+ClipTower clip_vision_tower(const Json& json, const std::string& where) {
+    return tower_of(json, where, {.width = 768, .inner = 3072, .layers = 12, .heads = 12});
+}
+
+ClipConfig clip_config(const Json& json, const std::string& where) {
+    const ConfigFields f(json, where);
+    const bool whole = f.text("model_type", "") == "clip";  // may leave out both towers
+    const auto part = [&](const std::string& key) {
+        Json tower = tower_json(f, key);
+        if (tower.empty() && !whole) throw Error("{}: expected \"{}\" (a CLIPModel), found none", where, key);
+        return tower;
+    };
+    return {clip_text_tower(part("text_config"), where + ": text_config"), clip_vision_tower(part("vision_config"), where + ": vision_config"), f.whole("projection_dim", 512)};
 }
 
 ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids) {

@@ -11,14 +11,25 @@
 namespace fastscene::nn {
 
 struct ClipTower {
-    std::int64_t width = 768, inner = 3072, layers = 12, heads = 12;
+    std::int64_t width = 512, inner = 2048, layers = 12, heads = 8;
     bool quick_gelu = true;  // x sigmoid(1.702 x) instead of GELU
     double eps = 1e-5;
     std::int64_t vocabulary = 49408, positions = 77;  // text
     std::int64_t image_size = 224, patch = 32;        // pictures
 };
-// One tower's object of config.json: a text_encoder/config.json as a whole, or text_config or vision_config of a CLIPModel.
-ClipTower clip_tower(const Json& json, const std::string& where);
+// One tower's object of config.json: a text_encoder/config.json as a whole, or text_config or vision_config of a CLIPModel. What is left
+// out has the value that transformers gives it, which is ViT-B/32's and differs between the towers.
+// Throw Error naming `where`, the key, what was expected and what was found.
+ClipTower clip_text_tower(const Json& json, const std::string& where);
+ClipTower clip_vision_tower(const Json& json, const std::string& where);
+
+// Both towers and their common space.
+struct ClipConfig {
+    ClipTower text, vision;
+    std::int64_t dimension = 512;
+};
+// A CLIPModel's config.json. Older files have text_config_dict and vision_config_dict besides, which win, as in transformers.
+ClipConfig clip_config(const Json& json, const std::string& where);
 
 struct ClipText {
     at::Tensor states;  // [N, L, width], after the last norm

@@ -58,6 +58,12 @@ const WeightTensor* FileWeights::find(const std::string& key) const {
     return nullptr;
 }
 
+std::vector<fs::path> FileWeights::files() const {
+    std::vector<fs::path> out;
+    for (const Weights& part : parts_) out.push_back(part.path);
+    return out;
+}
+
 std::vector<std::int64_t> FileWeights::shape_of(const std::string& key) const {
     const WeightTensor* tensor = find(key);
     return tensor ? tensor->shape : std::vector<std::int64_t>{};

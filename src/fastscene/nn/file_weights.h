@@ -25,6 +25,7 @@ class FileWeights final : public WeightSource {
     // The shape in the file, empty when there is no such tensor.
     std::vector<std::int64_t> shape_of(const std::string& key) const;
     const std::filesystem::path& path() const { return component_; }
+    std::vector<std::filesystem::path> files() const;
     // Bytes of all parameters in the network's number type.
     std::int64_t bytes() const;
     std::int64_t dtype_bytes() const { return static_cast<std::int64_t>(options_.dtype().itemsize()); }

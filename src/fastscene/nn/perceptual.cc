@@ -6,12 +6,13 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
-#include "fastscene/nn/clip.h"
 #include "fastscene/nn/clip_image.h"
+#include "fastscene/nn/clip_openai.h"
 #include "fastscene/nn/file_weights.h"
 #include "fastscene/nn/lpips.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/tokenizer.h"
+#include "fastscene/nn/weights_torch.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -56,33 +57,59 @@ double LpipsMeasure::distance(const ImageRgb8& a, const ImageRgb8& b) const {
     return nn::lpips(Scope(parts_->backbone), Scope(parts_->heads), parts_->net, input(a), input(b)).distance.item<double>();
 }
 
+namespace {
+
+// Where the tokenizer's merges lie in a model's folder.
+fs::path vocabulary_in(const fs::path& folder) {
+    for (const fs::path& place : {folder / "tokenizer", folder})
+        if (fs::exists(place / "merges.txt")) return place;
+    if (fs::exists(folder / "bpe_simple_vocab_16e6.txt.gz")) return folder / "bpe_simple_vocab_16e6.txt.gz";
+    throw Error("{}: expected CLIP's merges.txt or bpe_simple_vocab_16e6.txt.gz, found neither", folder.string());
+}
+
+}  // namespace
+
 struct ClipMeasure::Parts {
-    nn::ClipTower vision, text;
-    std::int64_t dimension = 512;
-    FileWeights weights;
+    nn::ClipConfig config;
+    std::unique_ptr<nn::WeightSource> weights;
+    std::vector<fs::path> files;
     ClipTokenizer tokenizer;
-    Parts(const fs::path& folder, const Json& config)
-        : vision(nn::clip_tower(config.at("vision_config"), "vision_config")), text(nn::clip_tower(config.at("text_config"), "text_config")),
-          dimension(config.value("projection_dim", 512)), weights(folder, at::kFloat), tokenizer(fs::exists(folder / "tokenizer") ? folder / "tokenizer" : folder) {}
+
+    explicit Parts(const fs::path& place) : tokenizer(vocabulary_in(fs::is_directory(place) ? place : place.parent_path())) {
+        fs::is_directory(place) ? read_folder(place) : read_file_of_openai(place);
+        if (config.text.positions < ClipTokenizer::kContext || config.text.vocabulary <= ClipTokenizer::kEnd)
+            throw Error("{}: expected a text tower for {} places and {} pieces, found {} and {}", place.string(), ClipTokenizer::kContext, ClipTokenizer::kEnd + 1,
+                        config.text.positions, config.text.vocabulary);
+    }
+    void read_folder(const fs::path& folder) {
+        const fs::path file = folder / "config.json";
+        config = nn::clip_config(read_json(file), file.string());
+        auto found = std::make_unique<FileWeights>(folder, at::kFloat);
+        files = found->files();
+        weights = std::move(found);
+    }
+    void read_file_of_openai(const fs::path& file) {
+        nn::OpenAiClip clip = nn::openai_clip(load_weights(file));
+        config = clip.config;
+        files = {file};
+        weights = std::make_unique<nn::LoadedWeights>(std::move(clip.weights), at::kFloat);
+    }
 };
 
-ClipMeasure::ClipMeasure(const fs::path& folder) {
-    const Json config = read_json(folder / "config.json");
-    if (!config.contains("vision_config") || !config.contains("text_config"))
-        throw Error("{}: expected vision_config and text_config (a CLIPModel), found none", (folder / "config.json").string());
-    parts_ = std::make_unique<Parts>(folder, config);
-    of_text("a");
+ClipMeasure::ClipMeasure(const fs::path& place) : parts_(std::make_unique<Parts>(place)) {
+    of_text("a");  // every tensor is there and has its shape
     of_picture(ImageRgb8(8, 8));
 }
+const std::vector<fs::path>& ClipMeasure::files() const { return parts_->files; }
 ClipMeasure::~ClipMeasure() = default;
 
 std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const {
     const c10::InferenceMode inference;
     use_our_threads();
     const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
-    const Tensor pixels = tensor_of(clip_crop(image, static_cast<int>(parts_->vision.image_size))) / 255;
+    const Tensor pixels = tensor_of(clip_crop(image, static_cast<int>(parts_->config.vision.image_size))) / 255;
     const Tensor normalized = (pixels - row(.48145466, .4578275, .40821073)) / row(.26862954, .26130258, .27577711);
-    return unit_vector(nn::clip_image_features(Scope(parts_->weights), parts_->vision, normalized.unsqueeze(0), parts_->dimension));
+    return unit_vector(nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, normalized.unsqueeze(0), parts_->config.dimension));
 }
 
 std::vector<float> ClipMeasure::of_text(const std::string& text) const {
@@ -90,7 +117,7 @@ std::vector<float> ClipMeasure::of_text(const std::string& text) const {
     use_our_threads();
     const std::vector<int> tokens = parts_->tokenizer.padded(text, 0);
     const Tensor ids = at::tensor(std::vector<std::int64_t>(tokens.begin(), tokens.end()), at::kLong).unsqueeze(0);
-    return unit_vector(nn::clip_text_features(Scope(parts_->weights), parts_->text, ids, parts_->dimension));
+    return unit_vector(nn::clip_text_features(Scope(*parts_->weights), parts_->config.text, ids, parts_->config.dimension));
 }
 
 double cosine(const std::vector<float>& a, const std::vector<float>& b) {

@@ -27,8 +27,12 @@ class LpipsMeasure {
 class ClipMeasure {
   public:
     // A folder as transformers saves CLIPModel: config.json, model.safetensors or pytorch_model.bin, and merges.txt (in it or in tokenizer/).
-    explicit ClipMeasure(const std::filesystem::path& folder);
+    // Or a file of OpenAI's, ViT-B-32.pt or ViT-L-14.pt, as published (TorchScript) or as a state_dict (.pt, .safetensors), with merges.txt or
+    // bpe_simple_vocab_16e6.txt.gz beside it. Throws Error naming the file, the tensor or key, what was expected and what was found.
+    explicit ClipMeasure(const std::filesystem::path& place);
     ~ClipMeasure();
+    // The files that its numbers come from.
+    const std::vector<std::filesystem::path>& files() const;
     // Unit vectors in the common space.
     std::vector<float> of_picture(const ImageRgb8& image) const;
     std::vector<float> of_text(const std::string& text) const;

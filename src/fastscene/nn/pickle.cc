@@ -73,7 +73,9 @@ class Collector {
             if (const auto* number = value.as<double>()) out_.numbers[name] = *number;
             if (const auto* number = value.as<std::int64_t>()) out_.numbers[name] = static_cast<double>(*number);
         }
-        if (const auto* dictionary = value.as<pickle::Dictionary>())
+        const auto* module = value.as<pickle::Module>();
+        const Value& attributes = module && module->state ? *module->state : value;
+        if (const auto* dictionary = attributes.as<pickle::Dictionary>())
             for (const auto& [key, item] : dictionary->items) collect(*item, joined(name, *key), depth + 1);
         if (const auto* list = value.as<pickle::Sequence>())
             for (std::size_t i = 0; i < list->items.size(); ++i) collect(*list->items[i], joined(name, std::to_string(i)), depth + 1);
@@ -148,14 +150,21 @@ Weights load_torch_zip(std::shared_ptr<const MappedFile> file) {
             root = name.substr(0, name.size() - std::string_view("data.pkl").size());
             break;
         }
-    if (!program) throw Error("{}: expected a file of torch.save, found a zip without data.pkl (TorchScript archives are not read)", file->path().string());
+    if (!program) throw Error("{}: expected a file of torch.save, found a zip without data.pkl", file->path().string());
+    const auto stored = [&](const ZipRecord& record, std::string_view name) {
+        if (record.packed) throw Error("{}: {}: expected a stored entry as torch.save writes it, found a packed one", file->path().string(), name);
+        return file->text().substr(record.begin, record.size);
+    };
     const auto order = records.find(root + "byteorder");
-    if (order != records.end() && file->text().substr(order->second.begin, order->second.size) == "big")
+    if (order != records.end() && stored(order->second, order->first) == "big")
         throw Error("{}: expected little endian numbers, found big endian ones", file->path().string());
     Storages storages;
     for (const auto& [name, record] : records)
-        if (name.starts_with(root + "data/")) storages[name.substr(root.size() + 5)] = {file->bytes().subspan(record.begin, record.size), file};
-    const auto pickle = pickle::read_pickle(file->text().substr(program->begin, program->size), 0, program->begin, file->path());
+        if (name.starts_with(root + "data/")) {
+            (void)stored(record, name);
+            storages[name.substr(root.size() + 5)] = {file->bytes().subspan(record.begin, record.size), file};
+        }
+    const auto pickle = pickle::read_pickle(stored(*program, root + "data.pkl"), 0, program->begin, file->path());
     return collected(pickle, storages, file->path());
 }
 

@@ -30,6 +30,7 @@ std::vector<std::int64_t> whole_list(const Sequence& list) {
 
 bool is_dictionary(std::string_view name) { return name == "collections.OrderedDict" || name == "builtins.dict" || name == "__builtin__.dict"; }
 bool is_parameter(std::string_view name) { return name == "torch._utils._rebuild_parameter" || name == "torch._utils._rebuild_parameter_with_state"; }
+bool is_module(std::string_view name) { return name.starts_with("__torch__."); }
 bool is_tensor(std::string_view name) { return name == "torch._utils._rebuild_tensor_v2" || name == "torch._utils._rebuild_tensor"; }
 
 class Machine {
@@ -163,6 +164,7 @@ class Machine {
     Ref called(std::string_view name, const std::vector<Ref>& args) {
         if (is_dictionary(name)) return dictionary(args);
         if (is_tensor(name)) return tensor(args);
+        if (is_module(name)) return make(Module{});
         if (is_parameter(name) && !args.empty() && args[0]->as<Tensor>()) return args[0];
         return make(Opaque{});
     }
@@ -172,8 +174,11 @@ class Machine {
         const auto* list = arguments->as<Sequence>();
         push(name && list ? called(name->name, list->items) : make(Opaque{}));
     }
-    // A module's or an optimizer's state, put into an object that stays opaque. OrderedDict carries its hooks this way.
-    void build() { (void)pop(); }
+    // An object's state: kept for a TorchScript module, else put into something that stays opaque. OrderedDict carries its hooks this way.
+    void build() {
+        const Ref state = pop();
+        if (auto* module = std::get_if<Module>(&top().held)) module->state = state;
+    }
     // ('storage', torch.FloatStorage, '0', 'cpu', count[, view])
     void persistent(const Ref& id) {
         const auto* list = id->as<Sequence>();

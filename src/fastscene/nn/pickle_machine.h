@@ -28,6 +28,9 @@ struct Sequence {  // list, tuple, set
 struct Dictionary {
     std::vector<std::pair<Ref, Ref>> items;
 };
+struct Module {  // an object of a TorchScript class
+    Ref state = nullptr;  // the dictionary of its attributes; none until BUILD
+};
 struct Storage {
     std::string key;    // "0": the name of its bytes
     std::string dtype;  // "FloatStorage"
@@ -40,7 +43,7 @@ struct Tensor {
     std::vector<std::int64_t> shape, stride;
 };
 struct Value {
-    std::variant<None, Opaque, bool, std::int64_t, double, Text, Global, Sequence, Dictionary, Storage, Tensor> held;
+    std::variant<None, Opaque, bool, std::int64_t, double, Text, Global, Sequence, Dictionary, Module, Storage, Tensor> held;
     template <class T>
     const T* as() const { return std::get_if<T>(&held); }
 };

@@ -41,7 +41,7 @@ class ShapesOnly final : public WeightSource {
 SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), options(with) {
     unet_config = nn::unet_config(config_in(base / "unet"), (base / "unet/config.json").string());
     vae_config = nn::vae_config(config_in(base / "vae"), (base / "vae/config.json").string());
-    tower = clip_tower(config_in(base / "text_encoder"), (base / "text_encoder/config.json").string());
+    tower = clip_text_tower(config_in(base / "text_encoder"), (base / "text_encoder/config.json").string());
     schedule = schedule_config(config_in(base / "scheduler", "scheduler_config.json"), (base / "scheduler/scheduler_config.json").string(), with.sampler);
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
     unet = std::make_unique<FileWeights>(base / "unet", with.type, with.keep);

@@ -70,7 +70,7 @@ void write_tiny_model(const fs::path& folder, const TinyModel& model) {
     const Json text = {{"hidden_size", model.encoder_text_width}, {"intermediate_size", 64}, {"num_hidden_layers", 1}, {"num_attention_heads", 2}, {"hidden_act", "quick_gelu"}};
     write_json(folder / "text_encoder/config.json", text);
     HashedWeights encoder(at::kFloat, model.salt);
-    nn::clip_text(Scope(encoder), nn::clip_tower(text, "text"), at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
+    nn::clip_text(Scope(encoder), nn::clip_text_tower(text, "text"), at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
     save(encoder, folder / "text_encoder/model.safetensors");
 
     write_json(folder / "scheduler/scheduler_config.json", {{"_class_name", "PNDMScheduler"}, {"beta_start", 0.00085}, {"beta_end", 0.012}, {"beta_schedule", "scaled_linear"},

@@ -68,7 +68,7 @@ std::map<std::string, ZipRecord> zip_records(const MappedFile& file) {
         if (!r.has(at, "PK\x01\x02")) throw Error("{}: byte {}: expected entry {} of a zip's directory, found other bytes", r.path(), at, i);
         const auto method = r.at<std::uint16_t>(at + 10);
         std::uint64_t size = r.at<std::uint32_t>(at + 24), local = r.at<std::uint32_t>(at + 42);
-        const std::uint64_t packed = r.at<std::uint32_t>(at + 20);
+        std::uint64_t packed = r.at<std::uint32_t>(at + 20);
         const auto name_size = r.at<std::uint16_t>(at + 28), extra_size = r.at<std::uint16_t>(at + 30), comment_size = r.at<std::uint16_t>(at + 32);
         const std::string name(r.part(at + kEntrySize, name_size));
         // zip64: the values that did not fit, in this order.
@@ -77,18 +77,17 @@ std::map<std::string, ZipRecord> zip_records(const MappedFile& file) {
             std::uint64_t field = e + 4;
             if (kind == 1) {
                 if (size == 0xffffffffu) size = r.at<std::uint64_t>(field), field += 8;
-                if (packed == 0xffffffffu) field += 8;
+                if (packed == 0xffffffffu) packed = r.at<std::uint64_t>(field), field += 8;
                 if (local == 0xffffffffu) local = r.at<std::uint64_t>(field);
             }
             e += 4u + length;
         }
         at += kEntrySize + name_size + extra_size + comment_size;
         if (name.ends_with('/')) continue;
-        if (method != 0) throw Error("{}: {}: expected a stored entry as torch.save writes it, found a packed one", r.path(), name);
         if (!r.has(local, "PK\x03\x04")) throw Error("{}: {}: expected an entry at byte {}, found other bytes", r.path(), name, local);
         const std::uint64_t begin = local + kLocalSize + r.at<std::uint16_t>(local + 26) + r.at<std::uint16_t>(local + 28);
-        (void)r.part(begin, size);
-        out[name] = {begin, size};
+        (void)r.part(begin, method == 0 ? size : packed);
+        out[name] = {begin, method == 0 ? size : 0, method != 0};
     }
     return out;
 }
