@@ -36,7 +36,7 @@ TOML
 
 expect 0 "$fastscene" evaluate small.toml -o eval
 prints "| Them (published) | 3.90 |"
-prints "fetch niqe.json"
+prints "fetch modelparameters.mat"
 prints "| Ours, x +0.33 |"
 says "report.html"
 has eval/results.json eval/table.md eval/table.csv eval/table.tex eval/scenes.csv eval/report.html eval/scenes/ours/bedroom-3/splat/scene.ply

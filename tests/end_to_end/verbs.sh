@@ -125,6 +125,20 @@ expect 2 "$fastscene" metrics run
 expect 2 "$fastscene" metrics run --truth --samples 3
 says "--samples"
 
+# Pictures: nothing that was said is ignored, and what could not be measured is no success.
+expect 2 "$fastscene" metrics images run/metrics/truth run
+says 'expected no further argument, found "run"'
+expect 2 "$fastscene" metrics images run/metrics/truth --truth
+expect 1 "$fastscene" metrics images run/metrics/truth --weights nowhere
+says "--weights nowhere: expected a folder, found none"
+mkdir -p weights/clip-vit-base-patch32
+expect 0 "$fastscene" metrics images run/metrics/truth --weights weights --reference run/metrics/truth --prompt "$prompt"
+prints "ssim_wang"
+prints "clip_s is not measured: weights/clip-vit-base-patch32: expected"
+expect 1 "$fastscene" metrics images run/metrics/truth --weights weights --reference run/metrics/truth --measure psnr --measure niqe
+prints "psnr: the mean is over 0 of 2 pictures; infinite for 2"
+says "expected a value of niqe"
+
 # Help and doctor.
 expect 0 "$fastscene" --help
 for verb in make panorama depth walk views splat metrics render convert view models doctor version; do

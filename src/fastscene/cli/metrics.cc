@@ -6,6 +6,18 @@
 
 namespace fastscene::cli {
 
+namespace {
+
+// What belongs to `metrics DIR --truth` would be taken and not used beside another measure: a second folder, most of all.
+void refuse_own(const CLI::App& verb, const Given& given, const std::string& part) {
+    if (const CLI::Option* folder = verb.get_option("folder"); folder->count()) throw UsageError("metrics {}: expected no further argument, found \"{}\"", part, folder->as<std::string>());
+    for (const char* flag : {"--truth", "--seed"})
+        if (verb.get_option(flag)->count()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, flag);
+    if (!given.empty()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, given.begin()->first);
+}
+
+}  // namespace
+
 Verb add_metrics(CLI::App& app) {
     struct Flags {
         std::string folder;
@@ -21,9 +33,12 @@ Verb add_metrics(CLI::App& app) {
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
     const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `metrics`
-    return {verb, [flags, parts](const Session& session) {
+    return {verb, [verb, flags, parts](const Session& session) {
                 for (const Verb& part : parts)
-                    if (part.app->parsed()) return part.act(session);
+                    if (part.app->parsed()) {
+                        refuse_own(*verb, *flags->given, part.app->get_name());
+                        return part.act(session);
+                    }
                 if (flags->folder.empty()) throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
                 if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
                 TruthParams params;

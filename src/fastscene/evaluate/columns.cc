@@ -10,7 +10,8 @@ const std::vector<Column>& columns() {
     constexpr auto up = Better::higher, down = Better::lower, none = Better::neither;
     static const std::vector<Column> list{
         {"clip_l14", "CLIP", "", up, 1, "stills", "clip_l14", "100 cos between picture and prompt, ViT-L/14 (the paper's scale; its network is not named)"},
-        {"clip_b32", "CLIP B/32", "", up, 1, "stills", "clip_b32", "100 cos between picture and prompt, ViT-B/32 (Hessel et al. 2021 write 2.5 max(cos, 0))"},
+        {"clip_b32", "CLIP B/32", "", up, 1, "stills", "clip_b32", "100 cos between picture and prompt, ViT-B/32"},
+        {"clip_s", "CLIPScore", "", up, 3, "stills", "clip_s", "2.5 max(cos, 0) between picture and \"A photo depicts \" + prompt, ViT-B/32 (Hessel et al. 2021)"},
         {"niqe", "NIQE", "", down, 2, "stills", "niqe", "distance of the picture's statistics from undistorted photographs', authors' parameters (Mittal et al. 2013)"},
         {"brisque", "BRISQUE", "", down, 1, "stills", "brisque", "authors' features and regression (Mittal et al. 2012), 0 best"},
         {"brisque_opencv", "BRISQUE (OpenCV)", "", down, 1, "stills", "brisque_opencv", "OpenCV's features and its own regression, 0 best"},

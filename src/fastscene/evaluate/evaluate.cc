@@ -84,7 +84,7 @@ class Evaluation {
   public:
     Evaluation(const Suite& suite, const EvaluateOptions& options, const Run& run)
         : suite_(first_scenes(suite, options.scenes)), options_(options), run_(run), last_stage_(last_stage_of(suite)), peers_(suite.peers) {
-        if (options_.weights.empty()) options_.weights = default_metrics_weights();
+        options_.weights = metrics_weights(options_.weights);
         jobs_ = jobs_of(suite_, options_.out, last_stage_);
         for (const Job& job : jobs_) total_ += job.weight;
         peers_.insert(peers_.end(), options_.peers.begin(), options_.peers.end());

@@ -13,7 +13,7 @@ namespace fastscene {
 
 struct EvaluateOptions {
     std::filesystem::path out;
-    std::filesystem::path weights;     // of metrics; empty: default_metrics_weights()
+    std::filesystem::path weights;     // of metrics, as for metrics_weights()
     int scenes = 0;                    // only the first so many; 0: all
     std::vector<SuitePeer> peers;      // besides those of the suite
 };

@@ -4,10 +4,17 @@
 #include <png.h>
 
 #include <cmath>
+#include <span>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/metrics/niqe.h"
+#include "fastscene/models/sha256.h"
+#include "fastscene/nn/perceptual.h"
+#include "fastscene/nn/safetensors.h"
+#include "fastscene/nn/tiny_tokenizer.h"
 
 namespace fastscene {
 namespace {
@@ -31,6 +38,12 @@ class Images : public testing::Test {
         for (Rgb8& p : image.pixels) p.r = p.g = p.b = static_cast<std::uint8_t>(random.index(200) + shift);
         save_png(path, image);
     }
+    // Undistorted pictures whose features are all `mean` with deviation 1.
+    static NiqeModel plain_model(double mean) {
+        NiqeModel model{std::vector<double>(kNiqeFeatures, mean), std::vector<double>(kNiqeFeatures * kNiqeFeatures)};
+        for (std::size_t i = 0; i < kNiqeFeatures; ++i) model.covariance[i * kNiqeFeatures + i] = 1;
+        return model;
+    }
     fs::path root_;
 };
 
@@ -41,8 +54,11 @@ TEST_F(Images, LikenessNeedsNoWeightsAndWhatIsMissingIsSaid) {
     EXPECT_EQ(report["pictures"][1]["psnr"], "inf");
     EXPECT_NEAR(report["mean"]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9) << "infinity does not swallow the mean";
     EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
-    for (const char* name : {"niqe", "brisque", "brisque_opencv", "lpips_alex", "lpips_vgg", "clip_b32", "clip_l14"})
-        EXPECT_TRUE(report["missing"].contains(name)) << name;
+    for (const char* name : {"niqe", "brisque", "brisque_opencv", "lpips_alex", "lpips_vgg", "clip_b32", "clip_l14", "clip_s"}) {
+        ASSERT_TRUE(report["missing"].contains(name)) << name;
+        EXPECT_TRUE(report["missing"][name].get<std::string>().starts_with("fetch ")) << report["missing"][name];
+    }
+    EXPECT_FALSE(report["missing"].contains("niqe_own")) << "nobody misses a model of one's own";
     const std::string table = image_table(report);
     EXPECT_NE(table.find("niqe is not measured"), std::string::npos) << table;
     EXPECT_NE(table.find("a.png"), std::string::npos) << table;
@@ -89,6 +105,122 @@ TEST_F(Images, AlphaIsMeasuredOverBlackAndSaidSo) {
     const Json& psnr = report["pictures"][0]["psnr"];
     EXPECT_TRUE(psnr == "inf" || psnr.get<double>() > 48) << psnr;
     EXPECT_NE(heard.notes.find("veil.png: transparent in parts, measured over black"), std::string::npos) << heard.notes;
+    EXPECT_EQ(report["transparent"], Json::array({(root_ / "empty/veil.png").string()}));
+    const Json other_way = measure_images({root_ / "gray", root_ / "empty", "", root_, {"psnr"}}, {});
+    EXPECT_EQ(other_way["transparent"], Json::array({(root_ / "empty/veil.png").string()})) << "a reference can be transparent too";
+}
+
+TEST_F(Images, TheMeanSaysOfHowManyPictures) {
+    save_png(root_ / "ours/even.png", ImageRgb8(200, 200, Rgb8{9, 9, 9}));
+    save(root_ / "ours/large.png", 5, 0, 200);
+    save_niqe_model(root_ / "modelparameters.mat", plain_model(1));
+    const Json report = measure_images({root_ / "ours", "", "", root_, {"niqe"}}, {});
+    EXPECT_EQ(report["count"], 4);
+    EXPECT_EQ(report["mean_of"]["niqe"], 1);
+    EXPECT_EQ(report["mean"]["niqe"], report["pictures"][3]["niqe"]);
+    EXPECT_NE(image_table(report).find("niqe: the mean is over 1 of 4 pictures; not defined for 3"), std::string::npos) << image_table(report);
+    const Json likeness = measure_images({root_ / "ours/b.png", root_ / "true/b.png", "", root_, {"psnr"}}, {});
+    EXPECT_NE(image_table(likeness).find("over 0 of 1 pictures; infinite for 1"), std::string::npos);
+}
+
+TEST_F(Images, TheAuthorsModelAndOnesOwnHaveNamesOfTheirOwn) {
+    save(root_ / "empty/large.png", 5, 0, 200);
+    const fs::path own = root_ / "niqe.json", authors = root_ / "modelparameters.mat";
+    const auto measured = [&](std::vector<std::string> wanted) { return measure_images({root_ / "empty", "", "", root_, std::move(wanted)}, {}); };
+    save_niqe_model(own, plain_model(1));
+    Json report = measured({});
+    EXPECT_TRUE(report["missing"].contains("niqe")) << "one's own never stands in for the authors'";
+    const Json score = report["mean"]["niqe_own"];
+    EXPECT_GT(score.get<double>(), 0);
+    save_niqe_model(authors, plain_model(9));
+    report = measured({});
+    EXPECT_EQ(report["mean"]["niqe_own"], score);
+    EXPECT_NE(report["mean"]["niqe"], score);
+    EXPECT_EQ(report["models"]["niqe_own"], Json::array({{{"file", own.string()}, {"sha256", sha256_of_file(own)}}}));
+    EXPECT_EQ(report["models"]["niqe"][0]["file"], authors.string());
+    EXPECT_NE(image_table(report).find(fmt::format("niqe by {} (sha256 {:.12})", authors.string(), sha256_of_file(authors))), std::string::npos) << image_table(report);
+    EXPECT_FALSE(report["mean"].contains("niqe_y"));
+    EXPECT_NE(measured({"niqe_y"})["mean"]["niqe_y"], report["mean"]["niqe"]);
+}
+
+TEST_F(Images, ABrokenFileCostsNoOtherMeasure) {
+    save(root_ / "empty/large.png", 5, 0, 200);
+    save_niqe_model(root_ / "modelparameters.mat", plain_model(1));
+    write_file(root_ / "allmodel", "not a model");
+    write_file(root_ / "allrange", "nor this");
+    fs::create_directories(root_ / "clip-vit-base-patch32");
+    const ImageMeasures inputs{root_ / "empty", "", "a room", root_, {"niqe", "brisque", "clip_b32", "clip_l14"}};
+    const Json report = measure_images(inputs, {});
+    EXPECT_TRUE(report["mean"]["niqe"].is_number());
+    EXPECT_NE(report["missing"]["brisque"].get<std::string>().find((root_ / "allmodel").string() + ":"), std::string::npos) << report["missing"];
+    EXPECT_NE(report["missing"]["clip_b32"].get<std::string>().find("clip-vit-base-patch32: expected"), std::string::npos) << report["missing"];
+    EXPECT_TRUE(report["missing"]["clip_l14"].get<std::string>().starts_with("fetch clip-vit-large-patch14"));
+    EXPECT_EQ(not_measured(report, inputs.wanted), (std::vector<std::string>{"brisque", "clip_b32", "clip_l14"}));
+    EXPECT_THROW(metrics_weights(root_ / "nowhere"), Error);
+    EXPECT_THROW(metrics_weights(root_ / "allmodel"), Error) << "a file";
+    EXPECT_EQ(metrics_weights(root_), root_);
+}
+
+TEST_F(Images, ReferencesThatNothingIsComparedWithAreCounted) {
+    save(root_ / "true/c.png", 3, 0);
+    save(root_ / "true/d.png", 4, 0);
+    Heard heard;
+    const Json report = measure_images({root_ / "ours", root_ / "true", "", root_, {"psnr"}}, {0, &heard, {}});
+    EXPECT_EQ(report["without_picture"], 2);
+    EXPECT_NE(heard.notes.find("2 of its pictures have no picture of the same name"), std::string::npos) << heard.notes;
+}
+
+// ViT-B/32 in OpenAI's form, but small: one layer each, heads of 64, pictures of 64 pixels.
+void write_tiny_clip(const fs::path& file) {
+    Weights out;
+    Random random(3, "tiny clip");
+    const auto add = [&](const std::string& name, std::vector<std::int64_t> shape) {
+        WeightTensor tensor{NumberType::f32, std::move(shape), {}, {}};
+        auto numbers = std::make_shared<std::vector<float>>(static_cast<std::size_t>(tensor.count()));
+        for (float& v : *numbers) v = random.uniform(-0.3f, 0.3f);
+        tensor.bytes = std::as_bytes(std::span(*numbers));
+        tensor.owner = numbers;
+        out.tensors[name] = tensor;
+    };
+    const auto add_both = [&](const std::string& name, std::int64_t rows, std::int64_t columns = 0) {
+        add(name + "weight", columns ? std::vector{rows, columns} : std::vector{rows});
+        add(name + "bias", {rows});
+    };
+    constexpr std::int64_t w = 64, inner = 128, common = 16;
+    for (const std::string tower : {"", "visual."}) {
+        const std::string block = tower + "transformer.resblocks.0.";
+        add_both(block + "attn.in_proj_", 3 * w, w);
+        add_both(block + "attn.out_proj.", w, w);
+        add_both(block + "mlp.c_fc.", inner, w);
+        add_both(block + "mlp.c_proj.", w, inner);
+        for (const std::string norm : {"ln_1.", "ln_2."}) add_both(block + norm, w);
+    }
+    for (const std::string norm : {"ln_final.", "visual.ln_pre.", "visual.ln_post."}) add_both(norm, w);
+    add("token_embedding.weight", {49408, w});
+    add("positional_embedding", {77, w});
+    add("text_projection", {w, common});
+    add("visual.conv1.weight", {w, 3, 32, 32});
+    add("visual.class_embedding", {w});
+    add("visual.positional_embedding", {5, w});
+    add("visual.proj", {w, common});
+    save_safetensors(file, out);
+}
+
+TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
+    write_tiny_clip(root_ / "ViT-B-32.pt");
+    write_tiny_tokenizer(root_);
+    const Json report = measure_images({root_ / "ours", "", "a red room", root_, {"clip_b32", "clip_s"}}, {});
+    ASSERT_TRUE(report["missing"].empty()) << report["missing"];
+    const ClipMeasure clip(root_ / "ViT-B-32.pt");
+    const std::vector<float> words = clip.of_text("a red room"), caption = clip.of_text("A photo depicts a red room");
+    for (const Json& row : report["pictures"]) {
+        const std::vector<float> seen = clip.of_picture(load_rgb8(root_ / "ours" / row["name"].get<std::string>()));
+        EXPECT_NEAR(row["clip_b32"].get<double>(), 100 * cosine(seen, words), 1e-6);
+        EXPECT_NEAR(row["clip_s"].get<double>(), 2.5 * std::max(0.0, cosine(seen, caption)), 1e-8);
+    }
+    EXPECT_NE(cosine(words, caption), 1);
+    EXPECT_EQ(report["models"]["clip_s"], report["models"]["clip_b32"]);
+    EXPECT_EQ(report["models"]["clip_s"][0]["file"], (root_ / "ViT-B-32.pt").string());
 }
 
 TEST_F(Images, WrongInputsAreErrors) {

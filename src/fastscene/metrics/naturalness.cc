@@ -88,6 +88,15 @@ Plane matlab_gray(const ImageRgb8& image) {
     return out;
 }
 
+Plane matlab_luma(const ImageRgb8& image) {
+    Plane out(image.width, image.height);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Rgb8 c = image.pixels[i];
+        out.pixels[i] = std::round(16 + (65.481 * c.r + 128.553 * c.g + 24.966 * c.b) / 255);
+    }
+    return out;
+}
+
 bool is_constant(const ImageRgb8& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [&](Rgb8 c) { return c == image.pixels.front(); });
 }

@@ -15,6 +15,8 @@ using Plane = Image<double>;
 
 // MATLAB's rgb2gray: weights of Rec. 601 to 15 digits, rounded to whole numbers, 0..255.
 Plane matlab_gray(const ImageRgb8& image);
+// The Y of MATLAB's rgb2ycbcr: 16 for black to 235 for white, rounded.
+Plane matlab_luma(const ImageRgb8& image);
 
 // No statistics tell anything about a picture of one color.
 bool is_constant(const ImageRgb8& image);

@@ -14,7 +14,6 @@ namespace fastscene {
 namespace {
 
 constexpr double kSharpEnough = 0.75;  // of the sharpest block of a pristine picture (section III-B of the paper)
-constexpr std::size_t kLeastBlocks = 100;
 
 void append_features(const Plane& structure, Block block, std::vector<double>& out) {
     const Aggd own = fit_aggd(block_values(structure, block));
@@ -91,19 +90,19 @@ NiqeModel load_niqe_model(const std::filesystem::path& path) {
         return {matrix(file, "mu_prisparam", 1, path), matrix(file, "cov_prisparam", kNiqeFeatures, path)};
     }
     const Json json = read_json(path);
-    return {numbers(json, "mean", n, path), numbers(json, "covariance", n * n, path)};
+    const auto count = [&](const char* key) { return json.contains(key) && json.at(key).is_number_unsigned() ? json.at(key).get<std::size_t>() : 0; };
+    return {numbers(json, "mean", n, path), numbers(json, "covariance", n * n, path), count("blocks"), count("pictures")};
 }
 
 void save_niqe_model(const std::filesystem::path& path, const NiqeModel& model) {
-    write_json(path, {{"kind", "niqe"}, {"mean", model.mean}, {"covariance", model.covariance}});
+    write_json(path, {{"kind", "niqe"}, {"blocks", model.blocks}, {"pictures", model.pictures}, {"mean", model.mean}, {"covariance", model.covariance}});
 }
 
-NiqeBlocks niqe_blocks(const ImageRgb8& image) {
-    const int columns = image.width / kNiqeBlock, rows = image.height / kNiqeBlock;
+NiqeBlocks niqe_blocks(const Plane& gray) {
+    const int columns = gray.width / kNiqeBlock, rows = gray.height / kNiqeBlock;
     NiqeBlocks out;
     out.features.resize(static_cast<std::size_t>(columns * rows));
     if (out.features.empty()) return out;
-    const Plane gray = matlab_gray(image);
     Plane plane(columns * kNiqeBlock, rows * kNiqeBlock);
     for (int y = 0; y < plane.height; ++y) std::copy_n(gray.row(y), plane.width, plane.row(y));
     for (int scale = 1; scale <= 2; ++scale) {
@@ -119,9 +118,9 @@ NiqeBlocks niqe_blocks(const ImageRgb8& image) {
     return out;
 }
 
-double niqe(const ImageRgb8& image, const NiqeModel& model) {
+double niqe(const ImageRgb8& image, const NiqeModel& model, NiqeGray gray) {
     if (is_constant(image)) throw Error("NIQE: expected a picture with structure, found one constant color ({} x {})", image.width, image.height);
-    const NiqeBlocks blocks = niqe_blocks(image);
+    const NiqeBlocks blocks = niqe_blocks(gray == NiqeGray::luma ? matlab_luma(image) : matlab_gray(image));
     const auto whole = std::count_if(blocks.features.begin(), blocks.features.end(), all_finite);
     if (whole < 2)
         throw Error("NIQE: expected at least two blocks of {0} x {0} pixels with some structure, found {1} in a picture of {2} x {3}", kNiqeBlock, whole,
@@ -135,20 +134,29 @@ double niqe(const ImageRgb8& image, const NiqeModel& model) {
 
 NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run& run) {
     std::vector<std::vector<double>> rows;
+    std::size_t used = 0;
     Progress progress(run, "niqe-fit", static_cast<std::int64_t>(pictures.size()));
     for (const auto& path : pictures) {
         run.check_stop();
-        const NiqeBlocks blocks = niqe_blocks(load_rgb8(path));
-        double sharpest = 0;
-        for (const double s : blocks.sharpness) sharpest = std::max(sharpest, s);
+        const ImageRgb8 image = load_rgb8(path);
+        const NiqeBlocks blocks = niqe_blocks(matlab_gray(image));
+        const std::size_t before = rows.size();
+        const double sharpest = blocks.sharpness.empty() ? 0 : *std::max_element(blocks.sharpness.begin(), blocks.sharpness.end());
         for (std::size_t i = 0; i < blocks.features.size(); ++i)
             if (blocks.sharpness[i] > kSharpEnough * sharpest && all_finite(blocks.features[i])) rows.push_back(blocks.features[i]);
+        if (rows.size() > before) ++used;
+        else run.warn(fmt::format("{}: no sharp block of {} x {} pixels in a picture of {} x {}, left out", path.string(), kNiqeBlock, kNiqeBlock, image.width, image.height));
         progress.advance();
     }
-    if (rows.size() < kLeastBlocks)
-        throw Error("niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels, found {} in {} pictures", kLeastBlocks, kNiqeBlock,
-                    kNiqeBlock, rows.size(), pictures.size());
-    return gaussian_of(rows);
+    if (rows.size() < kLeastNiqeBlocks)
+        throw Error("niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels (good: {}), found {} in {} pictures", kLeastNiqeBlocks, kNiqeBlock,
+                    kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size());
+    if (rows.size() < kGoodNiqeBlocks)
+        run.warn(fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will hang on which pictures these are; {} are good", rows.size(), kNiqeBlock, kNiqeBlock,
+                             used, kGoodNiqeBlocks));
+    NiqeModel model = gaussian_of(rows);
+    model.blocks = rows.size(), model.pictures = used;
+    return model;
 }
 
 }  // namespace fastscene

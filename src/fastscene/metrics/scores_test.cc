@@ -114,6 +114,9 @@ TEST(Niqe, AnOwnModelRanksSharpAboveBlurredAndNoisy) {
     save_niqe_model(dir / "own.json", fitted);
     const NiqeModel model = load_niqe_model(dir / "own.json");
     EXPECT_EQ(model.covariance, fitted.covariance) << "every digit survives the file";
+    EXPECT_EQ(model.pictures, 9u);
+    EXPECT_GE(model.blocks, kLeastNiqeBlocks);
+    EXPECT_EQ(model.blocks, fitted.blocks);
     const ImageRgb8 sharp = dead_leaves(400, 300, 7);
     ImageRgb8 noisy = sharp;
     Random random(1, "noise");

@@ -200,8 +200,8 @@ TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {
         const std::string what = message_of([&] {
             for (const auto& [name, tensor] : load_weights(broken).tensors) (void)tensor.floats();
         });
-        if (i < 60) EXPECT_NE(what, "") << "cut to " << bytes.size();
-        if (!what.empty()) EXPECT_NE(what.find(broken.string()), std::string::npos) << what;
+        EXPECT_TRUE(i >= 60 || !what.empty()) << "cut to " << bytes.size();
+        EXPECT_TRUE(what.empty() || what.find(broken.string()) != std::string::npos) << what;
     }
 }
 

@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace fastscene {
+#include "fastscene/nn/tiny_tokenizer.h"
 
-// tokenizer/: merges.txt with as many merges as CLIP's, of bytes only.
-void write_tiny_tokenizer(const std::filesystem::path& folder);
+namespace fastscene {
 
 // unet/ vae/ text_encoder/ tokenizer/ scheduler/. `text_width` of the denoiser and of the text encoder may differ: a mixed-up folder.
 struct TinyModel {
