@@ -157,6 +157,7 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
         Json row = {{"name", path.filename().string()}};
         for (const auto& [name, measure, files] : ready.measures) try {
                 const double v = measure(subject);
+                if (std::isnan(v)) throw Error("{}: expected a number, found none (damaged weights?)", name);
                 row[name] = number(v);
                 if (std::isfinite(v)) sums[name].first += v, ++sums[name].second;
             } catch (const Error& e) {

@@ -171,13 +171,13 @@ TEST_F(Images, ReferencesThatNothingIsComparedWithAreCounted) {
 }
 
 // ViT-B/32 in OpenAI's form, but small: one layer each, heads of 64, pictures of 64 pixels.
-void write_tiny_clip(const fs::path& file) {
+void write_tiny_clip(const fs::path& file, float size = 0.3f) {
     Weights out;
     Random random(3, "tiny clip");
     const auto add = [&](const std::string& name, std::vector<std::int64_t> shape) {
         WeightTensor tensor{NumberType::f32, std::move(shape), {}, {}};
         auto numbers = std::make_shared<std::vector<float>>(static_cast<std::size_t>(tensor.count()));
-        for (float& v : *numbers) v = random.uniform(-0.3f, 0.3f);
+        for (float& v : *numbers) v = random.uniform(-size, size);
         tensor.bytes = std::as_bytes(std::span(*numbers));
         tensor.owner = numbers;
         out.tensors[name] = tensor;
@@ -221,6 +221,15 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     EXPECT_NE(cosine(words, caption), 1);
     EXPECT_EQ(report["models"]["clip_s"], report["models"]["clip_b32"]);
     EXPECT_EQ(report["models"]["clip_s"][0]["file"], (root_ / "ViT-B-32.pt").string());
+}
+
+TEST_F(Images, ANetworkThatGivesNoNumberIsNoScore) {
+    write_tiny_clip(root_ / "ViT-B-32.pt", 0);
+    write_tiny_tokenizer(root_);
+    const Json report = measure_images({root_ / "ours/a.png", "", "a red room", root_, {"clip_b32"}}, {});
+    EXPECT_TRUE(report["pictures"][0]["clip_b32"].is_null()) << report;
+    EXPECT_NE(report["undefined"]["a.png"]["clip_b32"].get<std::string>().find("expected a number"), std::string::npos);
+    EXPECT_EQ(not_measured(report, {"clip_b32"}).size(), 1u);
 }
 
 TEST_F(Images, WrongInputsAreErrors) {
