@@ -62,7 +62,7 @@ class Scores : public testing::Test {
 };
 
 TEST_F(Scores, AnotherParameterFileIsAnotherScore) {
-    const fs::path file = folder_ / "weights/niqe.json";
+    const fs::path file = folder_ / "weights/modelparameters.mat";
     EXPECT_FALSE(judge().samples[0].values.contains("niqe"));
     EXPECT_EQ(judge().samples[0].notes.at("niqe").at(0).substr(0, 6), "fetch ");
     save_niqe_model(file, model_about(1.5));
@@ -81,7 +81,7 @@ TEST_F(Scores, AnotherParameterFileIsAnotherScore) {
 }
 
 TEST_F(Scores, OneMoreColumnJudgesThatAlone) {
-    save_niqe_model(folder_ / "weights/niqe.json", model_about(1.5));
+    save_niqe_model(folder_ / "weights/modelparameters.mat", model_about(1.5));
     judge();
     suite_.columns = {"niqe", "brisque"};
     const Measured both = judge();
@@ -91,7 +91,7 @@ TEST_F(Scores, OneMoreColumnJudgesThatAlone) {
 }
 
 TEST_F(Scores, PicturesThatHaveNoneAreCountedAndTransparentOnesNamed) {
-    save_niqe_model(folder_ / "weights/niqe.json", model_about(1.5));
+    save_niqe_model(folder_ / "weights/modelparameters.mat", model_about(1.5));
     save_png(folder_ / "pictures/c.png", ImageRgb8(200, 200, Rgb8{90, 90, 90}));
     const Measured measured = judge();
     const Sample& sample = measured.samples[0];
