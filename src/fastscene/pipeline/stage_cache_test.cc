@@ -118,6 +118,7 @@ TEST(StageKey, HangsOnEverythingTheFilesDependOn) {
     EXPECT_NE(base, key("walk", 8, "b", 1));
     EXPECT_NE(base, key("walk", 8, "a", 2));
     EXPECT_NE(code_version("panorama"), code_version("splat"));
+    EXPECT_NE(code_version("metrics"), code_version("scores")) << "scores hang on the code of the metrics, true pictures do not";
 }
 
 TEST(RunFolder, SlugsAreShortAndPlain) {
