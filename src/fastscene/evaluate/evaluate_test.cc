@@ -24,6 +24,7 @@ class TwoScenes : public testing::Test {
         }
         write_file(folder_ / "peer/a/minutes.txt", "10");
         write_file(folder_ / "peer/b/minutes.txt", "20");
+        make_directories(folder_ / "weights");
         suite_ = read_suite(text, "two", folder_ / "two.toml");
     }
     void TearDown() override { fs::remove_all(folder_); }
