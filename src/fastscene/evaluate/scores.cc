@@ -3,7 +3,6 @@
 #include <map>
 
 #include "fastscene/base/file.h"
-#include "fastscene/io/image_io.h"
 #include "fastscene/metrics/images.h"
 #include "fastscene/pipeline/stage_cache.h"
 
@@ -12,9 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int transparent_in(const fs::path& folder) {
+// The report names every file that is, references too.
+int transparent_in(const Json& report, const fs::path& folder) {
     int count = 0;
-    for (const fs::path& picture : pictures_in(folder, "pictures")) count += !load_alpha(picture).empty();
+    for (const Json& file : report.at("transparent")) count += file.is_string() && fs::path(file.get<std::string>()).parent_path() == folder;
     return count;
 }
 
@@ -57,12 +57,11 @@ Score score_of(const std::string& measure, const ScoreInputs& inputs, const fs::
     make_directories(kept);
     run_stage(kept, measure, stage_key("scores", what, {}, 0), run, [&](const fs::path& to) {
         run.note(fmt::format("{}: judging {} pictures", measure, pictures_in(inputs.pictures, measure).size()));
-        Json report = measure_images({inputs.pictures, inputs.reference, inputs.prompt, inputs.weights, {measure}}, Run{run.seed, nullptr, run.stop});
-        report["transparent"] = transparent_in(inputs.pictures);
+        const Json report = measure_images({inputs.pictures, inputs.reference, inputs.prompt, inputs.weights, {measure}}, Run{run.seed, nullptr, run.stop});
         write_json(to / "score.json", report);
     });
     const Json report = read_json(kept / measure / "score.json");
-    return score_from_report(report, measure, report.at("transparent"));
+    return score_from_report(report, measure, transparent_in(report, inputs.pictures));
 }
 
 }  // namespace fastscene

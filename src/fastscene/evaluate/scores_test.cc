@@ -1,6 +1,7 @@
 #include "fastscene/evaluate/scores.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -30,6 +31,16 @@ ImageRgb8 grainy(std::uint64_t seed, int spread) {
     ImageRgb8 image(200, 200);
     for (Rgb8& p : image.pixels) p.r = p.g = p.b = static_cast<std::uint8_t>(128 + random.uniform(-1, 1) * static_cast<float>(spread));
     return image;
+}
+
+// One color, half opaque.
+void save_transparent(const fs::path& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = image.height = 200;
+    image.format = PNG_FORMAT_RGBA;
+    const std::vector<png_byte> pixels(4 * 200 * 200, 128);
+    ASSERT_TRUE(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr));
 }
 
 // A model that differs in its means alone: files of one size.
@@ -95,13 +106,15 @@ TEST_F(Scores, OneMoreColumnJudgesThatAlone) {
 TEST_F(Scores, PicturesThatHaveNoneAreCountedAndTransparentOnesNamed) {
     save_niqe_model(folder_ / "weights/modelparameters.mat", model_about(1.5));
     save_png(folder_ / "pictures/c.png", ImageRgb8(200, 200, Rgb8{90, 90, 90}));
+    save_transparent(folder_ / "pictures/d.png");
     const Measured measured = judge();
     const Sample& sample = measured.samples[0];
     EXPECT_TRUE(sample.values.at("niqe").is_number());
-    ASSERT_EQ(sample.notes.at("niqe").size(), 1u);
-    EXPECT_EQ(sample.notes.at("niqe")[0].find("undefined for 1 of 3 pictures, which the mean leaves out (c.png: "), 0u) << sample.notes.at("niqe")[0];
+    ASSERT_EQ(sample.notes.at("niqe").size(), 2u);
+    EXPECT_EQ(sample.notes.at("niqe")[1], "1 of 4 pictures are transparent in parts: measured over black");
+    EXPECT_EQ(sample.notes.at("niqe")[0].find("undefined for 2 of 4 pictures, which the mean leaves out (c.png: "), 0u) << sample.notes.at("niqe")[0];
     EXPECT_EQ(sample.pictures.at("niqe").counted, 2);
-    EXPECT_EQ(sample.pictures.at("niqe").of, 3);
+    EXPECT_EQ(sample.pictures.at("niqe").of, 4);
     const Json report{{"pictures", {{{"psnr", 30.0}}, {{"psnr", "inf"}}}}, {"mean", {{"psnr", 30.0}}}, {"missing", Json::object()}, {"undefined", Json::object()}};
     const Score score = score_from_report(report, "psnr", 1);
     EXPECT_EQ(score.counted, 1);
