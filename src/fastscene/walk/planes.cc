@@ -14,6 +14,8 @@ constexpr int kDraws = 160;                // hypotheses a plane
 constexpr float kLeastShare = 0.0025f;     // of the sphere that a plane must cover
 constexpr float kAligned = 0.9f;           // cosine between a pixel's normal and its plane's
 constexpr float kHullShare = 0.03f;        // of the scene may lie behind a hull plane: what windows and doors show
+// A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the room ends.
+constexpr float kOnWall_m = 0.2f, kOnWallAligned = 0.97f;
 
 struct Sample {
     Vec3f point, normal;
@@ -116,7 +118,10 @@ std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed) {
         float behind = 0;
         for (const Sample& s : all)
             if (dot(best.normal, s.point) - best.offset < -0.1f) behind += s.weight;
-        best.hull = behind < kHullShare * sphere;
+        const bool on_wall = std::any_of(planes.begin(), planes.end(), [&](const ScenePlane& wall) {
+            return wall.hull && dot(wall.normal, best.normal) > kOnWallAligned && std::fabs(wall.offset - best.offset) < kOnWall_m;
+        });
+        best.hull = behind < kHullShare * sphere && !on_wall;
         measure_extent(best.hull ? all : left, best);
         std::erase_if(left, [&](const Sample& s) { return belongs(s, best.normal, best.offset); });
         planes.push_back(best);

@@ -197,6 +197,35 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
     }
 }
 
+// A brown door stands 5 cm before a pale wall that a wardrobe hides: what shows above the wardrobe from elsewhere is wall.
+TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const float wall = world.room.high.z, floor = world.room.high.y;
+    world.boxes = {{{1.5f, floor - 2.f, wall - 0.05f}, {2.4f, floor, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain},
+                   {{-1.8f, floor - 1.9f, wall - 0.9f}, {0.6f, floor, wall - 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain}};
+    const Panorama first = render_synthetic(world, {}, kSize);
+    WalkParams params;
+    params.viewpoints = 8;
+    params.inpainter = "harmonic";
+    params.reach_m = 1;
+    int good = 0, all = 0;
+    for (const Panorama& panorama : walk_through(first, params, {}).panoramas) {
+        const Vec3f from = panorama.world_from_pano.translation;
+        const Panorama truth = render_synthetic(world, from, kSize);
+        const ImageMask edges = near_edges(truth.range, 2);
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) {
+                if (edges.at(x, y) || panorama.known.at(x, y) != Known::invented) continue;
+                const Vec3f there = from + direction_of_pixel(x, y, kSize) * truth.range.at(x, y);
+                if (there.z < wall - 0.01f) continue;
+                good += length(panorama.color.at(x, y) - truth.color.at(x, y)) < 0.05f;
+                ++all;
+            }
+    }
+    EXPECT_GT(all, 50);
+    EXPECT_GE(good, all * 95 / 100) << all;
+}
+
 // A box room whose far wall (0.25 m thick, with a bar across) has a window; outside, the color is the direction's.
 struct Seen {
     Vec3f color;
