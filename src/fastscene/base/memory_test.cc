@@ -29,6 +29,21 @@ TEST(Memory, TheLeastOfMachineAndContainersCounts) {
     EXPECT_EQ(available_memory(root), 1500000) << "pages of files are given back";
     put("sys/fs/cgroup/batch/memory.current", "9000000\n");
     EXPECT_EQ(available_memory(root), 0);
+    put("sys/fs/cgroup/batch/memory.current", "1000000\n");
+
+    put("proc/self/cgroup", "12:cpu,cpuacct:/job\n9:memory:/docker/job\n0::/batch/job\n");
+    put("sys/fs/cgroup/memory/docker/memory.limit_in_bytes", "3000000\n");
+    put("sys/fs/cgroup/memory/docker/memory.usage_in_bytes", "2000000\n");
+    put("sys/fs/cgroup/memory/docker/memory.stat", "inactive_file 9\ntotal_inactive_file 400000\n");
+    put("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
+    put("sys/fs/cgroup/memory/memory.usage_in_bytes", "5000000\n");
+    EXPECT_EQ(available_memory(root), 1400000) << "control groups of version 1";
+
+    put("proc/self/status", "Name:\tfastscene\nVmSize:\t    1000 kB\n");
+    put("proc/self/limits", "Limit  Soft Limit  Hard Limit  Units\nMax address space         unlimited            unlimited            bytes\n");
+    EXPECT_EQ(available_memory(root), 1400000) << "a shell without a limit";
+    put("proc/self/limits", "Limit  Soft Limit  Hard Limit  Units\nMax address space         1524000              unlimited            bytes\n");
+    EXPECT_EQ(available_memory(root), 500000) << "ulimit -v";
     fs::remove_all(root);
     EXPECT_GT(available_memory(), 0);
 }

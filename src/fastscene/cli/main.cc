@@ -11,6 +11,7 @@
 #include "fastscene/cli/progress.h"
 #include "fastscene/cli/signals.h"
 #include "fastscene/cli/verb.h"
+#include "fastscene/nn/runtime.h"
 #include "fastscene/pipeline/build_info.h"
 
 namespace fastscene::cli {
@@ -91,12 +92,10 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
         return fail(e.what(), 2);
     } catch (const Stopped&) {
         return fail("stopped; what is finished stays, the same command goes on from there", 128 + signals.signal());
-    } catch (const std::bad_alloc&) {
-        return fail("not enough memory: close other programs, or use a lower --quality", 1);
     } catch (const CheckFailed& e) {
         return fail(std::string("a mistake of ours, please report it: ") + e.what(), 1);
     } catch (const std::exception& e) {
-        return fail(e.what(), 1);
+        return fail(is_lack_of_memory(e) ? "not enough memory: close other programs, or use a lower --quality" : short_message(e), 1);
     }
 }
 

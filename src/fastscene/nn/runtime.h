@@ -2,7 +2,15 @@
 // spinning ones take the core from those that work.
 #pragma once
 
+#include <exception>
+#include <string>
+
 namespace fastscene {
+
+// What went wrong, in one line: libtorch's errors without their stack.
+std::string short_message(const std::exception& error);
+// Memory that was asked for and not given, by libtorch or by anybody.
+bool is_lack_of_memory(const std::exception& error);
 
 // Gives libtorch as many threads as everything else has (base/parallel.h). Every network calls it before it runs.
 void use_our_threads();
