@@ -217,7 +217,7 @@ void check_unet(Case& c, HashedWeights& weights) {
 }
 
 void check_controlnet(Case& c, HashedWeights& weights) {
-    const nn::UNetConfig config = nn::unet_config(c.network().json().at("config"), c.network().name());
+    const nn::UNetConfig config = nn::controlnet_config(c.network().json().at("config"), c.network().name());
     const std::vector<std::int64_t> shape = c.shape("sample");
     const std::vector<std::int64_t> text_shape = c.json().contains("ctx") ? c.shape("ctx") : std::vector<std::int64_t>{shape[0], 77, config.text_width};
     const Tensor sample = raw(c.input() + "/sample", shape), text = raw(c.input() + "/ctx", text_shape);
@@ -270,7 +270,7 @@ struct Tiny {
     explicit Tiny(const Case& c) {
         const Json& models = c.network().json().at("tiny_models");
         unet_config = nn::unet_config(models.at("unet"), "unet");
-        control_config = models.contains("controlnet") ? nn::unet_config(models["controlnet"], "controlnet") : unet_config;
+        control_config = models.contains("controlnet") ? nn::controlnet_config(models["controlnet"], "controlnet") : unet_config;
         vae_config = nn::vae_config(models.at("vae"), "vae");
         tower = nn::clip_text_tower(models.at("text_encoder"), "text_encoder");
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fastscene/base/check.h"
+
 namespace fastscene::nn {
 
 using at::Tensor;
@@ -31,6 +33,7 @@ Tensor circular_decode(const Scope& s, const VaeConfig& config, const Tensor& z,
     constexpr double overlap = 0.25;
     const auto step = static_cast<std::int64_t>(static_cast<double>(tile) * (1 - overlap));
     const auto mix = static_cast<std::int64_t>(static_cast<double>(tile * scale) * overlap);
+    FASTSCENE_CHECK(step >= 1);
     const std::int64_t keep = tile * scale - mix;
     const Tensor wide = extended(z, w / 4);
     Tensor above;

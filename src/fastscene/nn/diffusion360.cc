@@ -16,6 +16,7 @@
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
 #include "fastscene/nn/sphere_tiles.h"
+#include "fastscene/nn/stoppable.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -78,6 +79,8 @@ struct Diffusion360::Parts {
     void estimate(const Run& run);
     Tensor decode(const Tensor& latents, const Run& run) const;  // [1, 3, H, W] in [0, 1]
     Tensor encode(const Tensor& unit, const Run& run) const;
+    // The control's folder is not one of the model's.
+    fs::path folder_of(const std::string& part) const { return part == "control" ? control->weights->path() : model.base / part; }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
     ImageRgb8 finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt, const Run& run, const Preview& preview) const;
 };
@@ -95,23 +98,28 @@ void Diffusion360::Parts::estimate(const Run& run) {
 }
 
 Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const {
-    const Scope s(*model.vae);
+    nn::StoppableWeights weights(*model.vae, run);
+    const Scope s(weights);
     const nn::Autocast coarse(latents.device(), settings.precision == "bf16");   // what is summed up from layer to layer stays in float
     const Tensor z = latents / model.vae_config.scale;
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
-    if (!decodes_in_tiles()) return nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam) / 2 + 0.5;
-    nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, [&] { run.check_stop(); }, {}};
-    return nn::over_sphere(z, how, [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); }) / 2 + 0.5;
+    const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}, {}};
+    const Tensor picture = decodes_in_tiles() ? nn::over_sphere(z, how, [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
+                                              : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
+    nn::expect_finite(picture, folder_of("vae"), model.options.type);
+    return picture / 2 + 0.5;
 }
 
 Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
-    const Scope s(*model.vae);
+    nn::StoppableWeights weights(*model.vae, run);
+    const Scope s(weights);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent, channels = model.vae_config.latent_channels;
-    nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, [&] { run.check_stop(); }, {}};
+    const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}, {}};
     const Tensor both = nn::over_sphere(unit * 2 - 1, how, [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part);
         return at::cat({found.mean, found.log_variance}, 1);
     });
+    nn::expect_finite(both, folder_of("vae"), model.options.type);
     const Tensor mean = both.narrow(1, 0, channels), spread = at::exp(both.narrow(1, channels, channels) / 2);
     return (mean + spread * noise(mean.sizes())) * model.vae_config.scale;
 }
@@ -125,17 +133,15 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
     how.seam = settings.published_seam ? nn::Seam::published : nn::Seam::closed;
     how.blend_columns = latent_width() / 32;
     how.noise = [&](int, const Tensor& like) { return noise(like.sizes()); };
-    how.check_stop = [&] { run.check_stop(); };
+    how.first_outputs = [&](const std::string& part, const Tensor& output) { nn::expect_finite(output, folder_of(part), model.options.type); };
     how.listener = [&](int, double, const Tensor&) { progress.advance(); };
     how.preview = [&](int step, double, const Tensor& clean) {
         if (preview && is_preview_step(step, settings.steps)) preview(nn::picture_of_unit(decode(at::avg_pool2d(clean, {2, 2}), run)));
     };
-    const Tensor latents = nn::text_to_panorama(Scope(*model.unet), model.unet_config, scheduler, std::move(start), text, how);
-    run.check_stop();
+    nn::StoppableWeights weights(*model.unet, run);
+    const Tensor latents = nn::text_to_panorama(Scope(weights), model.unet_config, scheduler, std::move(start), text, how);
+    nn::expect_finite(latents, folder_of("unet"), model.options.type);
     const Tensor decoded = decode(latents, run);
-    if (!at::isfinite(decoded).all().item<bool>())
-        throw Error("diffusion360: expected a picture, found values that are not finite; are the weights in {} whole{}?", model.base.string(),
-                    settings.precision == "bf16" ? ", or is bf16 too coarse for them (--panorama-precision float)" : "");
     progress.advance(2);
     return nn::picture_of_unit(decoded);
 }
@@ -145,6 +151,7 @@ Diffusion360::Diffusion360(const fs::path& weights, const Diffusion360Settings& 
     const c10::InferenceMode inference;
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings, from);
+    (void)nn::make_scheduler(parts_->model.options.sampler, parts_->model.schedule, settings.steps);  // refuses more steps than there are
     parts_->estimate(run);
 }
 Diffusion360::~Diffusion360() = default;
@@ -171,7 +178,8 @@ ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& 
     const nn::PhotoOnSphere placed = nn::photo_on_sphere(photo, p.settings.width, p.settings.photo_fov_deg);
     const Tensor clean = p.encode(placed.color, run);
     nn::TextToPanorama how;
-    how.control = nn::Control{Scope(*p.control->weights), p.control->config, at::cat({placed.mask, placed.color}, 1), 1};
+    nn::StoppableWeights control(*p.control->weights, run);
+    how.control = nn::Control{Scope(control), p.control->config, at::cat({placed.mask, placed.color}, 1), 1};
     how.noised = true;
     return p.finish(scheduler->noised(clean, p.noise(clean.sizes()), 0), how, *scheduler, prompt, run, preview);
 }

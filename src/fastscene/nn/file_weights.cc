@@ -1,6 +1,7 @@
 #include "fastscene/nn/file_weights.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <set>
 
@@ -14,27 +15,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The weights' files of a component's folder.
+// The parts that an index names.
+std::vector<fs::path> parts_of(const fs::path& index) {
+    const Json json = read_json(index);
+    if (!json.contains("weight_map") || !json["weight_map"].is_object()) throw Error("{}: expected \"weight_map\", found none", index.string());
+    std::set<fs::path> parts;
+    for (const auto& [key, part] : json["weight_map"].items()) {
+        if (!part.is_string() || fs::path(part.get<std::string>()).has_parent_path())
+            throw Error("{}: expected file names in \"weight_map\", found {}", index.string(), part.dump());
+        parts.insert(index.parent_path() / part.get<std::string>());
+    }
+    for (const fs::path& part : parts)
+        if (!fs::exists(part)) throw Error("{}: expected the part {} that the index names, found none", index.string(), part.filename().string());
+    return {parts.begin(), parts.end()};
+}
+
+// The weights' files of a component's folder: the names that diffusers and transformers give them.
 std::vector<fs::path> files_of(const fs::path& component) {
     if (!fs::exists(component)) throw Error("{}: expected a model's folder or file, found none", component.string());
     if (!fs::is_directory(component)) return {component};
-    for (const char* stem : {"diffusion_pytorch_model", "model", "diffusion_pytorch_model.fp16", "model.fp16"}) {
-        if (fs::exists(component / (std::string(stem) + ".safetensors"))) return {component / (std::string(stem) + ".safetensors")};
-        const fs::path index = component / (std::string(stem) + ".safetensors.index.json");
-        if (!fs::exists(index)) continue;
-        const Json json = read_json(index);
-        if (!json.contains("weight_map") || !json["weight_map"].is_object()) throw Error("{}: expected \"weight_map\", found none", index.string());
-        std::set<fs::path> parts;
-        for (const auto& [key, part] : json["weight_map"].items()) {
-            if (!part.is_string() || fs::path(part.get<std::string>()).has_parent_path()) throw Error("{}: expected file names in \"weight_map\", found {}", index.string(), part.dump());
-            parts.insert(component / part.get<std::string>());
-        }
-        for (const fs::path& part : parts)
-            if (!fs::exists(part)) throw Error("{}: expected the part {} that the index names, found none", index.string(), part.filename().string());
-        return {parts.begin(), parts.end()};
-    }
-    for (const char* name : {"diffusion_pytorch_model.bin", "pytorch_model.bin"})
-        if (fs::exists(component / name)) return {component / name};
+    using Stems = std::array<std::string, 2>;
+    for (const auto& [ending, stems] : {std::pair{".safetensors", Stems{"diffusion_pytorch_model", "model"}},
+                                        std::pair{".bin", Stems{"diffusion_pytorch_model", "pytorch_model"}}})
+        for (const std::string variant : {"", ".fp16"})
+            for (const std::string& stem : stems) {
+                if (const fs::path whole = component / (stem + variant + ending); fs::exists(whole)) return {whole};
+                // diffusers puts the variant behind "index", other programs before the ending.
+                for (const std::string& index : {stem + ending + ".index" + variant + ".json", stem + variant + ending + ".index.json"})
+                    if (fs::exists(component / index)) return parts_of(component / index);
+            }
     throw Error("{}: expected diffusion_pytorch_model or model (.safetensors or .bin), found neither", component.string());
 }
 
@@ -47,8 +56,10 @@ std::string older_name(std::string key) {
 
 }  // namespace
 
-FileWeights::FileWeights(const fs::path& component, at::TensorOptions options, bool keep) : component_(component), options_(options), keep_(keep) {
+FileWeights::FileWeights(const fs::path& component, at::TensorOptions options, bool keep, std::string_view expected)
+    : component_(component), options_(options), keep_(keep) {
     for (const fs::path& file : files_of(component)) parts_.push_back(load_weights(file));
+    if (parts_.size() == 1 && !expected.empty()) parts_[0] = unwrapped(std::move(parts_[0]), expected);
 }
 
 const WeightTensor* FileWeights::find(const std::string& key) const {

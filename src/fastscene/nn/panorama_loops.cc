@@ -11,7 +11,9 @@ using at::Tensor;
 
 namespace {
 
+// Of one prompt alone, or led from the negative one towards it.
 Tensor guided(const Tensor& both, double guidance) {
+    if (both.size(0) == 1) return both;
     const std::vector<Tensor> halves = both.chunk(2, 0);
     return halves[0] + guidance * (halves[1] - halves[0]);
 }
@@ -58,8 +60,11 @@ PromptEmbedding embed_prompt(const Scope& s, const ClipTower& tower, const Weigh
     return out;
 }
 
-Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, Tensor latents, const Tensor& text, const TextToPanorama& how) {
+Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, Tensor latents, const Tensor& prompts,
+                        const TextToPanorama& how) {
     const std::int64_t width = latents.size(3);
+    const Tensor text = how.guidance == 1 ? prompts.narrow(0, 1, 1) : prompts;
+    const auto repeated = [&](const Tensor& x) { return text.size(0) == 1 ? x : at::cat({x, x}, 0); };
     if (!how.noised) latents = latents * scheduler.init_noise_sigma();
     Tensor held;
     if (how.control) held = how.control->picture.to(text.scalar_type());
@@ -67,15 +72,15 @@ Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& sch
         if (held.defined()) held = extended(held, how.blend_columns * (held.size(3) / width));
         latents = extended(latents, how.blend_columns);
     }
-    if (held.defined()) held = at::cat({held, held}, 0);
+    if (held.defined()) held = repeated(held);
     for (int i = 0; i < scheduler.steps(); ++i) {
-        if (how.check_stop) how.check_stop();
-        const Tensor input = scheduler.scaled_input(latents, i).to(text.scalar_type());
-        const Tensor twice = at::cat({input, input}, 0);
+        const Tensor input = repeated(scheduler.scaled_input(latents, i).to(text.scalar_type()));
         const double t = scheduler.timestep(i);
         std::optional<Residuals> hold;
-        if (held.defined()) hold = controlnet(how.control->scope, how.control->config, twice, t, text, held, how.control->strength);
-        const Tensor output = guided(unet(s, config, twice, t, text, hold ? &*hold : nullptr).to(at::kFloat), how.guidance);
+        if (held.defined()) hold = controlnet(how.control->scope, how.control->config, input, t, text, held, how.control->strength);
+        if (i == 0 && hold && how.first_outputs) how.first_outputs("control", hold->middle);
+        const Tensor output = guided(unet(s, config, input, t, text, hold ? &*hold : nullptr).to(at::kFloat), how.guidance);
+        if (i == 0 && how.first_outputs) how.first_outputs("unet", output);
         if (how.preview) how.preview(i, t, scheduler.clean(output, i, latents).narrow(3, 0, width));
         latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor()).contiguous();
         if (how.listener) how.listener(i, scheduler.timestep(i), latents);

@@ -45,9 +45,10 @@ struct TextToPanorama {
     bool noised = false;             // the latents have the first step's noise already (from a photo), instead of being nothing else
     NoiseSource noise;
     StepListener listener;
+    Listener first_outputs;          // hears what the first step's networks put out: "control", "unet"
     StepListener preview;            // is given the clean latents that the step implies, [1, 4, H, W]
-    std::function<void()> check_stop;
 };
+// With guidance 1 the negative prompt does not count, and is not computed.
 // latents [1, 4, H, W] of unit variance (or noised); text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
 at::Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, at::Tensor latents, const at::Tensor& text, const TextToPanorama& how);
 

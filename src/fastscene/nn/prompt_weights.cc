@@ -92,12 +92,13 @@ class Parser {
 
 std::vector<WeightedText> parse_weights(std::string_view prompt) { return Parser().parse(prompt); }
 
-std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad, bool* cut) {
+std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad,
+                                            std::vector<bool>* cut) {
     constexpr std::size_t limit = kMaxChunks * kChunkTokens;
     std::vector<std::vector<int>> tokens;
     std::vector<std::vector<float>> weights;
     std::size_t longest = 1;
-    if (cut) *cut = false;
+    if (cut) cut->clear();
     for (const std::string& prompt : prompts) {
         std::vector<int> t;
         std::vector<float> w;
@@ -106,7 +107,7 @@ std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, cons
             t.insert(t.end(), more.begin(), more.end());
             w.resize(t.size(), static_cast<float>(piece.weight));
         }
-        if (cut && t.size() > limit) *cut = true;
+        if (cut) cut->push_back(t.size() > limit);
         t.resize(std::min(t.size(), limit));
         w.resize(t.size());
         longest = std::max(longest, t.size());

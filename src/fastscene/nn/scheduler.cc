@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/config_fields.h"
@@ -250,8 +251,9 @@ Tensor alphas_cumprod(const ScheduleConfig& c) {
     return at::cumprod(1 - betas, 0);
 }
 
-std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig& config, int steps) {
-    FASTSCENE_CHECK(steps >= 1 && steps <= config.train_steps);
+namespace {
+
+std::unique_ptr<Scheduler> scheduler_of(Sampler sampler, const ScheduleConfig& config, int steps) {
     switch (sampler) {
         case Sampler::euler_ancestral: return std::make_unique<EulerAncestral>(config, steps);
         case Sampler::ddim: return std::make_unique<Ddim>(config, steps);
@@ -259,6 +261,25 @@ std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig&
     }
     FASTSCENE_CHECK(false);
     return nullptr;
+}
+
+// Each step leads to less noise than the one before, within the schedule.
+bool goes_down(const Scheduler& scheduler, const ScheduleConfig& config) {
+    const std::vector<double>& t = scheduler.timesteps();
+    const std::vector<float>& sigma = scheduler.sigmas();
+    return t.front() <= config.train_steps - 1 && t.back() >= 0 && std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() &&
+           std::adjacent_find(sigma.begin(), sigma.end(), std::less_equal<>()) == sigma.end();
+}
+
+}  // namespace
+
+std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig& config, int steps) {
+    FASTSCENE_CHECK(steps >= 1);
+    std::unique_ptr<Scheduler> scheduler = steps <= config.train_steps ? scheduler_of(sampler, config, steps) : nullptr;
+    if (!scheduler || !goes_down(*scheduler, config))
+        throw UsageError("--panorama-steps: expected fewer than the {} of the model's schedule (\"num_train_timesteps\"), so that none repeats, found {}",
+                         config.train_steps, steps);
+    return scheduler;
 }
 
 }  // namespace fastscene::nn

@@ -65,6 +65,7 @@ class Scheduler {
     double init_noise_sigma_ = 1;
 };
 
+// Throws UsageError when the schedule has not as many different steps.
 std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig& config, int steps);
 
 }  // namespace fastscene::nn

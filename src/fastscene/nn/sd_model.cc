@@ -1,10 +1,12 @@
 #include "fastscene/nn/sd_model.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
 #include "fastscene/nn/panorama_loops.h"
+#include "fastscene/nn/stoppable.h"
 
 namespace fastscene::nn {
 namespace fs = std::filesystem;
@@ -13,9 +15,35 @@ using at::Tensor;
 
 namespace {
 
+constexpr const char* kWords = "text_model.embeddings.token_embedding.weight";
+
 Json config_in(const fs::path& folder, const char* name = "config.json") {
     if (!fs::exists(folder / name)) throw Error("{}: expected {}, found none", folder.string(), name);
     return read_json(folder / name);
+}
+
+std::string with_article(const std::string& name) {
+    return (std::string_view("AEIO").find(name.substr(0, 1)) == std::string_view::npos ? "a " : "an ") + name;
+}
+
+// The configuration of a component that must be `kind`, where the file tells its own: diffusers writes "_class_name", transformers "architectures".
+Json component_config(const fs::path& folder, const std::string& kind) {
+    const Json json = config_in(folder);
+    if (!json.is_object()) return json;  // who reads it complains
+    Json name = json.value("_class_name", Json());
+    if (const Json all = json.value("architectures", Json()); name.is_null() && all.is_array() && !all.empty()) name = all[0];
+    if (name.is_string() && name != kind && name != kind + "WithProjection")
+        throw Error("{}: expected {}, found {} (components mixed up?)",
+                    (folder / "config.json").string(), with_article(kind), with_article(name.get<std::string>()));
+    return json;
+}
+
+// "[16 reading text, 32], layers_per_block 1, in_channels 4".
+std::string outline(const UNetConfig& config) {
+    std::string levels;
+    for (std::size_t i = 0; i < config.channels.size(); ++i)
+        levels += fmt::format("{}{}{}", i ? ", " : "", config.channels[i], config.down_attention[i] ? " reading text" : "");
+    return fmt::format("[{}], layers_per_block {}, in_channels {}", levels, config.layers, config.in_channels);
 }
 
 std::string family_of(std::int64_t text_width) {
@@ -39,22 +67,29 @@ class ShapesOnly final : public WeightSource {
 }  // namespace
 
 SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), options(with) {
-    unet_config = nn::unet_config(config_in(base / "unet"), (base / "unet/config.json").string());
-    vae_config = nn::vae_config(config_in(base / "vae"), (base / "vae/config.json").string());
-    tower = clip_text_tower(config_in(base / "text_encoder"), (base / "text_encoder/config.json").string());
+    unet_config = nn::unet_config(component_config(base / "unet", "UNet2DConditionModel"), (base / "unet/config.json").string());
+    vae_config = nn::vae_config(component_config(base / "vae", "AutoencoderKL"), (base / "vae/config.json").string());
+    tower = clip_text_tower(component_config(base / "text_encoder", "CLIPTextModel"), (base / "text_encoder/config.json").string());
     schedule = schedule_config(config_in(base / "scheduler", "scheduler_config.json"), (base / "scheduler/scheduler_config.json").string(), with.sampler);
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
-    unet = std::make_unique<FileWeights>(base / "unet", with.type, with.keep);
-    vae = std::make_unique<FileWeights>(base / "vae", at::kFloat, with.keep);  // a 16-bit decoder overflows on some pictures
-    text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep);
+    unet = std::make_unique<FileWeights>(base / "unet", with.type, with.keep, "conv_in.weight");
+    vae = std::make_unique<FileWeights>(base / "vae", at::kFloat, with.keep, "decoder.conv_in.weight");  // 16 bits overflow on some pictures
+    text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep, kWords);
+    check_text();
     check_families();
     check_shapes();
+}
+
+void SdModel::check_text() const {
+    if (tower.vocabulary <= ClipTokenizer::kEnd || tower.positions < ClipTokenizer::kContext)
+        throw Error("{}: expected a \"vocab_size\" from {} and \"max_position_embeddings\" from {}, found {} and {}",
+                    (base / "text_encoder/config.json").string(), ClipTokenizer::kEnd + 1, ClipTokenizer::kContext, tower.vocabulary, tower.positions);
 }
 
 // The shapes in the files decide, whatever the configurations say.
 void SdModel::check_families() const {
     const auto looks = unet->shape_of("down_blocks.0.attentions.0.transformer_blocks.0.attn2.to_k.weight");
-    const auto words = text->shape_of("text_model.embeddings.token_embedding.weight");
+    const auto words = text->shape_of(kWords);
     if (looks.size() == 2 && words.size() == 2 && looks[1] != words[1])
         throw Error("{}: expected components of one model, found unet/ of {} (reads text of width {}) and text_encoder/ of {} (writes width {})", base.string(),
                     family_of(looks[1]), looks[1], family_of(words[1]), words[1]);
@@ -78,25 +113,47 @@ void SdModel::check_shapes() const {
 }
 
 Tensor SdModel::read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const {
-    bool cut = false;
+    const std::vector<std::string> names{"the prompt", "the negative prompt"};
+    std::vector<bool> cut;
     const auto tokens = weighted_tokens(*tokenizer, {prompt, negative}, tokenizer->pad(), &cut);
-    if (cut) run.warn(fmt::format("the prompt is longer than {} tokens: what lies beyond is not read", kMaxChunks * kChunkTokens));
-    const Scope words(*text);
-    return at::cat({embed_prompt(words, tower, tokens[1]).states, embed_prompt(words, tower, tokens[0]).states}, 0).to(options.type);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (cut[i]) run.warn(fmt::format("{} is longer than {} tokens: what lies beyond is not read", names[i], kMaxChunks * kChunkTokens));
+    if (const auto& added = tokenizer->unread(); !added.empty())
+        run.warn(fmt::format("{}: {} pieces beyond CLIP's vocabulary, such as \"{}\", are not read: the model sees their letters instead",
+                             (base / "tokenizer/added_tokens.json").string(), added.size(), added.front()));
+    StoppableWeights weights(*text, run);
+    const Scope words(weights);
+    const Tensor both = at::cat({embed_prompt(words, tower, tokens[1]).states, embed_prompt(words, tower, tokens[0]).states}, 0);
+    expect_finite(both, base / "text_encoder", at::kFloat);
+    return both.to(options.type);
 }
 
 std::string SdModel::family() const { return family_of(unet_config.text_width); }
 
 ControlModel::ControlModel(const fs::path& folder, const SdModel& model, std::int64_t channels)
-    : config(nn::unet_config(config_in(folder), (folder / "config.json").string())),
-      weights(std::make_unique<FileWeights>(folder, model.options.type, model.options.keep)) {
+    : config(nn::controlnet_config(component_config(folder, "ControlNetModel"), (folder / "config.json").string())),
+      weights(std::make_unique<FileWeights>(folder, model.options.type, model.options.keep, "conv_in.weight")) {
     if (config.text_width != model.unet_config.text_width)
         throw Error("{}: expected a ControlNet for {} of {}, found one for {}", folder.string(), model.family(), model.base.string(), family_of(config.text_width));
     if (config.picture_channels != channels)
         throw Error("{}: expected a ControlNet that takes {} channels, found {} (the one for another task?)", folder.string(), channels, config.picture_channels);
+    const UNetConfig& other = model.unet_config;  // whose skip connections it adds to
+    if (config.channels != other.channels || config.layers != other.layers || config.down_attention != other.down_attention ||
+        config.in_channels != other.in_channels)
+        throw Error("{}: expected a ControlNet with the levels of {} ({}), found {}",
+                    folder.string(), (model.base / "unet").string(), outline(other), outline(config));
+    if (const int widths = std::bit_width(static_cast<std::uint64_t>(kPixelsPerLatent)); static_cast<int>(config.picture_widths.size()) != widths)
+        throw Error("{}: expected {} widths in \"conditioning_embedding_out_channels\" ({} pixels to a latent), found {}",
+                    (folder / "config.json").string(), widths, kPixelsPerLatent, config.picture_widths.size());
     ShapesOnly shapes(*weights);
     controlnet(Scope(shapes), config, at::zeros({1, config.in_channels, 8, 8}), 1, at::zeros({1, 2, config.text_width}),
                at::zeros({1, channels, 8 * kPixelsPerLatent, 8 * kPixelsPerLatent}));
+}
+
+void expect_finite(const Tensor& output, const fs::path& component, at::ScalarType type) {
+    if (at::isfinite(output).all().item<bool>()) return;
+    throw Error("{}: expected a network that puts out numbers, found values that are not finite; are its weights whole{}?", component.string(),
+                type == at::kFloat ? "" : ", or is bf16 too coarse for them (--panorama-precision float)");
 }
 
 Tensor unit_picture(const ImageRgb8& image) {

@@ -45,6 +45,7 @@ struct SdModel {
     std::unique_ptr<FileWeights> unet, vae, text;
 
   private:
+    void check_text() const;
     void check_families() const;
     void check_shapes() const;
 };
@@ -56,6 +57,9 @@ struct ControlModel {
     UNetConfig config;
     std::unique_ptr<FileWeights> weights;
 };
+
+// Throws Error naming the component that put out what is not finite.
+void expect_finite(const at::Tensor& output, const std::filesystem::path& component, at::ScalarType type);
 
 // Pictures as networks see them, [1, 3, H, W] in [0, 1], and back (values outside are cut off).
 at::Tensor unit_picture(const ImageRgb8& image);

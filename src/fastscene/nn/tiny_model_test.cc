@@ -69,7 +69,8 @@ void write_tiny_control(const fs::path& folder, int channels, int text_width) {
                          {"conditioning_channels", channels}, {"conditioning_embedding_out_channels", {4, 4, 8, 8}}};
     write_json(folder / "config.json", config);
     HashedWeights weights;
-    nn::controlnet(Scope(weights), nn::unet_config(config, "control"), at::zeros({1, 4, 4, 4}), 1, at::zeros({1, 2, text_width}), at::zeros({1, channels, 32, 32}));
+    nn::controlnet(Scope(weights), nn::controlnet_config(config, "control"), at::zeros({1, 4, 4, 4}), 1, at::zeros({1, 2, text_width}),
+                   at::zeros({1, channels, 32, 32}));
     save(weights, folder / "diffusion_pytorch_model.safetensors");
 }
 

@@ -99,6 +99,19 @@ std::string pad_name(const fs::path& folder) {
     return "<|endoftext|>";
 }
 
+// Pieces of added_tokens.json that CLIP does not have.
+std::vector<std::string> added_pieces(const fs::path& file) {
+    std::vector<std::string> out;
+    if (!fs::exists(file)) return out;
+    const Json json = read_json(file);
+    if (!json.is_object()) throw Error("{}: expected an object of pieces and their numbers, found {}", file.string(), json.type_name());
+    for (const auto& [piece, id] : json.items()) {
+        const bool own = (piece == "<|startoftext|>" && id == ClipTokenizer::kBegin) || (piece == "<|endoftext|>" && id == ClipTokenizer::kEnd);
+        if (!own) out.push_back(piece);
+    }
+    return out;
+}
+
 void check_vocabulary(const fs::path& file) {
     const Json json = read_json(file);
     constexpr int size = ClipTokenizer::kEnd + 1;
@@ -118,6 +131,7 @@ ClipTokenizer::ClipTokenizer(const fs::path& vocabulary) {
         if (!fs::exists(merges)) throw Error("{}: expected merges.txt in the tokenizer's folder, found none", vocabulary.string());
         read_merges(read_file(merges), merges);
         if (fs::exists(vocabulary / "vocab.json")) check_vocabulary(vocabulary / "vocab.json");
+        unread_ = added_pieces(vocabulary / "added_tokens.json");
         const std::string pad = pad_name(vocabulary);
         const std::vector<int> piece = encode(pad);
         // A plain filler such as "!" is piece 0 without the end of a word.

@@ -26,6 +26,8 @@ class ClipTokenizer {
     std::vector<int> padded(std::string_view text, int pad) const;
     // The filler this folder's models were trained with: 49407 (SD 1.x) or 0 (SD 2.x, CLIP itself); a .gz gives 49407.
     int pad() const { return pad_; }
+    // Pieces that a folder's added_tokens.json puts beside CLIP's own (textual inversion): they are not known here.
+    const std::vector<std::string>& unread() const { return unread_; }
 
   private:
     void read_merges(std::string_view lines, const std::filesystem::path& path);
@@ -34,6 +36,7 @@ class ClipTokenizer {
     // (left, right) -> (rank, merged piece). Pieces: 256 bytes, 256 bytes that end a word, then one per merge.
     std::unordered_map<std::uint64_t, std::pair<int, int>> merges_;
     int pad_ = kEnd;
+    std::vector<std::string> unread_;
 };
 
 // A piece of a prompt and how much it counts: ( ) = x1.1 each, [ ] = /1.1, (text:1.3) = x1.3, \( a plain parenthesis.
@@ -52,7 +55,8 @@ struct WeightedTokens {
 };
 inline constexpr int kMaxChunks = 3, kChunkTokens = 75;
 // Several prompts padded to the same number of chunks (prompt and negative prompt share a batch). At most 225 tokens each: the rest
-// is cut off and `cut` (if given) becomes true.
-std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad, bool* cut = nullptr);
+// is cut off, and `cut` (if given) tells of which.
+std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad,
+                                            std::vector<bool>* cut = nullptr);
 
 }  // namespace fastscene

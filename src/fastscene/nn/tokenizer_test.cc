@@ -81,9 +81,9 @@ TEST_F(WithVocabulary, LongPromptsBecomeChunks) {
     const ClipTokenizer t(folder_);
     std::string words;
     for (int i = 0; i < 80; ++i) words += "1";
-    bool cut = true;
+    std::vector<bool> cut;
     const auto both = weighted_tokens(t, {"(2:1.5)" + words, "3"}, 9, &cut);
-    EXPECT_FALSE(cut);
+    EXPECT_EQ(cut, (std::vector{false, false}));
     EXPECT_EQ(both[0].chunks, 2);
     EXPECT_EQ(both[1].chunks, 2) << "a prompt and its negative go through the network together";
     EXPECT_EQ(both[0].tokens.size(), 152u);
@@ -92,8 +92,8 @@ TEST_F(WithVocabulary, LongPromptsBecomeChunks) {
     EXPECT_EQ(both[1].tokens[5], 9);
     EXPECT_EQ(both[1].tokens[151], ClipTokenizer::kEnd);
     for (int i = 0; i < 200; ++i) words += "1";
-    EXPECT_EQ(weighted_tokens(t, {words}, 9, &cut)[0].chunks, 3);
-    EXPECT_TRUE(cut);
+    EXPECT_EQ(weighted_tokens(t, {"3", words}, 9, &cut)[0].chunks, 3);
+    EXPECT_EQ(cut, (std::vector{false, true}));
 }
 
 TEST_F(WithVocabulary, DamagedVocabulariesAreRefused) {

@@ -24,9 +24,10 @@ struct UNetConfig {
     std::int64_t picture_channels = 3;
     std::vector<std::int64_t> picture_widths{16, 32, 96, 256};
 };
-// Reads config.json of UNet2DConditionModel or ControlNetModel. `where` names it in errors. Throws Error for kinds of blocks that these
-// models do not have.
+// Reads config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no way up. `where` names it in errors. Throws Error for
+// kinds of blocks that these models do not have.
 UNetConfig unet_config(const Json& json, const std::string& where);
+UNetConfig controlnet_config(const Json& json, const std::string& where);
 
 // What a ControlNet adds to the U-Net's skip connections and middle.
 struct Residuals {

@@ -5,15 +5,26 @@
 #include "fastscene/nn/unet.h"
 
 namespace fastscene::nn {
+namespace {
 
-UNetConfig unet_config(const Json& json, const std::string& where) {
+void refuse_other_models(const ConfigFields& f) {
+    if (const Json* v = f.find("addition_embed_type"))
+        throw f.wrong("addition_embed_type", "absent (Stable Diffusion 1 or 2; Stable Diffusion XL is not read)", *v);
+    for (const char* key : {"class_embed_type", "encoder_hid_dim", "time_cond_proj_dim"})
+        if (const Json* v = f.find(key)) throw f.wrong(key, "absent (Stable Diffusion 1 or 2)", *v);
+    if (const Json* v = f.find("transformer_layers_per_block"); v && *v != 1)
+        throw f.wrong("transformer_layers_per_block", "1 (Stable Diffusion 1 or 2)", *v);
+    if (const Json* act = f.find("act_fn"); act && *act != "silu") throw f.wrong("act_fn", "\"silu\"", *act);
+}
+
+UNetConfig config_of(const Json& json, const std::string& where, bool has_up) {
     const ConfigFields f(json, where);
+    refuse_other_models(f);
     UNetConfig c;
     c.in_channels = f.whole("in_channels", 4);
     c.out_channels = f.whole("out_channels", 4);
     c.channels = f.list("block_out_channels");
     c.down_attention = f.kinds("down_block_types", "CrossAttnDownBlock2D", "DownBlock2D");
-    const bool has_up = f.find("up_block_types") != nullptr;  // a ControlNet has none
     if (has_up) c.up_attention = f.kinds("up_block_types", "CrossAttnUpBlock2D", "UpBlock2D");
     if (c.down_attention.size() != c.channels.size() || (has_up && c.up_attention.size() != c.channels.size()))
         throw Error("{}: expected as many blocks as \"block_out_channels\" has entries ({}), found {} down and {} up", where, c.channels.size(),
@@ -27,6 +38,8 @@ UNetConfig unet_config(const Json& json, const std::string& where) {
     c.groups = f.find("norm_num_groups") ? f.whole("norm_num_groups", 32) : 32;
     if (c.groups < 1 || std::any_of(c.channels.begin(), c.channels.end(), [&](std::int64_t n) { return n % c.groups != 0; }))
         throw Error("{}: expected \"block_out_channels\" to be multiples of \"norm_num_groups\" = {}", where, c.groups);
+    if (c.channels[0] % 2)
+        throw Error("{}: expected \"block_out_channels\" to begin with an even number (time's sines and cosines), found {}", where, c.channels[0]);
     c.eps = f.number("norm_eps", 1e-5);
     c.text_width = f.whole("cross_attention_dim", 1280);
     c.down_pad = f.whole("downsample_padding", 1);
@@ -34,13 +47,14 @@ UNetConfig unet_config(const Json& json, const std::string& where) {
     c.cos_first = f.flag("flip_sin_to_cos", true);
     c.linear_projection = f.flag("use_linear_projection", false);
     c.attention_in_float = f.flag("upcast_attention", false);
-    if (const Json* act = f.find("act_fn"); act && *act != "silu") throw f.wrong("act_fn", "\"silu\"", *act);
-    if (f.whole("transformer_layers_per_block", 1) != 1) throw f.wrong("transformer_layers_per_block", "1 (Stable Diffusion 1 or 2)", *f.find("transformer_layers_per_block"));
-    for (const char* key : {"class_embed_type", "addition_embed_type", "encoder_hid_dim", "time_cond_proj_dim"})
-        if (const Json* v = f.find(key)) throw f.wrong(key, "absent (Stable Diffusion 1 or 2)", *v);
     c.picture_channels = f.whole("conditioning_channels", 3);
     if (f.find("conditioning_embedding_out_channels")) c.picture_widths = f.list("conditioning_embedding_out_channels");
     return c;
 }
+
+}  // namespace
+
+UNetConfig unet_config(const Json& json, const std::string& where) { return config_of(json, where, true); }
+UNetConfig controlnet_config(const Json& json, const std::string& where) { return config_of(json, where, false); }
 
 }  // namespace fastscene::nn

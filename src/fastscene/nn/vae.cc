@@ -1,5 +1,7 @@
 #include "fastscene/nn/vae.h"
 
+#include <algorithm>
+
 #include "fastscene/nn/config_fields.h"
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/unet_blocks.h"
@@ -48,8 +50,17 @@ VaeConfig vae_config(const Json& json, const std::string& where) {
     c.sample_size = f.whole("sample_size", 512);
     c.scale = f.number("scaling_factor", 0.18215);
     if (!(c.scale > 0)) throw Error("{}: expected \"scaling_factor\" > 0, found {}", where, c.scale);
-    f.kinds("down_block_types", "DownEncoderBlock2D", "DownEncoderBlock2D");
-    f.kinds("up_block_types", "UpDecoderBlock2D", "UpDecoderBlock2D");
+    if (c.latent_channels < 1) throw Error("{}: expected \"latent_channels\" from 1, found 0", where);
+    const std::size_t down = f.kinds("down_block_types", "DownEncoderBlock2D", "DownEncoderBlock2D").size();
+    const std::size_t up = f.kinds("up_block_types", "UpDecoderBlock2D", "UpDecoderBlock2D").size();
+    if (down != c.channels.size() || up != c.channels.size())
+        throw Error("{}: expected as many blocks as \"block_out_channels\" has entries ({}), found {} down and {} up",
+                    where, c.channels.size(), down, up);
+    if (c.groups < 1 || std::any_of(c.channels.begin(), c.channels.end(), [&](std::int64_t n) { return n % c.groups != 0; }))
+        throw Error("{}: expected \"block_out_channels\" to be multiples of \"norm_num_groups\", found {} groups", where, c.groups);
+    // Tiles overlap by a quarter, in latents too.
+    if (c.sample_size < 4 * c.factor() || c.sample_size % (4 * c.factor()))
+        throw Error("{}: expected \"sample_size\" to be a multiple of {} pixels (four latents), found {}", where, 4 * c.factor(), c.sample_size);
     return c;
 }
 

@@ -97,6 +97,11 @@ Weights load_weights(const std::filesystem::path& path) {
     if (text.size() > 2 && text[0] == '\x80' && static_cast<unsigned char>(text[1]) <= 5) return load_torch_legacy(file);
     // A header's length below 2^32, then "{".
     if (text.size() > 8 && text[8] == '{') return load_safetensors(file);
+    if (text.starts_with("version https://git-lfs.github.com/"))
+        throw Error("{}: expected weights, found a pointer of Git LFS that stands for them ({} bytes): fetch the file itself (git lfs pull, or download it)",
+                    path.string(), text.size());
+    if (text.starts_with("<!") || text.starts_with("<html"))
+        throw Error("{}: expected weights, found a web page: was the download refused?", path.string());
     throw Error("{}: expected weights (.safetensors, or a file of torch.save), found {} bytes that begin otherwise", path.string(), text.size());
 }
 

@@ -1,0 +1,24 @@
+// Stopping in the middle of a network: a step of a large picture takes minutes, a layer seconds. Private to nn/ (torch).
+#pragma once
+
+#include "fastscene/base/run.h"
+#include "fastscene/nn/scope.h"
+
+namespace fastscene::nn {
+
+// The same parameters; whenever a layer asks for one, Stopped is thrown if somebody asked the run to stop.
+class StoppableWeights final : public WeightSource {
+  public:
+    StoppableWeights(WeightSource& weights, const Run& run) : weights_(weights), run_(run) {}
+    at::Tensor get(const std::string& key, at::IntArrayRef shape) override {
+        run_.check_stop();
+        return weights_.get(key, shape);
+    }
+    bool has(const std::string& key) const override { return weights_.has(key); }
+
+  private:
+    WeightSource& weights_;
+    const Run& run_;
+};
+
+}  // namespace fastscene::nn
