@@ -49,9 +49,26 @@ void accept_licence(const Model& model, const PullOptions& options) {
     write_json(licences_of(options.root), all);
 }
 
+// RFC 3986: all but its unreserved characters and those that are to stay.
+std::string percent_encoded(std::string_view text, std::string_view stays) {
+    std::string out;
+    for (const unsigned char c : text) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~").find(static_cast<char>(c)) != std::string_view::npos;
+        if (plain || stays.find(static_cast<char>(c)) != std::string_view::npos)
+            out += static_cast<char>(c);
+        else
+            out += fmt::format("%{:02X}", c);
+    }
+    return out;
+}
+
 // A folder is an address too.
 std::string mirror_base(const std::string& mirror) {
-    std::string base = mirror.find("://") == std::string::npos ? "file://" + fs::absolute(mirror).lexically_normal().string() : mirror;
+    constexpr std::string_view local = "file://";
+    std::string base = mirror;
+    if (mirror.find("://") == std::string::npos) base = std::string(local) + percent_encoded(fs::absolute(mirror).lexically_normal().string(), "/");
+    // After a file:// of the user's too, but what is encoded there already stays.
+    else if (mirror.starts_with(local)) base = std::string(local) + percent_encoded(std::string_view(mirror).substr(local.size()), "/%");
     while (base.ends_with('/')) base.pop_back();
     return base + "/";
 }
@@ -68,15 +85,70 @@ std::string hash_with_progress(const fs::path& file, const std::string& label, c
     });
 }
 
+void record(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
+    Json json = read_or_empty(record_of(model, root));
+    json["model"] = model.name;
+    json["licence"] = model.licence;
+    for (const FileReport& file : files)
+        if (!file.sha256.empty()) json["files"][file.name] = {{"bytes", file.bytes}, {"sha256", file.sha256}};
+    write_json(record_of(model, root), json);
+}
+
+// What was seen for the first time.
+void record_fresh(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
+    std::vector<FileReport> fresh;
+    for (const FileReport& file : files)
+        if (file.state == FileState::recorded) fresh.push_back(file);
+    if (!fresh.empty()) record(model, root, fresh);
+}
+
+std::string recorded_hash(const Json& record, const std::string& name) {
+    const auto files = record.find("files");
+    if (files == record.end() || !files->contains(name)) return "";
+    return (*files)[name].value("sha256", "");
+}
+
+// The file as it is, whatever its size.
+std::optional<fs::path> any_file(const Model& model, const ModelFile& file, const fs::path& root) {
+    for (const std::string& name : file.names())
+        if (fs::is_regular_file(root / model.folder / name)) return root / model.folder / name;
+    return std::nullopt;
+}
+
+FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root, const Run& run) {
+    const auto path = any_file(model, file, root);
+    if (!path) return {file.names().front(), FileState::missing, 0, {}, !file.sha256.empty(), "not there"};
+    FileReport report{path->lexically_relative(root / model.folder).string(), FileState::here, static_cast<std::int64_t>(fs::file_size(*path)), {}, !file.sha256.empty(), {}};
+    report.sha256 = hash_with_progress(*path, path->filename().string(), run);
+    const std::string expected = file.sha256.empty() ? recorded_hash(record, report.name) : file.sha256;
+    if (report.bytes == 0) {
+        report.state = FileState::damaged;
+        report.problem = "expected a file, found one of 0 bytes";
+    } else if (file.bytes > 0 && report.bytes != file.bytes) {
+        report.state = FileState::damaged;
+        report.problem = fmt::format("expected {} bytes, found {}", file.bytes, report.bytes);
+    } else if (expected.empty()) {
+        report.state = FileState::recorded;
+    } else if (report.sha256 != expected) {
+        report.state = FileState::damaged;
+        report.problem = fmt::format("expected SHA-256 {}, found {}", expected, report.sha256);
+    }
+    return report;
+}
+
 class Pull {
   public:
-    Pull(const Model& model, const PullOptions& options, const Run& run) : model_(model), options_(options), run_(run) {}
+    Pull(const Model& model, const PullOptions& options, const Run& run)
+        : model_(model), options_(options), run_(run), known_(read_or_empty(record_of(model, options.root))) {}
 
+    // The file as it is here, when it is whole. What is damaged gives way only when another one has come.
+    std::optional<FileReport> here(const ModelFile& file) const {
+        FileReport report = verified(model_, file, known_, options_.root, run_);
+        if (report.state == FileState::damaged) run_.note(fmt::format("{}/{}: {}; to be fetched again", model_.name, report.name, report.problem));
+        if (report.state != FileState::here && report.state != FileState::recorded) return std::nullopt;
+        return report;
+    }
     FileReport file(const ModelFile& file) const {
-        if (const auto here = file_in_cache(model_, file, options_.root)) {
-            const auto name = here->lexically_relative(options_.root / model_.folder).string();
-            return {name, FileState::here, static_cast<std::int64_t>(fs::file_size(*here)), {}, !file.sha256.empty(), {}};
-        }
         for (const std::string& name : file.names())
             if (const auto fetched = fetch(file, name)) return *fetched;
         throw Error("{}: expected {}, found no such file", model_.name, address_of(model_, file, file.names().front(), options_));
@@ -112,47 +184,8 @@ class Pull {
     const Model& model_;
     const PullOptions& options_;
     const Run& run_;
+    const Json known_;
 };
-
-void record(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
-    Json json = read_or_empty(record_of(model, root));
-    json["model"] = model.name;
-    json["licence"] = model.licence;
-    for (const FileReport& file : files)
-        if (!file.sha256.empty()) json["files"][file.name] = {{"bytes", file.bytes}, {"sha256", file.sha256}};
-    write_json(record_of(model, root), json);
-}
-
-std::string recorded_hash(const Json& record, const std::string& name) {
-    const auto files = record.find("files");
-    if (files == record.end() || !files->contains(name)) return "";
-    return (*files)[name].value("sha256", "");
-}
-
-// The file as it is, whatever its size.
-std::optional<fs::path> any_file(const Model& model, const ModelFile& file, const fs::path& root) {
-    for (const std::string& name : file.names())
-        if (fs::is_regular_file(root / model.folder / name)) return root / model.folder / name;
-    return std::nullopt;
-}
-
-FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root, const Run& run) {
-    const auto path = any_file(model, file, root);
-    if (!path) return {file.names().front(), FileState::missing, 0, {}, !file.sha256.empty(), "not there"};
-    FileReport report{path->lexically_relative(root / model.folder).string(), FileState::here, static_cast<std::int64_t>(fs::file_size(*path)), {}, !file.sha256.empty(), {}};
-    report.sha256 = hash_with_progress(*path, path->filename().string(), run);
-    const std::string expected = file.sha256.empty() ? recorded_hash(record, report.name) : file.sha256;
-    if (file.bytes > 0 && report.bytes != file.bytes) {
-        report.state = FileState::damaged;
-        report.problem = fmt::format("expected {} bytes, found {}", file.bytes, report.bytes);
-    } else if (expected.empty()) {
-        report.state = FileState::recorded;
-    } else if (report.sha256 != expected) {
-        report.state = FileState::damaged;
-        report.problem = fmt::format("expected SHA-256 {}, found {}", expected, report.sha256);
-    }
-    return report;
-}
 
 }  // namespace
 
@@ -187,8 +220,12 @@ bool is_accepted(const Model& model, const fs::path& root) { return read_or_empt
 
 ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run) {
     ModelReport report{model.name, options.root / model.folder, {}};
-    if (is_in_cache(model, options.root)) {
-        for (const ModelFile& file : model.files) report.files.push_back(Pull(model, options, run).file(file));
+    const Pull pull(model, options, run);
+    std::vector<std::optional<FileReport>> here;
+    for (const ModelFile& file : model.files) here.push_back(pull.here(file));
+    if (std::all_of(here.begin(), here.end(), [](const auto& file) { return file.has_value(); })) {
+        for (const auto& file : here) report.files.push_back(*file);
+        record_fresh(model, options.root, report.files);
         return report;
     }
     if (model.by_hand() && options.mirror.empty())
@@ -198,8 +235,8 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
     accept_licence(model, options);
     make_directories(report.folder);
     const Lock lock(model, options.root);
-    for (const ModelFile& file : model.files) {
-        report.files.push_back(Pull(model, options, run).file(file));
+    for (std::size_t i = 0; i < model.files.size(); ++i) {
+        report.files.push_back(here[i] ? *here[i] : pull.file(model.files[i]));
         record(model, options.root, report.files);  // what is whole stays known, whatever happens to the rest
     }
     return report;
@@ -208,12 +245,8 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
 ModelReport verify_model(const Model& model, const fs::path& root, const Run& run) {
     ModelReport report{model.name, root / model.folder, {}};
     const Json known = read_or_empty(record_of(model, root));
-    std::vector<FileReport> fresh;
-    for (const ModelFile& file : model.files) {
-        report.files.push_back(verified(model, file, known, root, run));
-        if (report.files.back().state == FileState::recorded) fresh.push_back(report.files.back());
-    }
-    if (!fresh.empty()) record(model, root, fresh);
+    for (const ModelFile& file : model.files) report.files.push_back(verified(model, file, known, root, run));
+    record_fresh(model, root, report.files);
     return report;
 }
 

@@ -18,7 +18,7 @@ struct TinyModel {
 void write_tiny_model(const std::filesystem::path& folder, const TinyModel& model = {});
 // A ControlNet for such a model; `channels` of the picture it holds on to.
 void write_tiny_control(const std::filesystem::path& folder, int channels, int text_width = 32);
-// Real-ESRGAN for twice the size, with two blocks.
+// Real-ESRGAN for twice the size, with two blocks; everything inside of "params_ema", as in the official file.
 void write_tiny_enlarger(const std::filesystem::path& file);
 
 }  // namespace fastscene

@@ -21,9 +21,9 @@ using nn::Scope;
 
 namespace {
 
-void save(const HashedWeights& weights, const fs::path& file) {
+void save(const HashedWeights& weights, const fs::path& file, const std::string& inside = "") {
     Weights out;
-    for (const auto& [key, tensor] : weights.seen()) out.tensors[key] = nn::weight_of(tensor);
+    for (const auto& [key, tensor] : weights.seen()) out.tensors[inside + key] = nn::weight_of(tensor);
     save_safetensors(file, out);
 }
 
@@ -78,7 +78,7 @@ void write_tiny_enlarger(const fs::path& file) {
     const c10::InferenceMode inference;
     HashedWeights weights;
     nn::rrdbnet(Scope(weights), {8, 2, 4, 2}, at::zeros({1, 3, 4, 4}));
-    save(weights, file);
+    save(weights, file, "params_ema.");
 }
 
 }  // namespace fastscene

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -29,12 +30,17 @@ class Upscale360 {
     Upscale360(const std::filesystem::path& weights, int width, const Upscale360Settings& settings, const Run& run);
     ~Upscale360();
     Upscale360(Upscale360&&) noexcept;
+    // Hears of each step before it is made ("3", "6", "6-refined": what its picture is) and returns `make()`, or what that returned earlier.
+    using Keep = std::function<ImageRgb8(const std::string& step, const std::function<ImageRgb8()>& make)>;
     // `prompt` as the user wrote it.
-    ImageRgb8 enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run) const;
+    ImageRgb8 enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run, const Keep& keep = {}) const;
 
   private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+// How many times as long as the painting, of `width` in `painting_steps`, all of this takes: an estimate from the sizes of the networks.
+double times_the_painting(int width, int painting_steps, const Upscale360Settings& settings);
 
 }  // namespace fastscene

@@ -5,10 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/image/orientation.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/diffusion360.h"
+#include "fastscene/nn/painting_files.h"
 #include "fastscene/nn/upscale360.h"
+#include "fastscene/panorama/kept_pictures.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -24,54 +28,92 @@ Diffusion360 painter(const PaintingSource& source, const PanoramaParams& params,
     return {source.weights, settings_of(params), run, source.photo.empty() ? Diffusion360::From::text : Diffusion360::From::photo};
 }
 
-std::optional<Upscale360> enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
+Upscale360Settings enlarging_of(const PanoramaParams& params) {
     const Diffusion360Settings& painting = params.diffusion;
-    if (painting.upscale == "none") return std::nullopt;
     Upscale360Settings settings;
     settings.to = painting.upscale;
     settings.precision = painting.precision;
     settings.low_memory = painting.low_memory;
     settings.negative = painting.negative;
-    return Upscale360(source.weights, params.width, settings, run);
+    return settings;
+}
+
+double times_of(const PanoramaParams& params) { return times_the_painting(params.width, params.diffusion.steps, enlarging_of(params)); }
+
+std::optional<Upscale360> enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
+    if (params.diffusion.upscale == "none") return std::nullopt;
+    return Upscale360(source.weights, params.width, enlarging_of(params), run);
+}
+
+// The photo as it was meant to be seen.
+ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo), picture_info(photo).orientation); }
+
+// Names, sizes and samples of the files: large ones are not read as a whole.
+std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& root) {
+    constexpr std::uintmax_t sample = 1 << 12, samples = 64;
+    Hash hash;
+    for (const fs::path& file : files) {
+        std::ifstream in(file, std::ios::binary);
+        if (!in) throw Error("{}: cannot be opened", file.string());
+        const std::uintmax_t size = fs::file_size(file);
+        hash.add(file.lexically_relative(root).string()).add(static_cast<std::uint64_t>(size));
+        std::string bytes(std::min(size, sample), '\0');
+        for (std::uintmax_t i = 0; i < samples && (i == 0 || size > sample); ++i) {
+            in.seekg(static_cast<std::streamoff>((size - bytes.size()) / (samples - 1) * i));
+            if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) throw Error("{}: cannot be read", file.string());
+            hash.add(bytes);
+        }
+    }
+    return hash.hex();
+}
+
+// All that the painting hangs on, and nothing of what is made of it later.
+std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run, const std::string& salt) {
+    Diffusion360Settings painting = params.diffusion;
+    painting.upscale = "none";
+    return Hash().add(salt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.prompt).add(run.seed)
+        .add(source.photo.empty() ? std::string() : read_file(source.photo)).add(params.width).add(fields_json(painting).dump()).hex();
+}
+
+std::string time_text(double seconds) {
+    return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
 }  // namespace
 
 void check_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
-    if (!source.photo.empty()) (void)load_rgb8(source.photo);
+    if (!source.photo.empty()) (void)upright_photo(source.photo);
     (void)painter(source, params, run);
-    (void)enlarger(source, params, run);
+    if (enlarger(source, params, run)) run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as the painting", params.diffusion.upscale, times_of(params)));
 }
 
-std::string diffusion360_identity(const fs::path& weights) {
-    constexpr std::size_t beginning = 1 << 12;  // a safetensors file begins with the names and places of all tensors
-    std::vector<fs::path> files;
-    if (fs::is_directory(weights))
-        for (const auto& entry : fs::recursive_directory_iterator(weights))
-            if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    Hash hash;
-    for (const fs::path& file : files) {
-        std::string bytes(beginning, '\0');
-        std::ifstream in(file, std::ios::binary);
-        in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-        hash.add(fs::relative(file, weights).string()).add(static_cast<std::uint64_t>(fs::file_size(file))).add(bytes);
-    }
-    return hash.hex();
-}
+std::string diffusion360_identity(const fs::path& weights, bool from_photo) { return hash_of_files(painting_files(weights, from_photo), weights); }
 
-ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look) {
+std::string enlarger_identity(const fs::path& weights, const std::string& to) { return hash_of_files(enlarging_files(weights, to), weights); }
+
+ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look, const PaintingMemory& memory) {
     const Run quiet{run.seed, nullptr, run.stop};  // what it needs was said when the request was checked
-    ImageRgb8 picture = [&] {  // the painter's networks leave memory before those that enlarge come
+    const KeptPictures kept(memory.folder);
+    std::string key = painting_key(source, params, run, memory.salt);
+    KeptPicture found = kept.get("1", key, [&] {  // the painter's networks leave memory before those that enlarge come
         const Diffusion360 with = painter(source, params, quiet);
-        return source.photo.empty() ? with.paint(source.prompt, run, look) : with.paint_around(load_rgb8(source.photo), source.prompt, run, look);
-    }();
-    if (const auto larger = enlarger(source, params, quiet)) {
-        if (look) look(picture);
-        picture = larger->enlarge(picture, source.prompt, run);
-    }
-    return picture;
+        return source.photo.empty() ? with.paint(source.prompt, run, look) : with.paint_around(upright_photo(source.photo), source.prompt, run, look);
+    });
+    if (found.was_there) run.note(fmt::format("the painting was there already: {}", kept.file_of("1").string()));
+    const auto larger = enlarger(source, params, quiet);
+    if (!larger) return std::move(found.picture);
+    if (look) look(found.picture);
+    const double about = found.seconds * times_of(params);
+    bool said = false;
+    return larger->enlarge(found.picture, source.prompt, run, [&](const std::string& step, const std::function<ImageRgb8()>& make) {
+        key = Hash().add(key).add(step).add(enlarger_identity(source.weights, step)).hex();
+        KeptPicture one = kept.get(step, key, [&] {
+            if (!std::exchange(said, true)) run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", params.diffusion.upscale, time_text(about), time_text(found.seconds)));
+            return make();
+        });
+        if (one.was_there) run.note(fmt::format("{} times as large: was there already: {}", step, kept.file_of(step).string()));
+        return std::move(one.picture);
+    });
 }
 
 }  // namespace fastscene

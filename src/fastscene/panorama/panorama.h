@@ -70,11 +70,17 @@ RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParam
 struct PaintingSource {
     std::string prompt;
     std::filesystem::path weights;  // a folder as diffusers saves it, or the official folder of several
-    std::filesystem::path photo;    // continued all around; empty: none
+    std::filesystem::path photo;    // continued all around, turned upright as EXIF says; empty: none
+};
+// Where the painting and each larger picture are kept, so that a run that was stopped goes on behind them; `salt`: of another, nothing is taken.
+struct PaintingMemory {
+    std::filesystem::path folder;   // empty: nothing is kept
+    std::string salt;
 };
 // params.width x params.width / 2, or as many times larger as params.diffusion.upscale says; sRGB. `look` is shown what the picture is going
 // to be, at half its size. Throws Error as check_diffusion360 (diffusion360.h) does.
-ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look = {});
+ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look = {},
+                                   const PaintingMemory& memory = {});
 
 // Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is exposed as a film would;
 // turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.

@@ -29,10 +29,42 @@ void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
     for (const PromptWord& word : prompt.words_with(PromptWord::Fate::approximated)) run.note(word.words + ": " + word.meaning);
 }
 
-std::string describe(const Json& recorded) {
-    const std::string picture = recorded.value("picture", "");
-    const std::string what = picture.empty() ? "the prompt \"" + recorded.value("prompt", "") + "\"" : "the picture " + picture;
-    return fmt::format("{}, seed {}", what, recorded.value("seed", std::uint64_t{0}));
+void add_more(const fs::path& list, Hash& hash) {
+    hash.add("more").add(read_file(list));
+    for (const MorePanorama& more : read_more_panoramas(list)) hash.add(read_file(more.color)).add(more.range.empty() ? std::string() : read_file(more.range));
+}
+
+// Hashes of the files that a run is made from, by their names in run.json.
+Json contents_of(const SceneSource& source) {
+    Json out = Json::object();
+    if (!source.weights.empty()) out["weights"] = diffusion360_identity(source.weights, !source.photo.empty());
+    const std::pair<const char*, fs::path> files[] = {{"picture", source.picture}, {"range_map", source.range_map}, {"photo", source.photo}};
+    for (const auto& [name, file] : files)
+        if (!file.empty()) out[name] = Hash().add(read_file(file)).hex();
+    if (!source.more.empty()) {
+        Hash hash;
+        add_more(source.more, hash);
+        out["more"] = hash.hex();
+    }
+    return out;
+}
+
+// For people: prompt or picture, seed, and which of the files are others than those of `other`.
+std::string describe(const Json& run, const Json& other) {
+    const std::string picture = run.value("picture", "");
+    std::string text = picture.empty() ? "the prompt \"" + run.value("prompt", "") + "\"" : "the picture " + picture;
+    text += fmt::format(", seed {}", run.value("seed", std::uint64_t{0}));
+    const auto content = [](const Json& json, const char* name) { return json.value("contents", Json::object()).value(name, ""); };
+    for (const auto& [name, called] : {std::pair{"picture", "picture"}, {"range_map", "range map"}, {"weights", "weights"}, {"photo", "photo"}, {"more", "further panoramas"}}) {
+        const std::string own = content(run, name);
+        if (own == content(other, name)) continue;
+        const std::string path = run.value(name, "");
+        if (path.empty())
+            text += fmt::format(", no {}", called);
+        else
+            text += fmt::format(", {} {} ({})", called, path, own.empty() ? "contents not recorded" : "contents " + own.substr(0, 8));
+    }
+    return text;
 }
 
 Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
@@ -46,6 +78,7 @@ Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
     if (!request.source.weights.empty()) json["weights"] = fs::absolute(request.source.weights).string();
     if (!request.source.photo.empty()) json["photo"] = fs::absolute(request.source.photo).string();
     json["identity"] = identity_of(request.source);
+    json["contents"] = contents_of(request.source);
     json["seed"] = seed;
     json["quality"] = request.quality;
     json["params"] = json_of_params(request.params);
@@ -105,16 +138,12 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
 std::string identity_of(const SceneSource& source) {
     Hash hash;
     if (!source.weights.empty())
-        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights)).add(source.photo.empty() ? std::string() : read_file(source.photo));
+        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.photo.empty() ? std::string() : read_file(source.photo));
     else if (source.picture.empty())
         hash.add("prompt").add(source.prompt);
     else
         hash.add("picture").add(read_file(source.picture)).add(source.range_map.empty() ? std::string() : read_file(source.range_map));
-    if (!source.more.empty()) {
-        hash.add("more").add(read_file(source.more));
-        for (const MorePanorama& more : read_more_panoramas(source.more))
-            hash.add(read_file(more.color)).add(more.range.empty() ? std::string() : read_file(more.range));
-    }
+    if (!source.more.empty()) add_more(source.more, hash);
     return hash.hex();
 }
 
@@ -131,7 +160,7 @@ void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uin
         if (recorded.value("identity", "") != wanted.at("identity") || recorded.value("seed", std::uint64_t{0}) != seed)
             throw UsageError("{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or --force to "
                              "throw that run away",
-                             folder.root.string(), describe(wanted), describe(recorded));
+                             folder.root.string(), describe(wanted, recorded), describe(recorded, wanted));
     } else {
         for (const std::string& name : RunFolder::owned())
             if (fs::exists(folder.root / name))

@@ -8,6 +8,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/pipeline/identity.h"
 #include "fastscene/pipeline/share.h"
@@ -26,6 +27,8 @@ class Stream {
         // Another furniture pack furnishes another room.
         if (request.source.picture.empty())
             if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
+        const std::string& to = request.params.panorama.diffusion.upscale;
+        if (!request.source.weights.empty() && to != "none") inputs_.push_back(enlarger_identity(request.source.weights, to));
     }
 
     // `make` writes the stage's files into the directory it is given.

@@ -20,6 +20,8 @@ struct RunFolder {
     std::filesystem::path preview_jpg() const { return root / "preview.jpg"; }
     std::filesystem::path credits_txt() const { return root / "credits.txt"; }
 
+    // Diffusion360's picture, 1.png, and what was made of it, 3.png, 6.png …: kept, so that neither is made twice.
+    std::filesystem::path painting() const { return root / "painting"; }
     std::filesystem::path stage(std::string_view name) const { return root / name; }
     std::filesystem::path panorama_color() const { return root / "panorama" / "color.png"; }
     // Further panoramas of the user's, turned as the first: NNN.png with poses.json, NNN.exr.

@@ -13,6 +13,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
+#include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/fit_report.h"
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/panorama.h"
@@ -143,7 +144,8 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
             if (!fs::exists(look)) run.note(fmt::format("a first look: {}", look.string()));
             save_png(look, preview);
         };
-        panorama.color = linear_from_srgb8(panorama_by_diffusion360({source.prompt, source.weights, source.photo}, params, run, shown));
+        panorama.color = linear_from_srgb8(panorama_by_diffusion360({source.prompt, source.weights, source.photo}, params, run, shown,
+                                                                           {RunFolder{out.parent_path()}.painting(), code_version("panorama")}));
         fs::remove(look);
         prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
         if (!source.photo.empty()) prompt["photo"] = source.photo.filename().string();
