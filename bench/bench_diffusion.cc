@@ -144,6 +144,12 @@ Json cost(int width, int steps, at::ScalarType type) {
         out["decoder_error_of_deviation"] = ((picture - exact).square().mean().sqrt() / exact.std()).item<double>();
     }
     const double step = *std::min_element(seconds.begin(), seconds.end());
+    // The first look comes after a tenth of the steps, the second halfway; both are decoded at half the size.
+    const double looked = cpu_seconds();
+    nn::circular_decode(Scope(decoder), pictures, at::avg_pool2d(z, {2, 2}), 64);
+    const double look = cpu_seconds() - looked;
+    out["preview_decode_cpu_s"] = look;
+    out["first_preview_share"] = (2 * step + look) / (20 * step + 2 * look + out["decode_cpu_s"].get<double>());
     out["twenty_steps_cpu_min_extrapolated"] = (20 * step + out["decode_cpu_s"].get<double>()) / 60;
     return out;
 }

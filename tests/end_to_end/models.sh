@@ -6,6 +6,10 @@ for name in diffusion360 egformer aotgan-places2 lpips clip-vit-large-patch14; d
 prints "licence: "
 expect 0 "$fastscene" models list --json
 prints '"sha256"'
+prints "https://download.pytorch.org/models/vgg19-dcbb9e9d.pth"
+expect 0 "$fastscene" models list
+prints "egformer/EGformer_pretrained.pkl"
+prints "diffusion360/sd-base/unet/diffusion_pytorch_model.safetensors or diffusion360/sd-base/unet/diffusion_pytorch_model.bin"
 expect 0 "$fastscene" models path egformer
 prints "$FASTSCENE_MODELS/egformer"
 expect 2 "$fastscene" models
@@ -32,8 +36,12 @@ prints "hash not known beforehand"
 printf x >>"$FASTSCENE_MODELS/egformer/EGformer_pretrained.pkl"
 expect 1 "$fastscene" models verify egformer
 prints "damaged"
+says "models pull egformer --mirror"
 expect 0 "$fastscene" models list
 prints "here, 201 kB"
+expect 0 "$fastscene" models pull egformer --mirror mirror
+prints "fetched"
+expect 0 "$fastscene" models verify egformer
 
 # A hash that is known is insisted on.
 mkdir -p mirror/niqe && head -c 8347 /dev/zero >mirror/niqe/modelparameters.mat

@@ -38,10 +38,19 @@ std::string state_text(const Model& model, const Presence& here) {
 
 Json json_of(const Model& model, const Presence& here) {
     Json files = Json::array();
-    for (const ModelFile& file : model.files)
-        files.push_back({{"name", file.name}, {"bytes", file.bytes ? Json(file.bytes) : Json()}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}});
+    for (const ModelFile& file : model.files) {
+        const std::vector<std::string> urls = urls_of(model, file);
+        files.push_back({{"name", file.name}, {"names", file.names()}, {"urls", urls}, {"bytes", file.bytes ? Json(file.bytes) : Json()}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}});
+    }
     return {{"name", model.name}, {"what", model.what}, {"use", model.use}, {"licence", model.licence}, {"licence_url", model.licence_url}, {"home", model.home},
-            {"folder", (models_root() / model.folder).string()}, {"here", here.files == model.files.size()}, {"accepted", is_accepted(model)}, {"files", files}};
+            {"by_hand", model.by_hand()}, {"mirror_folder", model.folder}, {"folder", (models_root() / model.folder).string()}, {"here", here.files == model.files.size()}, {"accepted", is_accepted(model)}, {"files", files}};
+}
+
+// As a mirror has it: FOLDER/FILE, or one of several.
+std::string file_text(const Model& model, const ModelFile& file) {
+    std::string text;
+    for (const std::string& name : file.names()) text += (text.empty() ? "" : " or ") + model.folder + "/" + name;
+    return text + (file.bytes > 0 ? ", " + size_text(file.bytes) : "");
 }
 
 void list(const Session& session) {
@@ -50,6 +59,7 @@ void list(const Session& session) {
     for (const Model& model : models()) {
         const Presence here = presence_of(model);
         text += fmt::format("{:<23} {:<22} {}\n{:<23} {:<22} licence: {}\n", model.name, state_text(model, here), model.what, "", "", model.licence);
+        for (const ModelFile& file : model.files) text += fmt::format("{:<23} {:<22} {}\n", "", "", file_text(model, file));
         json.push_back(json_of(model, here));
     }
     session.print(text + fmt::format("in {} (FASTSCENE_MODELS names another folder)", models_root().string()), json);
@@ -83,7 +93,7 @@ Verb add_pull(CLI::App& models_verb) {
         bool accept = false;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = models_verb.add_subcommand("pull", "Brings models to this machine. What a broken connection has brought is kept, and the same command goes on.");
+    CLI::App* verb = models_verb.add_subcommand("pull", "Brings models to this machine. What a broken connection has brought is kept, and the same command goes on; what is damaged is fetched again.");
     verb->add_option("names", flags->names, "Names as `models list` has them.")->type_name("NAME")->required();
     verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once for each model.");
     verb->add_option("--mirror", flags->mirror, "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: $FASTSCENE_MODELS_MIRROR.")
@@ -96,6 +106,13 @@ Verb add_pull(CLI::App& models_verb) {
                 for (const Model* model : wanted) reports.push_back(pull_model(*model, {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
                 print_reports(reports, session);
             }};
+}
+
+std::string remedy_for(const ModelReport& report) {
+    const Model& model = model_named(report.model);
+    const std::string pull = "fastscene models pull " + model.name;
+    return model.by_hand() ? fmt::format("fetch them by hand at {} into {}, or from a mirror: {} --mirror DIR", model.home, report.folder.string(), pull)
+                           : fmt::format("`{}` fetches them again", pull);
 }
 
 Verb add_verify(CLI::App& models_verb) {
@@ -111,8 +128,9 @@ Verb add_verify(CLI::App& models_verb) {
                         if (presence_of(model).files > 0) reports.push_back(verify_model(model, models_root(), run));
                 print_reports(reports, session);
                 for (const ModelReport& report : reports)
-                    if (!report.whole()) throw Error("models verify: expected whole models, found {} missing or damaged files in {}",
-                                                     std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }), report.model);
+                    if (!report.whole())
+                        throw Error("models verify: expected whole models, found {} missing or damaged files in {}; {}",
+                                    std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }), report.model, remedy_for(report));
             }};
 }
 

@@ -71,13 +71,18 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 const auto backend = flags->given->find("--panorama-backend");
                 const bool painted = flags->picture == "diffusion360" || (backend != flags->given->end() && backend->second == "diffusion360");
                 if (painted) flags->picture.clear();
-                if (!painted && !flags->weights.empty()) throw UsageError("--weights: expected together with --panorama diffusion360, found alone");
+                const auto upscale = flags->given->find("--panorama-upscale");
+                const bool larger = upscale != flags->given->end() && upscale->second != "none";
+                if (larger && !painted && flags->picture.empty()) throw UsageError("--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found alone");
+                if (!painted && !larger && !flags->weights.empty())
+                    throw UsageError("--weights: expected together with --panorama diffusion360, or --panorama FILE and --panorama-upscale, found alone");
                 if (!painted && !flags->photo.empty()) throw UsageError("--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to --panorama FILE");
                 if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
                 request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights, flags->photo, flags->more};
                 request.quality = flags->quality;
                 request.params = params_of_quality(flags->quality);
                 if (painted) request.params.panorama.width = 1024;  // what the model was trained for
+                if (!flags->photo.empty()) request.params.panorama.diffusion.guidance = kGuidanceAroundPhoto;
                 apply_param_flags(request.params, *flags->given);
                 if (painted) request.params.panorama.backend = "diffusion360";
                 if (flags->strict) request.params.panorama.strict = true;

@@ -19,8 +19,9 @@ std::optional<fs::path> file_in_cache(const Model& model, const ModelFile& file,
     for (const std::string& name : file.names()) {
         const fs::path path = root / model.folder / name;
         std::error_code code;
+        if (!fs::is_regular_file(path, code)) continue;
         const auto size = fs::file_size(path, code);
-        if (!code && (file.bytes == 0 || static_cast<std::int64_t>(size) == file.bytes)) return path;
+        if (!code && size > 0 && (file.bytes == 0 || static_cast<std::int64_t>(size) == file.bytes)) return path;
     }
     return std::nullopt;
 }

@@ -206,7 +206,7 @@ class Attempt {
             throw Interrupted(reason(code));
         }
         if (code != CURLE_OK) throw Interrupted(reason(code));
-        if (!out_.is_open() && received_ == 0 && begin_ == 0) std::ofstream(wanted_.part, std::ios::binary | std::ios::trunc);  // an empty file
+        if (received_ == 0 && begin_ == 0 && (!is_web() || wanted_.bytes == 0)) throw Error("{}: expected a file, found 0 bytes (a folder, or a copy that failed?)", wanted_.url);
         const std::int64_t have = size_of(wanted_.part);
         if (wanted_.bytes > 0 && have < wanted_.bytes) throw Interrupted(fmt::format("the server sent {} of {} bytes", have, wanted_.bytes));
         return Fetched::whole;

@@ -27,8 +27,8 @@ enum class Fetched {
 };
 
 // Goes on where `part` ends, if the file there is still the same (If-Range) and the server can; else from the beginning.
-// Throws Error naming the address, expected and found: unreachable after several attempts, refused, another size, a web page in place
-// of a file, a full disk. `part` then holds what is worth keeping. Throws Stopped.
+// Throws Error naming the address, expected and found: unreachable after several attempts, refused, another size, no bytes at all, a
+// web page in place of a file, a full disk. `part` then holds what is worth keeping. Throws Stopped.
 Fetched download(const Download& wanted, const Run& run);
 
 }  // namespace fastscene

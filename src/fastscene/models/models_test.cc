@@ -306,6 +306,76 @@ TEST_F(Pulled, AMirrorIsAFolderOrAnAddress) {
     EXPECT_NE(complaint(by_hand, how).find("no such file"), std::string::npos);
 }
 
+TEST_F(Pulled, AMirrorMayHaveAnyName) {
+    const Model by_hand = model("");
+    PullOptions how = options();
+    for (const char* name : {"mir ror", "mir#1", "100 %20?", "m\u00fcr"}) {
+        const fs::path mirror = root_.parent_path() / name;
+        fs::create_directories(mirror / "toy/part");
+        write_file(mirror / "toy/part/a.bin", kBytes);
+        how.mirror = mirror.string();
+        EXPECT_EQ(complaint(by_hand, how), "none") << name;
+        EXPECT_EQ(read_file(file()), kBytes) << name;
+        fs::remove_all(root_ / "toy");
+    }
+    for (const char* name : {"mir ror", "mir%20ror", "mir#1"}) {
+        how.mirror = "file://" + (root_.parent_path() / name).string();
+        EXPECT_EQ(complaint(by_hand, how), "none") << name;
+        fs::remove_all(root_ / "toy");
+    }
+}
+
+TEST_F(Pulled, NothingIsNoFile) {
+    const fs::path mirror = root_.parent_path() / "hollow";
+    PullOptions how = options();
+    how.mirror = mirror.string();
+    fs::create_directories(mirror / "toy/part/a.bin");
+    EXPECT_NE(complaint(model(""), how), "none") << "a folder in the file's place";
+    fs::remove_all(mirror / "toy/part/a.bin");
+    write_file(mirror / "toy/part/a.bin", std::string_view());
+    EXPECT_NE(complaint(model(""), how).find("0 bytes"), std::string::npos) << complaint(model(""), how);
+    Server server([](const Request&) { return reply("200 OK", length(0), ""); });
+    EXPECT_NE(complaint(model(server.url()), options()).find("0 bytes"), std::string::npos);
+    EXPECT_FALSE(fs::exists(file()));
+    fs::create_directories(file().parent_path());
+    write_file(file(), std::string_view());
+    EXPECT_FALSE(is_in_cache(model(""), root_));
+    EXPECT_EQ(verify_model(model(""), root_, {}).files[0].state, FileState::damaged);
+    fs::remove(file());
+    fs::create_directories(file());
+    EXPECT_FALSE(is_in_cache(model(""), root_));
+    write_file(mirror / "toy/part/a.bin", kBytes);
+    EXPECT_NE(complaint(model(""), how).find("found a folder"), std::string::npos);
+}
+
+TEST_F(Pulled, WhatIsDamagedIsFetchedAgain) {
+    Server server([](const Request& r) { return decent(r); });
+    std::string damaged = kBytes;
+    damaged[777] ^= 1;
+    for (const Model& toy : {model(server.url(), static_cast<std::int64_t>(kBytes.size()), hash_), model(server.url())}) {  // known, and recorded
+        fs::remove_all(root_ / "toy");
+        pull_model(toy, options(), {});
+        const std::size_t before = server.seen().size();
+        write_file(file(), damaged);
+        EXPECT_FALSE(verify_model(toy, root_, {}).whole());
+        EXPECT_EQ(pull_model(toy, options(), {}).files[0].state, FileState::fetched);
+        EXPECT_EQ(read_file(file()), kBytes);
+        EXPECT_EQ(server.seen().size(), before + 1);
+        EXPECT_TRUE(verify_model(toy, root_, {}).whole());
+    }
+    // The damaged one goes only when another has come.
+    write_file(file(), damaged);
+    EXPECT_NE(complaint(model("http://127.0.0.1:1/", 0, hash_), options()), "none");
+    EXPECT_EQ(read_file(file()), damaged);
+    // Another alternative replaces it.
+    Server other([](const Request& r) { return r.path.ends_with(".pt") ? decent(r) : reply("404 Not Found", length(0), ""); });
+    Model two = model(other.url());
+    two.files[0].name = "part/a.bin|part/a.pt";
+    EXPECT_EQ(pull_model(two, options(), {}).files[0].name, "part/a.pt");
+    EXPECT_FALSE(fs::exists(file()));
+    EXPECT_TRUE(verify_model(two, root_, {}).whole());
+}
+
 TEST_F(Pulled, VerifyRecordsWhatNobodyKnewAndHoldsItAfterwards) {
     Model toy = model("");
     fs::create_directories(file().parent_path());
@@ -344,6 +414,7 @@ TEST(Registry, SaysWhatItKnowsOfEveryFile) {
         EXPECT_TRUE(model.by_hand() || (model.base.starts_with("https://") && model.base.ends_with("/")));
         for (const ModelFile& file : model.files) {
             EXPECT_TRUE(file.sha256.empty() || (file.sha256.size() == 64 && file.sha256.find_first_not_of("0123456789abcdef") == std::string::npos)) << file.name;
+            EXPECT_EQ(urls_of(model, file).empty(), model.by_hand()) << file.name;
             EXPECT_TRUE(file.names().size() == 1 || file.sha256.empty()) << "one hash for two files: " << file.name;
             for (const std::string& name : file.names()) EXPECT_FALSE(name.empty() || name.starts_with("/") || name.find("..") != std::string::npos);
         }

@@ -116,7 +116,8 @@ std::optional<fs::path> any_file(const Model& model, const ModelFile& file, cons
 }
 
 FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root, const Run& run) {
-    const auto path = any_file(model, file, root);
+    auto path = file_in_cache(model, file, root);
+    if (!path) path = any_file(model, file, root);
     if (!path) return {file.names().front(), FileState::missing, 0, {}, !file.sha256.empty(), "not there"};
     FileReport report{path->lexically_relative(root / model.folder).string(), FileState::here, static_cast<std::int64_t>(fs::file_size(*path)), {}, !file.sha256.empty(), {}};
     report.sha256 = hash_with_progress(*path, path->filename().string(), run);
@@ -149,14 +150,20 @@ class Pull {
         return report;
     }
     FileReport file(const ModelFile& file) const {
-        for (const std::string& name : file.names())
-            if (const auto fetched = fetch(file, name)) return *fetched;
+        for (const std::string& name : file.names()) {
+            const auto fetched = fetch(file, name);
+            if (!fetched) continue;
+            for (const std::string& other : file.names())  // a damaged one under another of its names would be found first
+                if (other != name) fs::remove(options_.root / model_.folder / other);
+            return *fetched;
+        }
         throw Error("{}: expected {}, found no such file", model_.name, address_of(model_, file, file.names().front(), options_));
     }
 
   private:
     std::optional<FileReport> fetch(const ModelFile& file, const std::string& name) const {
         const fs::path target = options_.root / model_.folder / name, part = target.string() + ".part";
+        if (fs::is_directory(target)) throw Error("{}: expected a file or nothing, found a folder", target.string());
         make_directories(target.parent_path());
         Download wanted;
         wanted.url = address_of(model_, file, name, options_);
@@ -172,6 +179,8 @@ class Pull {
             const std::string hash = hash_with_progress(part, label(name), run_);
             if (file.sha256.empty() || hash == file.sha256) {
                 fs::rename(part, target);
+                if (const std::string before = recorded_hash(known_, name); file.sha256.empty() && !before.empty() && before != hash)
+                    run_.warn(fmt::format("{}: SHA-256 {} is not the one recorded before, {}: its publisher may have changed it", target.string(), hash, before));
                 return FileReport{name, FileState::fetched, static_cast<std::int64_t>(fs::file_size(target)), hash, !file.sha256.empty(), {}};
             }
             fs::remove(part);

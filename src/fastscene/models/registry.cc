@@ -124,6 +124,14 @@ std::int64_t Model::known_bytes() const {
     return sum;
 }
 
+std::vector<std::string> urls_of(const Model& model, const ModelFile& file) {
+    if (!file.url.empty()) return {file.url};
+    std::vector<std::string> out;
+    if (!model.by_hand())
+        for (const std::string& name : file.names()) out.push_back(model.base + name);
+    return out;
+}
+
 const std::vector<Model>& models() {
     static const std::vector<Model> all = [] {
         std::vector<Model> out = panorama_models();

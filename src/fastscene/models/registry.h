@@ -33,6 +33,9 @@ struct Model {
     std::int64_t known_bytes() const;  // the sum of the sizes that are known
 };
 
+// Where the file's alternatives are, in their order; empty when it is fetched by hand.
+std::vector<std::string> urls_of(const Model& model, const ModelFile& file);
+
 const std::vector<Model>& models();
 // Throws UsageError with the names there are.
 const Model& model_named(std::string_view name);

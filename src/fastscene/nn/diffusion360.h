@@ -26,6 +26,8 @@ struct Diffusion360Settings {
     double photo_fov_deg = 90;           // how wide the photo sees, when one is continued all around
 };
 
+constexpr double kGuidanceAroundPhoto = 7;  // as published; 7.5 is the text path's
+
 // What a folder holds, told without reading the weights.
 struct Diffusion360Info {
     std::string family;                  // "Stable Diffusion 1.x" or "2.x"

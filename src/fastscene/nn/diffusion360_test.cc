@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <map>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
@@ -13,6 +15,7 @@
 #include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/nn/file_weights.h"
 #include "fastscene/nn/hashed.h"
+#include "fastscene/nn/painting_files.h"
 #include "fastscene/nn/photo_sphere.h"
 #include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/scheduler.h"
@@ -328,6 +331,65 @@ TEST_F(PaintedFurther, LargerPicturesCloseToo) {
     } catch (const Error& e) {
         EXPECT_NE(std::string(e.what()).find("RealESRGAN_x2plus.pth"), std::string::npos);
     }
+}
+
+// The published tile is larger than three times the smallest panorama.
+TEST_F(PaintedFurther, SmallPicturesAreOneTileHigh) {
+    const fs::path folder = official();
+    Upscale360Settings settings;
+    settings.steps = 2;
+    settings.to = "3";
+    EXPECT_EQ(Upscale360(folder, 64, settings, {}).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", {}).width, 192);
+}
+
+TEST_F(PaintedFurther, StepsThatAreKeptAreNotMadeAgain) {
+    const fs::path folder = official();
+    Upscale360Settings settings;
+    settings.steps = 2;
+    settings.to = "6-refined";
+    const Upscale360 larger(folder, 64, settings, {});
+    std::map<std::string, ImageRgb8> kept;
+    int made = 0;
+    const Upscale360::Keep keep = [&](const std::string& step, const std::function<ImageRgb8()>& make) {
+        if (!kept.contains(step)) kept[step] = (++made, make());
+        return kept[step];
+    };
+    const ImageRgb8 picture(64, 32, {90, 120, 200}), whole = larger.enlarge(picture, "a room", {}, keep);
+    EXPECT_EQ(made, 3);
+    EXPECT_EQ(kept.at("3").width, 192);
+    EXPECT_EQ(kept.at("6").width, 384);
+    kept.erase("6-refined");
+    EXPECT_EQ(larger.enlarge(picture, "a room", {}, keep), whole) << "the same bytes, from its last step on";
+    EXPECT_EQ(made, 4);
+}
+
+TEST_F(PaintedFurther, OnlyWhatIsOpenedBelongsToThePainting) {
+    const fs::path folder = official();
+    const std::vector<fs::path> before = painting_files(folder, false);
+    write_file(folder / "sd-base/unet/readme.txt", std::string_view("x"));
+    write_file(folder / "other.safetensors", std::string_view("x"));
+    EXPECT_EQ(painting_files(folder, false), before);
+    for (const fs::path& file : before) EXPECT_TRUE(fs::exists(file) && file.string().starts_with((folder / "sd-base").string())) << file;
+    const auto has = [](const std::vector<fs::path>& files, const fs::path& file) { return std::find(files.begin(), files.end(), file) != files.end(); };
+    EXPECT_TRUE(has(before, folder / "sd-base/unet/diffusion_pytorch_model.safetensors"));
+    EXPECT_TRUE(has(painting_files(folder, true), folder / "sd-i2p/diffusion_pytorch_model.safetensors"));
+    EXPECT_FALSE(has(enlarging_files(folder, "3"), folder / "RealESRGAN_x2plus.pth"));
+    EXPECT_TRUE(has(enlarging_files(folder, "6"), folder / "RealESRGAN_x2plus.pth"));
+    fs::remove_all(folder / "sd-base/vae");
+    EXPECT_THROW(painting_files(folder, false), Error);
+}
+
+TEST(TimesThePainting, GrowsWithThePictureAndFallsWithThePaintersSteps) {
+    const auto times = [](const char* to, int steps) {
+        Upscale360Settings settings;
+        settings.to = to;
+        return times_the_painting(1024, steps, settings);
+    };
+    EXPECT_GT(times("3", 20), 5);  // nine times the pixels, under a ControlNet, in a quarter of the steps, seen twice
+    EXPECT_LT(times("3", 20), 20);
+    EXPECT_GT(times("6", 20), times("3", 20));
+    EXPECT_GT(times("6-refined", 20), 4 * times("3", 20));
+    EXPECT_LT(times("3", 50), times("3", 20));
 }
 
 TEST(SphereTiles, NeitherBordersNorTheSeamShow) {

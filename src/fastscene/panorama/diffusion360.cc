@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "fastscene/base/file.h"
@@ -40,10 +40,7 @@ Upscale360Settings enlarging_of(const PanoramaParams& params) {
 
 double times_of(const PanoramaParams& params) { return times_the_painting(params.width, params.diffusion.steps, enlarging_of(params)); }
 
-std::optional<Upscale360> enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
-    if (params.diffusion.upscale == "none") return std::nullopt;
-    return Upscale360(source.weights, params.width, enlarging_of(params), run);
-}
+Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) { return {source.weights, params.width, enlarging_of(params), run}; }
 
 // The photo as it was meant to be seen.
 ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo), picture_info(photo).orientation); }
@@ -79,12 +76,50 @@ std::string time_text(double seconds) {
     return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
+struct Enlarging {
+    const PaintingSource& source;
+    const PanoramaParams& params;
+    const KeptPictures& kept;
+    std::string key;            // of the picture
+    double painting_seconds;    // 0: not known
+};
+
+ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run& run) {
+    const std::string& to = how.params.diffusion.upscale;
+    std::string key = how.key;
+    bool said = how.painting_seconds == 0;
+    const auto say = [&] {
+        if (std::exchange(said, true)) return;
+        const double about = how.painting_seconds * times_of(how.params);
+        run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", to, time_text(about), time_text(how.painting_seconds)));
+    };
+    return enlarger(how.source, how.params, {run.seed, nullptr, run.stop}).enlarge(picture, how.source.prompt, run, [&](const std::string& step, const std::function<ImageRgb8()>& make) {
+        key = Hash().add(key).add(step).add(enlarger_identity(how.source.weights, step)).hex();
+        KeptPicture one = how.kept.get(step, key, [&] {
+            say();
+            return make();
+        });
+        if (one.was_there) run.note(fmt::format("{} times as large: was there already: {}", step, how.kept.file_of(step).string()));
+        return std::move(one.picture);
+    });
+}
+
 }  // namespace
+
+void check_enlarging(const PaintingSource& source, const PanoramaParams& params, int width, const Run& run) {
+    if (width < 256 || width % 128 != 0)
+        throw UsageError("--panorama-upscale: expected a picture whose width is a multiple of 128 from 256, found {}; --panorama-width {} reduces it first", width,
+                         std::max(256, width / 128 * 128));
+    PanoramaParams wide = params;
+    wide.width = width;
+    (void)enlarger(source, wide, run);
+    run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as to paint {} x {}", params.diffusion.upscale, times_of(wide), width, width / 2));
+}
 
 void check_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
     if (!source.photo.empty()) (void)upright_photo(source.photo);
     (void)painter(source, params, run);
-    if (enlarger(source, params, run)) run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as the painting", params.diffusion.upscale, times_of(params)));
+    if (params.diffusion.upscale != "none") check_enlarging(source, params, params.width, run);
 }
 
 std::string diffusion360_identity(const fs::path& weights, bool from_photo) { return hash_of_files(painting_files(weights, from_photo), weights); }
@@ -94,26 +129,23 @@ std::string enlarger_identity(const fs::path& weights, const std::string& to) { 
 ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look, const PaintingMemory& memory) {
     const Run quiet{run.seed, nullptr, run.stop};  // what it needs was said when the request was checked
     const KeptPictures kept(memory.folder);
-    std::string key = painting_key(source, params, run, memory.salt);
+    const std::string key = painting_key(source, params, run, memory.salt);
     KeptPicture found = kept.get("1", key, [&] {  // the painter's networks leave memory before those that enlarge come
         const Diffusion360 with = painter(source, params, quiet);
         return source.photo.empty() ? with.paint(source.prompt, run, look) : with.paint_around(upright_photo(source.photo), source.prompt, run, look);
     });
     if (found.was_there) run.note(fmt::format("the painting was there already: {}", kept.file_of("1").string()));
-    const auto larger = enlarger(source, params, quiet);
-    if (!larger) return std::move(found.picture);
+    if (params.diffusion.upscale == "none") return std::move(found.picture);
     if (look) look(found.picture);
-    const double about = found.seconds * times_of(params);
-    bool said = false;
-    return larger->enlarge(found.picture, source.prompt, run, [&](const std::string& step, const std::function<ImageRgb8()>& make) {
-        key = Hash().add(key).add(step).add(enlarger_identity(source.weights, step)).hex();
-        KeptPicture one = kept.get(step, key, [&] {
-            if (!std::exchange(said, true)) run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", params.diffusion.upscale, time_text(about), time_text(found.seconds)));
-            return make();
-        });
-        if (one.was_there) run.note(fmt::format("{} times as large: was there already: {}", step, kept.file_of(step).string()));
-        return std::move(one.picture);
-    });
+    return made_larger(found.picture, {source, params, kept, key, found.seconds}, run);
+}
+
+ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run, const PaintingMemory& memory) {
+    PanoramaParams wide = params;
+    wide.width = picture.width;
+    Hash key;
+    key.add(memory.salt).add(source.prompt).add(run.seed).add(fields_json(params.diffusion).dump()).add(picture.width).add_bytes(picture.pixels.data(), picture.pixels.size() * sizeof(Rgb8));
+    return made_larger(picture, {source, wide, KeptPictures(memory.folder), key.hex(), 0}, run);
 }
 
 }  // namespace fastscene

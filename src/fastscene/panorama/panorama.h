@@ -81,6 +81,8 @@ struct PaintingMemory {
 // to be, at half its size. Throws Error as check_diffusion360 (diffusion360.h) does.
 ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look = {},
                                    const PaintingMemory& memory = {});
+// A picture that is there already, as many times larger as params.diffusion.upscale says; of the source, the prompt and the weights count.
+ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run, const PaintingMemory& memory = {});
 
 // Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is exposed as a film would;
 // turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.

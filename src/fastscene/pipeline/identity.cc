@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/depth/estimator.h"
@@ -37,7 +39,7 @@ void add_more(const fs::path& list, Hash& hash) {
 // Hashes of the files that a run is made from, by their names in run.json.
 Json contents_of(const SceneSource& source) {
     Json out = Json::object();
-    if (!source.weights.empty()) out["weights"] = diffusion360_identity(source.weights, !source.photo.empty());
+    if (source.is_painted()) out["weights"] = diffusion360_identity(source.weights, !source.photo.empty());
     const std::pair<const char*, fs::path> files[] = {{"picture", source.picture}, {"range_map", source.range_map}, {"photo", source.photo}};
     for (const auto& [name, file] : files)
         if (!file.empty()) out[name] = Hash().add(read_file(file)).hex();
@@ -108,8 +110,9 @@ void check_more(const SceneSource& source, const WalkParams& walk) {
 void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run) {
     depth_backend(source, params.depth);
     if (!source.more.empty()) check_more(source, params.walk);
-    if (!source.weights.empty()) {
-        if (!source.range_map.empty()) throw UsageError("--range: expected together with --panorama FILE, found with --panorama diffusion360");
+    if (!source.weights.empty() && !source.range_map.empty())
+        throw UsageError("--range: expected together with --panorama FILE as it is, found with {}", source.is_painted() ? "--panorama diffusion360" : "--panorama-upscale");
+    if (source.is_painted()) {
         check_diffusion360({source.prompt, source.weights, source.photo}, params.panorama, run);
         if (last_stage != "panorama") make_depth_estimator(params.depth);
         return;
@@ -127,6 +130,8 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
     const Panorama panorama = panorama_from_image(source.picture);
     for (const std::string& remark : remarks_on_file(source.picture)) run.note(fmt::format("{}: {}", source.picture.string(), remark));
     for (const std::string& doubt : doubts_about_panorama(panorama.color)) run.warn(fmt::format("{}: {}", source.picture.string(), doubt));
+    if (!source.weights.empty() && params.panorama.diffusion.upscale != "none")
+        check_enlarging({source.prompt, source.weights, {}}, params.panorama, std::min(panorama.size().width, params.panorama.width), run);
     if (!source.range_map.empty()) {
         range_from_file(source.range_map, panorama.size());
         return;
@@ -137,7 +142,7 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
 
 std::string identity_of(const SceneSource& source) {
     Hash hash;
-    if (!source.weights.empty())
+    if (source.is_painted())
         hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.photo.empty() ? std::string() : read_file(source.photo));
     else if (source.picture.empty())
         hash.add("prompt").add(source.prompt);

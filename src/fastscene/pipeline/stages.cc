@@ -138,14 +138,15 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
 void make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
     Json prompt, room;
     Panorama panorama;
-    if (!source.weights.empty()) {
+    const PaintingSource painting{source.prompt, source.weights, source.photo};
+    const PaintingMemory memory{RunFolder{out.parent_path()}.painting(), code_version("panorama")};
+    if (source.is_painted()) {
         const fs::path look = out.parent_path() / "painting.png";  // people may look while it is painted
         const auto shown = [&](const ImageRgb8& preview) {
             if (!fs::exists(look)) run.note(fmt::format("a first look: {}", look.string()));
             save_png(look, preview);
         };
-        panorama.color = linear_from_srgb8(panorama_by_diffusion360({source.prompt, source.weights, source.photo}, params, run, shown,
-                                                                           {RunFolder{out.parent_path()}.painting(), code_version("panorama")}));
+        panorama.color = linear_from_srgb8(panorama_by_diffusion360(painting, params, run, shown, memory));
         fs::remove(look);
         prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
         if (!source.photo.empty()) prompt["photo"] = source.photo.filename().string();
@@ -157,6 +158,8 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
         room = room_json(made.room->room(), made.object_of_pixel);
     } else {
         panorama = reduced_panorama(panorama_from_image(source.picture), params.width);
+        if (!source.weights.empty() && params.diffusion.upscale != "none")
+            panorama.color = linear_from_srgb8(enlarged_by_diffusion360(srgb8_from_linear(panorama.color), painting, params, run, memory));
         prompt = {{"text", source.prompt}, {"picture", source.picture.filename().string()}};
         room = {{"objects", Json::array()}};
     }
