@@ -41,7 +41,8 @@ struct ModelReport {
 Json to_json(const ModelReport& report);
 
 // Each file goes to NAME.part and gets its name when its size and hash are right; an interrupted pull goes on where it was. What is there
-// already is read again and stays when it is whole (as verify_model judges); what is damaged is fetched again. Throws UsageError while the licence is not accepted, with the licence; Error for what `download` throws, for a wrong hash
+// already is read again and stays when it is whole (as verify_model judges); what is damaged is fetched again, and gives way when the new
+// one has come. Throws UsageError while the licence is not accepted, with the licence; Error for what `download` throws, for a wrong hash
 // (the bytes are thrown away), for a model that can only be fetched by hand, and when another pull works on it. Throws Stopped.
 ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run);
 

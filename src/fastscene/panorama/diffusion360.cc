@@ -56,7 +56,7 @@ std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& ro
         hash.add(file.lexically_relative(root).string()).add(static_cast<std::uint64_t>(size));
         std::string bytes(std::min(size, sample), '\0');
         for (std::uintmax_t i = 0; i < samples && (i == 0 || size > sample); ++i) {
-            in.seekg(static_cast<std::streamoff>((size - bytes.size()) / (samples - 1) * i));
+            in.seekg(static_cast<std::streamoff>((size - bytes.size()) * i / (samples - 1)));
             if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) throw Error("{}: cannot be read", file.string());
             hash.add(bytes);
         }
@@ -64,12 +64,17 @@ std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& ro
     return hash.hex();
 }
 
-// All that the painting hangs on, and nothing of what is made of it later.
-std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run, const std::string& salt) {
+// Without what is made of the painting later.
+Json painting_fields(const PanoramaParams& params) {
     Diffusion360Settings painting = params.diffusion;
     painting.upscale = "none";
+    return fields_json(painting);
+}
+
+// All that the painting hangs on.
+std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run, const std::string& salt) {
     return Hash().add(salt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.prompt).add(run.seed)
-        .add(source.photo.empty() ? std::string() : read_file(source.photo)).add(params.width).add(fields_json(painting).dump()).hex();
+        .add(source.photo.empty() ? std::string() : read_file(source.photo)).add(params.width).add(painting_fields(params).dump()).hex();
 }
 
 std::string time_text(double seconds) {
@@ -93,7 +98,7 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
         const double about = how.painting_seconds * times_of(how.params);
         run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", to, time_text(about), time_text(how.painting_seconds)));
     };
-    return enlarger(how.source, how.params, {run.seed, nullptr, run.stop}).enlarge(picture, how.source.prompt, run, [&](const std::string& step, const std::function<ImageRgb8()>& make) {
+    const Upscale360::Keep keep = [&](const std::string& step, const std::function<ImageRgb8()>& make) {
         key = Hash().add(key).add(step).add(enlarger_identity(how.source.weights, step)).hex();
         KeptPicture one = how.kept.get(step, key, [&] {
             say();
@@ -101,7 +106,8 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
         });
         if (one.was_there) run.note(fmt::format("{} times as large: was there already: {}", step, how.kept.file_of(step).string()));
         return std::move(one.picture);
-    });
+    };
+    return enlarger(how.source, how.params, {run.seed, nullptr, run.stop}).enlarge(picture, how.source.prompt, run, keep);
 }
 
 }  // namespace
@@ -126,7 +132,8 @@ std::string diffusion360_identity(const fs::path& weights, bool from_photo) { re
 
 std::string enlarger_identity(const fs::path& weights, const std::string& to) { return hash_of_files(enlarging_files(weights, to), weights); }
 
-ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look, const PaintingMemory& memory) {
+ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look,
+                                   const PaintingMemory& memory) {
     const Run quiet{run.seed, nullptr, run.stop};  // what it needs was said when the request was checked
     const KeptPictures kept(memory.folder);
     const std::string key = painting_key(source, params, run, memory.salt);
@@ -140,11 +147,13 @@ ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaP
     return made_larger(found.picture, {source, params, kept, key, found.seconds}, run);
 }
 
-ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run, const PaintingMemory& memory) {
+ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run,
+                                   const PaintingMemory& memory) {
     PanoramaParams wide = params;
     wide.width = picture.width;
     Hash key;
-    key.add(memory.salt).add(source.prompt).add(run.seed).add(fields_json(params.diffusion).dump()).add(picture.width).add_bytes(picture.pixels.data(), picture.pixels.size() * sizeof(Rgb8));
+    key.add(memory.salt).add(source.prompt).add(run.seed).add(painting_fields(params).dump()).add(picture.width);
+    key.add_bytes(picture.pixels.data(), picture.pixels.size() * sizeof(Rgb8));
     return made_larger(picture, {source, wide, KeptPictures(memory.folder), key.hex(), 0}, run);
 }
 

@@ -44,8 +44,8 @@ TEST_F(Kept, WhatIsDamagedIsMadeAgain) {
 }
 
 TEST_F(Kept, WithoutAFolderNothingIs) {
-    EXPECT_FALSE(KeptPictures({}).get("1", "a", [] { return ImageRgb8(8, 4); }).was_there);
-    EXPECT_FALSE(KeptPictures({}).get("1", "a", [] { return ImageRgb8(8, 4); }).was_there);
+    EXPECT_FALSE(KeptPictures(fs::path()).get("1", "a", [] { return ImageRgb8(8, 4); }).was_there);
+    EXPECT_FALSE(KeptPictures(fs::path()).get("1", "a", [] { return ImageRgb8(8, 4); }).was_there);
     EXPECT_THROW(KeptPictures(folder_).get("1", "a", []() -> ImageRgb8 { throw Error("no paint"); }), Error);
     EXPECT_FALSE(fs::exists(folder_));
 }
