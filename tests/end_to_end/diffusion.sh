@@ -19,19 +19,19 @@ has loft/panorama/color.png loft/depth/range.exr loft/splat/scene.ply loft/viewe
 lacks loft/painting.png
 
 # Killed between two pictures, it goes on behind the first and ends in the same bytes; a larger one begins with what is there.
-larger() { "$fastscene" panorama "a loft" "${small[@]}" --weights "$weights" --panorama-upscale 6 -o "$1"; }
-larger killed >out 2>log &
+larger=("$fastscene" panorama "a loft" "${small[@]}" --weights "$weights" --panorama-upscale 6)
+"${larger[@]}" -o killed >out 2>log &
 pid=$!
-for i in $(seq 600); do [ -e killed/painting/3.json ] && break; sleep 0.1; done
+while kill -0 "$pid" 2>/dev/null && [ ! -e killed/painting/3.json ]; do sleep 0.1; done
 kill -9 "$pid" 2>/dev/null
 wait "$pid" 2>/dev/null
 has killed/painting/3.png
 rm -rf killed/panorama  # where the kill came too late
-expect 0 larger killed
+expect 0 "${larger[@]}" -o killed
 says "the painting was there already"
 says "3 times as large: was there already"
 is_wide killed/panorama/color.png 1536
-expect 0 larger loft
+expect 0 "${larger[@]}" -o loft
 says "the painting was there already"
 cmp killed/panorama/color.png loft/panorama/color.png || fail "a run that was killed ends in other bytes"
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/image/orientation.h"
 #include "fastscene/io/image_io.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 
 namespace fastscene {
