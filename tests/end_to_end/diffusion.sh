@@ -3,7 +3,7 @@
 
 "$3" brought >log 2>&1 || fail "no tiny networks"
 weights=$work/brought/weights
-small=(--panorama diffusion360 --panorama-width 256 --panorama-steps 2)
+small=(--panorama diffusion360 --panorama-width 256 --panorama-steps 2 --threads 1)
 width_of() { od -An -tu1 -j18 -N2 "$1" | awk '{ print 256 * $1 + $2 }'; }
 is_wide() { [ "$(width_of "$1")" = "$2" ] || fail "$1 is $(width_of "$1") wide, expected $2"; }
 
@@ -36,7 +36,7 @@ says "the painting was there already"
 cmp killed/panorama/color.png loft/panorama/color.png || fail "a run that was killed ends in other bytes"
 
 # Any picture can be made larger.
-expect 0 "$fastscene" panorama --panorama loft/painting/1.png --panorama-upscale 3 --weights "$weights" -o picture
+expect 0 "$fastscene" panorama --panorama loft/painting/1.png --panorama-upscale 3 --weights "$weights" -o picture --threads 1
 is_wide picture/panorama/color.png 768
 expect 2 "$fastscene" panorama --panorama loft/painting/1.png --panorama-upscale 3 --panorama-width 250 --weights "$weights" -o odd
 says "multiple of 128"
