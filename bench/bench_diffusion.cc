@@ -180,10 +180,16 @@ Json seam(int runs) {
             against_most.push_back((steps[0] / inside.max()).item<double>());
             against_middle.push_back((steps[0] / inside.median()).item<double>());
         }
-        const auto mean = [](const std::vector<double>& v) { double sum = 0; for (const double x : v) sum += x; return sum / static_cast<double>(v.size()); };
-        out[kind == nn::Seam::closed ? "closed" : "published"] = {{"runs", runs}, {"worst_against_greatest", *std::max_element(against_most.begin(), against_most.end())},
-                                                                  {"mean_against_median", mean(against_middle)},
-                                                                  {"worst_against_median", *std::max_element(against_middle.begin(), against_middle.end())}};
+        const auto mean = [](const std::vector<double>& v) {
+            double sum = 0;
+            for (const double x : v) sum += x;
+            return sum / static_cast<double>(v.size());
+        };
+        out[kind == nn::Seam::closed ? "closed" : "published"] = {
+            {"runs", runs},
+            {"worst_against_greatest", *std::max_element(against_most.begin(), against_most.end())},
+            {"mean_against_median", mean(against_middle)},
+            {"worst_against_median", *std::max_element(against_middle.begin(), against_middle.end())}};
     }
     return out;
 }

@@ -40,7 +40,8 @@ ViewSet plain_views(int size, int views, int points) {
         View view{fmt::format("{}.png", i + 1), Pinhole::with_fov(size, size, 90), {cuts[static_cast<std::size_t>(i) % cuts.size()], {}}, ImageRgb8(size, size), {}};
         view.world_from_camera.translation = {random.uniform(-0.3f, 0.3f), random.uniform(-0.3f, 0.3f), random.uniform(-0.3f, 0.3f)};
         for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x) view.color.at(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(i)};
+            for (int x = 0; x < size; ++x)
+                view.color.at(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(i)};
         set.views.push_back(std::move(view));
     }
     const float radius = 4.f / std::sqrt(static_cast<float>(points));

@@ -49,7 +49,8 @@ double memcpy_rate(std::size_t bytes, int rounds) {
     const double seconds = least_seconds(rounds, [&] {
         parallel_for(pieces, 1, [&](std::int64_t begin, std::int64_t) {
             const std::int64_t at = begin * piece;
-            std::memcpy(to.data() + at, from.data() + at, static_cast<std::size_t>(std::min<std::int64_t>(piece, static_cast<std::int64_t>(from.size()) - at)));
+            std::memcpy(to.data() + at, from.data() + at,
+                        static_cast<std::size_t>(std::min<std::int64_t>(piece, static_cast<std::int64_t>(from.size()) - at)));
         });
     });
     return static_cast<double>(bytes) / seconds;

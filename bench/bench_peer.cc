@@ -73,7 +73,8 @@ int main(int argc, char** argv) try {
     CLI11_PARSE(app, argc, argv);
 
     set_threads(1);
-    const bench::RoomSet set = orbit ? bench::orbit_set(size, 14 * positions, count, held_out, samples) : bench::room_set(size, positions, count, held_out, samples);
+    const bench::RoomSet set =
+        orbit ? bench::orbit_set(size, 14 * positions, count, held_out, samples) : bench::room_set(size, positions, count, held_out, samples);
     if (*write) save_views(folder, without_normals(set.train));
     if (*eval) fmt::print("{}\n", Json{{"held_out_psnr", held_out_psnr(load_splats(file).splats, set.held_out)}}.dump());
     if (*train) {

@@ -68,7 +68,8 @@ int main(int argc, char** argv) try {
     const bench::RoomSet set = bench::room_set(size, 1, count, 0, 1);
     splat::Cloud cloud(initial_splats(set.train.points, count, Run{}), true);
     splat::Engine engine(splat::choose_kernel(kernel.empty() ? nullptr : kernel.c_str()));
-    const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f, 2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
+    const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f,
+                                                      2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
     double loss = 0;
     std::vector<double> cpu, wall;
     std::int64_t visible = 0, entries = 0, visits = 0;

@@ -72,7 +72,8 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
         const Panorama truth = albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, run);
         const ImageRgb8 a = srgb8_from_linear(walked[k].color), b = srgb8_from_linear(truth.color);
         if (k == 1) {   // two sets of camera rays of one panorama: what no walk can pass
-            const ImageRgb8 other = srgb8_from_linear(albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, {seed + 1, nullptr, {}}).color);
+            const ImageRgb8 other =
+                srgb8_from_linear(albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, {seed + 1, nullptr, {}}).color);
             for (std::size_t i = 0; i < b.size(); ++i) floor.add(b.pixels[i], other.pixels[i]);
         }
         const ImageMask edge = near_edges(truth.range), own_edge = near_edges(walked[k].range);
@@ -103,9 +104,11 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
             if (!(room.distance({}, normalize(to)) > 1.1f * length(to))) continue;
             const ImageMask ours = our_holes(source, size, to);
             const HoleTruth t = hole_truth(source, to, distance);
-            ours_ratio += static_cast<double>(std::count_if(ours.pixels.begin(), ours.pixels.end(), [](std::uint8_t v) { return v != 0; })) / static_cast<double>(ours.size());
+            ours_ratio += static_cast<double>(std::count_if(ours.pixels.begin(), ours.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+                          static_cast<double>(ours.size());
             published += published_warp(ImageRgb8(width, width / 2), range, axis * share).hole_ratio();
-            mean = {mean.ratio + t.ratio, mean.precision + t.precision, mean.recall + t.recall, mean.precision_near + t.precision_near, mean.recall_near + t.recall_near};
+            mean = {mean.ratio + t.ratio, mean.precision + t.precision, mean.recall + t.recall, mean.precision_near + t.precision_near,
+                    mean.recall_near + t.recall_near};
             ++n;
         }
         if (n > 0)

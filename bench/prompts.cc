@@ -55,7 +55,8 @@ Json read_one(const std::string& text, std::uint64_t seed, const std::shared_ptr
     for (const PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
         ++sum.wishes;
-        sum.reported += wish.placed > 0 || std::any_of(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(wish.words + ": "); });
+        sum.reported += wish.placed > 0 || std::any_of(spec.not_placed.begin(), spec.not_placed.end(),
+                                                       [&](const std::string& line) { return line.starts_with(wish.words + ": "); });
     }
     return out;
 }

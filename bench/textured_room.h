@@ -135,7 +135,8 @@ inline Mat3f looking(float yaw_deg, float pitch_deg) {
 inline std::vector<Mat3f> fourteen_cuts() {
     std::vector<Mat3f> out;
     for (int i = 0; i < 8; ++i) out.push_back(looking(45.f * static_cast<float>(i), 0));
-    for (int i = 0; i < 3; ++i) out.push_back(looking(120.f * static_cast<float>(i), 60)), out.push_back(looking(120.f * static_cast<float>(i) + 60, -60));
+    for (int i = 0; i < 3; ++i)
+        out.push_back(looking(120.f * static_cast<float>(i), 60)), out.push_back(looking(120.f * static_cast<float>(i) + 60, -60));
     return out;
 }
 

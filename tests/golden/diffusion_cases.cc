@@ -144,7 +144,8 @@ void check_clip_text(Case& c) {
     // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the exact GELU), else the end.
     const int pad = c.network().json().at("config").at("hidden_act") == "gelu" ? 0 : ClipTokenizer::kEnd;
     const auto tokens = weighted_tokens(tokenizer(c), {c.json().at("prompt"), c.json().at("negative")}, pad);
-    const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]), negative = nn::embed_prompt(Scope(weights), tower, tokens[1]);
+    const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]),
+                              negative = nn::embed_prompt(Scope(weights), tower, tokens[1]);
     c.tensor("text_embeddings", prompt.states);
     c.tensor("uncond_embeddings", negative.states);
     c.tensor("text_embeddings_unweighted", prompt.plain);
@@ -179,7 +180,8 @@ void check_clip(Case& c) {
     const nn::ClipTower vision = nn::clip_vision_tower(config.at("v"), "v"), text = nn::clip_text_tower(config.at("t"), "t");
     const auto dimension = config.at("p").get<std::int64_t>();
     if (c.json().contains("input")) {
-        c.tensor("image_features", nn::clip_image_features(Scope(weights), vision, raw(c.input(), {1, 3, vision.image_size, vision.image_size}), dimension));
+        c.tensor("image_features",
+                 nn::clip_image_features(Scope(weights), vision, raw(c.input(), {1, 3, vision.image_size, vision.image_size}), dimension));
         return;
     }
     const ImageRgb8 whole = load_rgb8(picture_of(c, c.json().at("image")));
@@ -212,14 +214,15 @@ void check_clip(Case& c) {
 void check_unet(Case& c, HashedWeights& weights) {
     const nn::UNetConfig config = nn::unet_config(c.network().json().at("config"), c.network().name());
     const nn::Listener listener = c.listener();
-    c.tensor("sample", nn::unet(Scope(weights, "", &listener), config, raw(c.input() + "/sample", c.shape("sample")), c.json().at("timestep").get<double>(),
-                                raw(c.input() + "/ctx", c.shape("ctx"))));
+    c.tensor("sample", nn::unet(Scope(weights, "", &listener), config, raw(c.input() + "/sample", c.shape("sample")),
+                                c.json().at("timestep").get<double>(), raw(c.input() + "/ctx", c.shape("ctx"))));
 }
 
 void check_controlnet(Case& c, HashedWeights& weights) {
     const nn::UNetConfig config = nn::controlnet_config(c.network().json().at("config"), c.network().name());
     const std::vector<std::int64_t> shape = c.shape("sample");
-    const std::vector<std::int64_t> text_shape = c.json().contains("ctx") ? c.shape("ctx") : std::vector<std::int64_t>{shape[0], 77, config.text_width};
+    const std::vector<std::int64_t> text_shape =
+        c.json().contains("ctx") ? c.shape("ctx") : std::vector<std::int64_t>{shape[0], 77, config.text_width};
     const Tensor sample = raw(c.input() + "/sample", shape), text = raw(c.input() + "/ctx", text_shape);
     const Tensor picture = unit(c.input() + "/cond", {shape[0], config.picture_channels, 8 * shape[2], 8 * shape[3]});
     const double t = c.json().at("timestep").get<double>();
@@ -307,7 +310,8 @@ void check_text_to_panorama(Case& c) {
     Tiny tiny(c);
     const Json& j = c.json();
     const auto height = j.at("height").get<std::int64_t>(), width = j.at("width").get<std::int64_t>();
-    const auto scheduler = nn::make_scheduler(nn::Sampler::euler_ancestral, nn::schedule_config(kSchedule, "", nn::Sampler::euler_ancestral), j.at("steps"));
+    const auto scheduler =
+        nn::make_scheduler(nn::Sampler::euler_ancestral, nn::schedule_config(kSchedule, "", nn::Sampler::euler_ancestral), j.at("steps"));
     nn::TextToPanorama how;
     how.guidance = j.at("guidance_scale");
     how.seam = nn::Seam::published;
@@ -315,7 +319,8 @@ void check_text_to_panorama(Case& c) {
     how.noise = [&](int i, const Tensor& like) { return raw(c.input() + fmt::format("/noise{}", i), like.sizes()); };
     how.listener = [&](int i, double t, const Tensor& x) { c.tensor(fmt::format("latents after scheduler step {} (before blend_h), t={}", i, std::lround(t)), x); };
     const Tensor text = tiny.prompts(c, j.at("prompt"), j.at("negative"));
-    const Tensor latents = nn::text_to_panorama(Scope(tiny.unet), tiny.unet_config, *scheduler, raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), text, how);
+    const Tensor latents =
+        nn::text_to_panorama(Scope(tiny.unet), tiny.unet_config, *scheduler, raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), text, how);
     c.value("blend_extend", static_cast<double>(how.blend_columns));
     c.tensor("final latents (blended, cropped)", latents);
     const std::int64_t tile = tiny.vae_config.sample_size / tiny.vae_config.factor();
@@ -399,7 +404,8 @@ void check_lpips(Case& c) {
         b = signed_picture(cropped(whole, x + dx, y + dy, x + dx + w, y + dy + h));
     }
     if (identical) b = a;
-    const nn::Lpips out = nn::lpips(Scope(backbone), Scope(heads), network.name().find("vgg") != std::string::npos ? nn::LpipsNet::vgg : nn::LpipsNet::alex, a, b);
+    const nn::Lpips out =
+        nn::lpips(Scope(backbone), Scope(heads), network.name().find("vgg") != std::string::npos ? nn::LpipsNet::vgg : nn::LpipsNet::alex, a, b);
     c.tensor("lpips", out.distance);
     c.tensor("spatial map", out.map);
     for (std::size_t i = 0; i < out.layers.size(); ++i) {

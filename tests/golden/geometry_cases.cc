@@ -174,7 +174,8 @@ void compare_warp_values(Case& c, const PublishedWarp& warp) {
 
 void check_warp(Case& c) {
     const Input input = input_of(c, c.input());
-    const PublishedWarp warp = published_warp(input.color, published_units(input.range), move_of(c.json().at("dir"), c.json().at("mov"), c.json().value("flag", 1)));
+    const PublishedWarp warp =
+        published_warp(input.color, published_units(input.range), move_of(c.json().at("dir"), c.json().at("mov"), c.json().value("flag", 1)));
     compare(c, "mask_packed_rowmajor_msb_first", packed(holes_of(warp)));
     compare(c, "img", numbers_of(warp.color));
     compare(c, "depth", numbers_of(warp.range));
@@ -289,14 +290,16 @@ void check_faces(Case& c) {
         const auto masked = std::count(faces[f].hole.pixels.begin(), faces[f].hole.pixels.end(), 255);
         compare_value(c, fmt::format("face_mask_ratio_{}", f), {static_cast<double>(masked) / static_cast<double>(faces[f].hole.size())});
         painted[f] = faces[f].color;
-        for (Rgb8& p : painted[f].pixels) p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g), static_cast<std::uint8_t>(255 - p.b)};
+        for (Rgb8& p : painted[f].pixels)
+            p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g), static_cast<std::uint8_t>(255 - p.b)};
     }
     compare(c, "merged", numbers_of(published_merge(warp.color, holes_of(warp), painted)));
 }
 
 // The two networks as the official program calls them, with hashed weights.
 ImageRgb8 painted_by_aotgan(const ImageRgb8& color, const ImageMask& hole) {
-    const at::Tensor mask = at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()), {1, 1, hole.height, hole.width}, at::kByte).gt(0).to(at::kFloat);
+    const at::Tensor mask =
+        at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()), {1, 1, hole.height, hole.width}, at::kByte).gt(0).to(at::kFloat);
     const at::Tensor picture = bytes_of(color).to(at::kFloat).div(255).mul(2).sub(1).permute({2, 0, 1}).unsqueeze(0);
     nn::HashedWeights weights;
     const at::Tensor made = nn::aotgan_generator(nn::Scope(weights), {}, picture * (1 - mask) + mask, mask);

@@ -27,7 +27,8 @@ Tolerance tolerance_of(const Json& entry, double relative) {
     return {std::atof(text.c_str()), text.find("relative") != std::string::npos};
 }
 
-Finding compared(const std::string& name, const at::Tensor& reference, const at::Tensor& ours, double largest, const Json& entry, double relative = 1e-5) {
+Finding compared(const std::string& name, const at::Tensor& reference, const at::Tensor& ours, double largest, const Json& entry,
+                 double relative = 1e-5) {
     const at::Tensor r = reference.to(at::kDouble), o = ours.to(at::kDouble), d = (r - o).abs();
     const Tolerance tol = tolerance_of(entry, relative);
     Finding f{name, 0, 0, tol.relative ? tol.value * largest : tol.value, false, ""};
@@ -78,14 +79,21 @@ at::Tensor Network::stored(const Json& t) const {
     const auto count = t.at("count").get<std::int64_t>();
     const auto offset = t.at("offset").get<std::size_t>();
     const std::string dtype = t.at("dtype");
-    const at::ScalarType type = dtype == "float32" ? at::kFloat : dtype == "float64" ? at::kDouble : dtype == "int64" ? at::kLong : dtype == "int32" ? at::kInt : at::kByte;
-    if (dtype != "float32" && dtype != "float64" && dtype != "int64" && dtype != "int32" && dtype != "uint8") throw Error("{}: dtype {} is not known", name_, dtype);
+    const at::ScalarType type = dtype == "float32"   ? at::kFloat
+                                : dtype == "float64" ? at::kDouble
+                                : dtype == "int64"   ? at::kLong
+                                : dtype == "int32"   ? at::kInt
+                                                     : at::kByte;
+    if (dtype != "float32" && dtype != "float64" && dtype != "int64" && dtype != "int32" && dtype != "uint8")
+        throw Error("{}: dtype {} is not known", name_, dtype);
     const std::size_t bytes = static_cast<std::size_t>(count) * at::elementSize(type);
     if (offset + bytes > data_.size()) throw Error("{}: tensor {} lies outside of data.bin", name_, t.at("name").dump());
     return at::from_blob(const_cast<char*>(data_.data()) + offset, {count}, type).clone();
 }
 
-bool Case::wants(const std::string& name) const { return entry_named(list_of(json_, "tensors"), name) || entry_named(list_of(json_, "values"), name); }
+bool Case::wants(const std::string& name) const {
+    return entry_named(list_of(json_, "tensors"), name) || entry_named(list_of(json_, "values"), name);
+}
 
 std::vector<std::string> Case::tensor_names() const {
     std::vector<std::string> out;

@@ -86,7 +86,8 @@ int main(int argc, char** argv) {
     try {
         std::vector<std::string> networks;
         for (const auto& entry : fs::directory_iterator(set))
-            if (fs::exists(entry.path() / "manifest.json") || fs::exists(entry.path() / "tokenizer.json")) networks.push_back(entry.path().filename());
+            if (fs::exists(entry.path() / "manifest.json") || fs::exists(entry.path() / "tokenizer.json"))
+                networks.push_back(entry.path().filename());
         std::sort(networks.begin(), networks.end());
         for (const std::string& name : networks) {
             if (!only.empty() && std::none_of(only.begin(), only.end(), [&](const std::string& o) { return name.starts_with(o); })) continue;

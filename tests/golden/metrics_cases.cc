@@ -77,7 +77,8 @@ void check_luma(Case& c, double ours) {
     for (const Json& entry : c.json().value("values", Json::array()))
         if (entry.at("value").is_number()) recorded[entry.at("name")] = entry.at("value");
     if (!recorded.contains(y)) return;
-    const double noise = std::abs(recorded.at(gray) - recorded.at("niqe BasicSR niqe() on the same gray in float64")), off = std::abs(ours - recorded.at(y));
+    const double noise = std::abs(recorded.at(gray) - recorded.at("niqe BasicSR niqe() on the same gray in float64")),
+                 off = std::abs(ours - recorded.at(y));
     const double tolerance = 0.02 + noise;
     c.put({y, off, off / recorded.at(y), tolerance, off <= tolerance, "0.02, and what single precision costs the gray"});
     c.leave_out(gray, "the authors' own values are compared");

@@ -154,7 +154,8 @@ void check_training(Case& c) {
         const Tensor made = nn::aotgan_generator(Scope(g), shape, real * (1 - mask) + mask, mask);
         const nn::Maps a = nn::vgg19_maps(Scope(vgg), made), b = nn::vgg19_maps(Scope(vgg), real);
         const Adversarial adversarial = nn::soft_mask_loss_as_published(Scope(d), 64, (1 - mask) * real + mask * made, real, mask);
-        const Tensor l1 = at::l1_loss(made, real), style = 250 * nn::style_loss(a, b), perceptual = 0.1 * nn::perceptual_loss(a, b), advg = 0.01 * adversarial.generator;
+        const Tensor l1 = at::l1_loss(made, real), style = 250 * nn::style_loss(a, b), perceptual = 0.1 * nn::perceptual_loss(a, b),
+                     advg = 0.01 * adversarial.generator;
         (l1 + style + perceptual + advg).backward({}, true);
         adversarial.discriminator.backward();
         for (const auto& [name, loss] : {std::pair{"L1", l1}, {"Style", style}, {"Perceptual", perceptual}, {"advg", advg}, {"advd", adversarial.discriminator}})
@@ -162,7 +163,9 @@ void check_training(Case& c) {
         if (i == 1) {
             for (const auto& [key, tensor] : d.seen())
                 if (tensor.requires_grad()) c.tensor("grad D." + key, tensor.grad());
-            for (const auto& [key, tensor] : g.seen()) compare_gradient(c, "grad " + key, tensor.grad(), key.ends_with("gate.1.bias") ? g.seen().at(key.substr(0, key.size() - 4) + "weight").grad() : Tensor());
+            for (const auto& [key, tensor] : g.seen())
+                compare_gradient(c, "grad " + key, tensor.grad(),
+                                 key.ends_with("gate.1.bias") ? g.seen().at(key.substr(0, key.size() - 4) + "weight").grad() : Tensor());
         }
         optimize_g.step();
         optimize_d.step();

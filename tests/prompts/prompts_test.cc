@@ -58,7 +58,9 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         PromptSpec again = understand_prompt(text, false, pack(Assets::cc0));
         const TracedRoom room(make_room(again, run));
         for (const PromptObject& wish : again.objects)
-            EXPECT_TRUE(wish.forbidden || wish.placed > 0 || std::any_of(again.not_placed.begin(), again.not_placed.end(), [&](const std::string& line) { return line.starts_with(wish.words + ": "); }))
+            EXPECT_TRUE(wish.forbidden || wish.placed > 0 ||
+                        std::any_of(again.not_placed.begin(), again.not_placed.end(),
+                                    [&](const std::string& line) { return line.starts_with(wish.words + ": "); }))
                 << wish.words << " is neither there nor reported";
         // Every word stands in exactly one list.
         const Json report = to_json(again);

@@ -71,7 +71,8 @@ int run_program(const std::filesystem::path& program, const std::vector<std::str
     std::vector<std::string> variables = environment_with(options.environment);
     const SpawnActions actions(options.log.string());
     pid_t child = 0;
-    const int failed = ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes, pointers_to(texts).data(), pointers_to(variables).data());
+    const int failed =
+        ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes, pointers_to(texts).data(), pointers_to(variables).data());
     if (failed) throw Error("{}: cannot be run: {}", program.string(), std::strerror(failed));
     int status = 0;
     {

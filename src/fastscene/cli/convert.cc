@@ -74,17 +74,33 @@ Verb add_convert(CLI::App& app) {
     verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
     verb->add_option("to", flags->to, "File to write; its ending chooses the format.")->type_name("FILE")->required();
     const auto axes = CLI::IsMember({"y", "z", "-y"}).description("");
-    verb->add_option("--up", flags->up, "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")->type_name("y|z|-y")->check(axes);
-    verb->add_option("--from-up", flags->from_up, "Axis that points up in the numbers read, where a file does not keep to its format's own.")->type_name("y|z|-y")->check(axes);
+    verb->add_option("--up", flags->up,
+                     "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")
+        ->type_name("y|z|-y")
+        ->check(axes);
+    verb->add_option("--from-up", flags->from_up, "Axis that points up in the numbers read, where a file does not keep to its format's own.")
+        ->type_name("y|z|-y")
+        ->check(axes);
     verb->add_option("--handed", flags->handed, "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
         ->type_name("right|left")->check(CLI::IsMember({"right", "left"}).description(""))->capture_default_str();
     verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")->type_name("X")->capture_default_str();
-    verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")->type_name("X Y Z")->expected(3)->default_str("0 0 0");
-    verb->add_option("--crop", flags->crop, "Keeps what lies between two corners: low right, down, forward, then high.")->type_name("X Y Z X Y Z")->expected(6);
+    verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")
+        ->type_name("X Y Z")
+        ->expected(3)
+        ->default_str("0 0 0");
+    verb->add_option("--crop", flags->crop, "Keeps what lies between two corners: low right, down, forward, then high.")
+        ->type_name("X Y Z X Y Z")
+        ->expected(6);
     verb->add_option("--max-splats", flags->max_splats, "Keeps this many, those that cover most.")->type_name("N");
     verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")->type_name("X")->capture_default_str();
-    verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")->type_name("N")->check(CLI::Range(0, 3).description(""))->capture_default_str();
-    verb->add_option("--spz-version", flags->spz_version, "2 for old readers, 3, or 4 (smaller, newest readers).")->type_name("N")->check(CLI::Range(2, 4).description(""))->capture_default_str();
+    verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")
+        ->type_name("N")
+        ->check(CLI::Range(0, 3).description(""))
+        ->capture_default_str();
+    verb->add_option("--spz-version", flags->spz_version, "2 for old readers, 3, or 4 (smaller, newest readers).")
+        ->type_name("N")
+        ->check(CLI::Range(2, 4).description(""))
+        ->capture_default_str();
     verb->add_flag("--compact", flags->compact, "PLY: only the bands there are, instead of always 62 floats a splat.");
     return {verb, [flags](const Session& session) { convert(*flags, session); }};
 }

@@ -13,10 +13,17 @@ struct TrainFlags {
 
 CLI::App* add_train(CLI::App& depth, const std::shared_ptr<TrainFlags>& flags) {
     CLI::App* verb = depth.add_subcommand("train", "Teaches EGformer from panoramas with range: our rooms, Structured3D, Pano3D.");
-    verb->add_option("--data", flags->data, "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, *_depth_*.exr); may be given again. Without it: painted rooms alone.")
-        ->type_name("DIR")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    verb->add_option("-o,--out", flags->out, "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes on with it.")->type_name("DIR")->required();
-    verb->add_option("--start", flags->start, "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")->type_name("FILE");
+    verb->add_option("--data", flags->data,
+                     "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, *_depth_*.exr); may be given "
+                     "again. Without it: painted rooms alone.")
+        ->type_name("DIR")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb->add_option("-o,--out", flags->out,
+                     "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes on with it.")
+        ->type_name("DIR")
+        ->required();
+    verb->add_option("--start", flags->start, "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")
+        ->type_name("FILE");
     verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", DepthTrainParams{}, flags->given, "Settings of the training");
     return verb;
@@ -49,7 +56,8 @@ void check(const CheckFlags& flags, const Session& session) {
     if (wanted.count < 1) throw UsageError("--count: expected at least 1, found {}", wanted.count);
     apply_fields("depth", wanted.depth, *flags.given);
     check_fields("depth", wanted.depth);
-    if (wanted.depth.backend == "exact" || wanted.depth.backend == "image") throw UsageError("--depth-backend: expected auto, egformer or layout, found {}", wanted.depth.backend);
+    if (wanted.depth.backend == "exact" || wanted.depth.backend == "image")
+        throw UsageError("--depth-backend: expected auto, egformer or layout, found {}", wanted.depth.backend);
     const Json report = check_depth(wanted, session.run(0));
     session.print(depth_check_text(report), report);
 }

@@ -64,8 +64,11 @@ Finding painting_memory() {
     for (const int width : {1024, 2048})
         state += fmt::format("{}{} x {}: {}, bf16 {}, low memory {}", state.empty() ? "" : "; ", width, width / 2, need(width, "float", false), need(width, "bf16", false),
                              need(width, "float", true));
-    const std::int64_t have = available_memory(), all = standard_diffusion_memory(1024, "float", false), least = standard_diffusion_memory(1024, "float", true);
-    const std::string remedy = have == 0 || have >= all ? "" : have >= least ? "use --panorama-low-memory" : "optional: painting a panorama wants more free memory than there is";
+    const std::int64_t have = available_memory(), all = standard_diffusion_memory(1024, "float", false),
+                       least = standard_diffusion_memory(1024, "float", true);
+    const std::string remedy = have == 0 || have >= all ? ""
+                               : have >= least          ? "use --panorama-low-memory"
+                                                        : "optional: painting a panorama wants more free memory than there is";
     return {"to paint", state, remedy};
 }
 
@@ -124,8 +127,11 @@ Finding furniture() {
     std::vector<std::string> complaints;
     const fs::path folder = FurniturePack::default_folder();
     const auto pack = FurniturePack::open(folder, Assets::all, complaints);
-    if (!complaints.empty()) return {"furniture pack", pack ? "damaged: " + complaints.front() : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
-                                     "apt-get install --no-install-recommends sweethome3d-furniture"};
+    if (!complaints.empty())
+        return {
+            "furniture pack",
+            pack ? "damaged: " + complaints.front() : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
+            "apt-get install --no-install-recommends sweethome3d-furniture"};
     return {"furniture pack", fmt::format("{} models in {}", pack->size(), folder.string()), ""};
 }
 

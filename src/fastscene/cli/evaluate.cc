@@ -86,9 +86,11 @@ void act(const EvaluateFlags& flags, const Session& session) {
 
 Verb add_evaluate(CLI::App& app) {
     auto flags = std::make_shared<EvaluateFlags>();
-    CLI::App* verb = app.add_subcommand("evaluate", "Makes and measures the scenes of a suite: one table, one report. Without a suite: lists those that ship.");
+    CLI::App* verb =
+        app.add_subcommand("evaluate", "Makes and measures the scenes of a suite: one table, one report. Without a suite: lists those that ship.");
     verb->add_option("suite", flags->suite, "Name of a suite that ships, or a file (docs/evaluate.md).")->type_name("SUITE");
-    verb->add_option("-o,--out", flags->out, "Folder of scenes, measures and report; goes on where it was. Default: out/evaluate-SUITE.")->type_name("DIR");
+    verb->add_option("-o,--out", flags->out, "Folder of scenes, measures and report; goes on where it was. Default: out/evaluate-SUITE.")
+        ->type_name("DIR");
     verb->add_option("--quality", flags->quality, "Preset for all scenes, instead of what the suite says.")
         ->type_name("draft|standard|high")
         ->check(CLI::IsMember(qualities()).description(""));
@@ -97,7 +99,8 @@ Verb add_evaluate(CLI::App& app) {
         ->type_name("NAME=DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("--weights", flags->weights, "Folder of the metrics' parameters and networks, as for `metrics images`.")->type_name("DIR");
-    verb->add_option("--redraw", flags->redraw, "Only write tables and page anew from DIR/results.json; nothing is made or measured.")->type_name("DIR");
+    verb->add_option("--redraw", flags->redraw, "Only write tables and page anew from DIR/results.json; nothing is made or measured.")
+        ->type_name("DIR");
     verb->add_flag("--show", flags->show, "Print the suite's text, to begin one's own with.");
     verb->footer(list_of_suites());
     return {verb, [flags](const Session& session) { act(*flags, session); }};

@@ -108,8 +108,9 @@ int run(int argc, char** argv) {
     app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     bool version = false;
     app.add_flag("--version", version, "Print the version and exit.");
-    const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app), add_walk(app),   add_views(app),  add_splat(app),
-                                  add_metrics(app), add_evaluate(app), add_render(app),   add_convert(app), add_view(app),  add_rooms(app), add_inpaint(app), add_models(app), add_doctor(app), add_version(app)};
+    const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app),  add_walk(app),    add_views(app), add_splat(app),
+                                  add_metrics(app), add_evaluate(app), add_render(app), add_convert(app), add_view(app),  add_rooms(app),
+                                  add_inpaint(app), add_models(app),   add_doctor(app), add_version(app)};
     auto common = std::make_shared<Common>();
     for (const Verb& verb : verbs) add_common_flags(*verb.app, common);
     try {

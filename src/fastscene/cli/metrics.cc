@@ -10,7 +10,8 @@ namespace {
 
 // What belongs to `metrics DIR --truth` would be taken and not used beside another measure: a second folder, most of all.
 void refuse_own(const CLI::App& verb, const Given& given, const std::string& part) {
-    if (const CLI::Option* folder = verb.get_option("folder"); folder->count()) throw UsageError("metrics {}: expected no further argument, found \"{}\"", part, folder->as<std::string>());
+    if (const CLI::Option* folder = verb.get_option("folder"); folder->count())
+        throw UsageError("metrics {}: expected no further argument, found \"{}\"", part, folder->as<std::string>());
     for (const char* flag : {"--truth", "--seed"})
         if (verb.get_option(flag)->count()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, flag);
     if (!given.empty()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, given.begin()->first);
@@ -39,7 +40,8 @@ Verb add_metrics(CLI::App& app) {
                         refuse_own(*verb, *flags->given, part.app->get_name());
                         return part.act(session);
                     }
-                if (flags->folder.empty()) throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
+                if (flags->folder.empty())
+                    throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
                 if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
                 TruthParams params;
                 apply_fields("", params, *flags->given);

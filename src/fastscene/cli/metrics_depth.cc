@@ -21,7 +21,8 @@ ImageF at_size_of(const ImageF& found, const ImageF& truth) {
     if (found.same_size(truth)) return found;
     ImageF out(truth.width, truth.height);
     for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x) out.at(x, y) = found.at((2 * x + 1) * found.width / (2 * out.width), (2 * y + 1) * found.height / (2 * out.height));
+        for (int x = 0; x < out.width; ++x)
+            out.at(x, y) = found.at((2 * x + 1) * found.width / (2 * out.width), (2 * y + 1) * found.height / (2 * out.height));
     return out;
 }
 
@@ -39,11 +40,18 @@ Verb add_metrics_depth(CLI::App& metrics) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = metrics.add_subcommand("depth", "An estimated range map against a measured one: AbsRel, RMSE, delta < 1.25 …");
-    verb->add_option("found", flags->found, "Estimated range map (.exr, .pfm, 16-bit .png in millimetres), or the folder of a run.")->type_name("MAP")->required();
+    verb->add_option("found", flags->found, "Estimated range map (.exr, .pfm, 16-bit .png in millimetres), or the folder of a run.")
+        ->type_name("MAP")
+        ->required();
     verb->add_option("truth", flags->truth, "Measured range map; 0 = not measured; or the folder of a run.")->type_name("MAP")->required();
-    verb->add_option("--align", flags->align, "What is set right first: none, the scale (by the median), or scale and shift (least squares), as published.")
-        ->type_name("none|scale|affine")->check(CLI::IsMember(std::vector<std::string>{"none", "scale", "affine"}).description(""))->capture_default_str();
-    verb->add_option("--farthest", flags->farthest, "Pixels whose truth is farther than this, in metres, are not counted.")->type_name("M")->capture_default_str();
+    verb->add_option("--align", flags->align,
+                     "What is set right first: none, the scale (by the median), or scale and shift (least squares), as published.")
+        ->type_name("none|scale|affine")
+        ->check(CLI::IsMember(std::vector<std::string>{"none", "scale", "affine"}).description(""))
+        ->capture_default_str();
+    verb->add_option("--farthest", flags->farthest, "Pixels whose truth is farther than this, in metres, are not counted.")
+        ->type_name("M")
+        ->capture_default_str();
     verb->add_flag("--solid-angle", flags->solid_angle, "Weigh pixels by their solid angle; published figures count them alike.");
     return {verb, [flags](const Session& session) {
                 const double farthest = number_from<double>("--farthest", flags->farthest);

@@ -93,17 +93,22 @@ Verb add_pull(CLI::App& models_verb) {
         bool accept = false;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = models_verb.add_subcommand("pull", "Brings models to this machine. What a broken connection has brought is kept, and the same command goes on; what is damaged is fetched again.");
+    CLI::App* verb = models_verb.add_subcommand("pull",
+                                                "Brings models to this machine. What a broken connection has brought is kept, and the same command "
+                                                "goes on; what is damaged is fetched again.");
     verb->add_option("names", flags->names, "Names as `models list` has them.")->type_name("NAME")->required();
     verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once for each model.");
-    verb->add_option("--mirror", flags->mirror, "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: $FASTSCENE_MODELS_MIRROR.")
+    verb->add_option("--mirror", flags->mirror,
+                     "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: $FASTSCENE_MODELS_MIRROR.")
         ->type_name("DIR|URL");
     return {verb, [flags](const Session& session) {
                 const Run run = session.run(0);
                 std::vector<const Model*> wanted;
                 for (const std::string& name : flags->names) wanted.push_back(&model_named(name));  // all names before the first byte
                 std::vector<ModelReport> reports;
-                for (const Model* model : wanted) reports.push_back(pull_model(*model, {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
+                for (const Model* model : wanted)
+                    reports.push_back(
+                        pull_model(*model, {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
                 print_reports(reports, session);
             }};
 }
@@ -117,7 +122,8 @@ std::string remedy_for(const ModelReport& report) {
 
 Verb add_verify(CLI::App& models_verb) {
     auto names = std::make_shared<std::vector<std::string>>();
-    CLI::App* verb = models_verb.add_subcommand("verify", "Reads the files again and holds them against their known hashes, or those recorded when they were first seen.");
+    CLI::App* verb = models_verb.add_subcommand(
+        "verify", "Reads the files again and holds them against their known hashes, or those recorded when they were first seen.");
     verb->add_option("names", *names, "Names as `models list` has them; none: whatever is here.")->type_name("NAME");
     return {verb, [names](const Session& session) {
                 const Run run = session.run(0);
@@ -130,7 +136,8 @@ Verb add_verify(CLI::App& models_verb) {
                 for (const ModelReport& report : reports)
                     if (!report.whole())
                         throw Error("models verify: expected whole models, found {} missing or damaged files in {}; {}",
-                                    std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }), report.model, remedy_for(report));
+                                    std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }),
+                                    report.model, remedy_for(report));
             }};
 }
 

@@ -42,7 +42,8 @@ void save_distance(const fs::path& path, const ImageF& distance) {
     if (ends_in(path, {".exr"})) return save_exr(path, distance);
     if (ends_in(path, {".pfm"})) return save_pfm(path, distance);
     Image<std::uint16_t> millimetres(distance.width, distance.height);
-    for (std::size_t i = 0; i < distance.size(); ++i) millimetres.pixels[i] = static_cast<std::uint16_t>(std::clamp(distance.pixels[i] * 1000.f + 0.5f, 0.f, 65535.f));
+    for (std::size_t i = 0; i < distance.size(); ++i)
+        millimetres.pixels[i] = static_cast<std::uint16_t>(std::clamp(distance.pixels[i] * 1000.f + 0.5f, 0.f, 65535.f));
     save_png16(path, millimetres);
 }
 
@@ -59,7 +60,8 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
         run.check_stop();
         const CameraKey key = camera.at(camera.keys.front().time_s + static_cast<float>(i) / camera.fps);
         const Rigid pose = world_from_camera_at(key.position_m, key.yaw_deg, key.pitch_deg);
-        save_png(frames / fmt::format("{:05}.png", i), (flags.sphere ? sphere_of(splats, camera.width / 2 * 2, pose, background) : still_of(splats, pinhole, pose, background)).color);
+        save_png(frames / fmt::format("{:05}.png", i),
+                 (flags.sphere ? sphere_of(splats, camera.width / 2 * 2, pose, background) : still_of(splats, pinhole, pose, background)).color);
         progress.advance();
     }
     Json json{{"frames", frames.string()}, {"count", count}};
@@ -98,7 +100,9 @@ void render_cameras(const Splats& splats, const Capture& capture, const fs::path
             if (part != ".." && part != ".") below += (below.empty() ? "" : "/") + part.string();
         const fs::path file = (out / below).replace_extension(".png");
         make_directories(file.parent_path());
-        save_png(file, (sphere ? sphere_of(splats, photo.lens.width / 2 * 2, pose, background) : still_of(splats, photo.lens.pinhole(), pose, background)).color);
+        save_png(file,
+                 (sphere ? sphere_of(splats, photo.lens.width / 2 * 2, pose, background) : still_of(splats, photo.lens.pinhole(), pose, background))
+                     .color);
         progress.advance();
     }
     if (bent) run.note("lenses with distortion were rendered without it");
@@ -122,15 +126,20 @@ void render(const Flags& flags, const Session& session) {
     const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene) : scene.parent_path();
     CameraPath camera;
     parse_size(!flags.size.empty() ? flags.size : flags.sphere ? "2048x1024" : "1280x720", camera.width, camera.height);
-    if (flags.sphere && camera.width != 2 * camera.height) throw UsageError("--size: expected twice as wide as high with --sphere, found {}", flags.size);
+    if (flags.sphere && camera.width != 2 * camera.height)
+        throw UsageError("--size: expected twice as wide as high with --sphere, found {}", flags.size);
     if (!(flags.fov_deg >= 1.f && flags.fov_deg <= 170.f)) throw UsageError("--fov: expected 1 to 170 degrees, found {}", flags.fov_deg);
     for (const float v : flags.background)
         if (!(v >= 0.f && v <= 1.f)) throw UsageError("--background: expected three numbers from 0 to 1, found {}", v);
     const fs::path out = !flags.out.empty() ? fs::path(flags.out) : folder / (flags.path.empty() ? "render.png" : "film");
-    if (flags.path.empty() && !ends_in(out, {".png", ".jpg", ".jpeg"})) throw UsageError("--out: expected a name that ends in .png or .jpg, found {}", out.string());
-    if (!flags.depth.empty() && !ends_in(flags.depth, {".exr", ".pfm", ".png"})) throw UsageError("--depth: expected a name that ends in .exr, .pfm or .png, found {}", flags.depth);
-    if (!flags.alpha.empty() && !ends_in(flags.alpha, {".png"})) throw UsageError("--alpha: expected a name that ends in .png, found {}", flags.alpha);
-    if (!flags.path.empty() && !(flags.depth.empty() && flags.alpha.empty())) throw UsageError("--path: expected neither --depth nor --alpha beside it");
+    if (flags.path.empty() && !ends_in(out, {".png", ".jpg", ".jpeg"}))
+        throw UsageError("--out: expected a name that ends in .png or .jpg, found {}", out.string());
+    if (!flags.depth.empty() && !ends_in(flags.depth, {".exr", ".pfm", ".png"}))
+        throw UsageError("--depth: expected a name that ends in .exr, .pfm or .png, found {}", flags.depth);
+    if (!flags.alpha.empty() && !ends_in(flags.alpha, {".png"}))
+        throw UsageError("--alpha: expected a name that ends in .png, found {}", flags.alpha);
+    if (!flags.path.empty() && !(flags.depth.empty() && flags.alpha.empty()))
+        throw UsageError("--path: expected neither --depth nor --alpha beside it");
 
     const bool of_colmap = fs::is_directory(flags.path) && is_colmap_model(flags.path);
     const bool of_capture = !flags.path.empty() && (of_colmap || fs::is_directory(flags.path) || read_json(flags.path).contains("frames"));
@@ -147,15 +156,23 @@ void render(const Flags& flags, const Session& session) {
 Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("render", "A picture of a scene, all around too, or a film along a camera path.");
-    verb->add_option("scene", flags->scene, "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")->type_name("DIR|FILE")->required();
-    verb->add_option("-o,--out", flags->out, "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")->type_name("PATH");
-    verb->add_option("--position", flags->position, "Where the camera is: metres right, down, forward of the first panorama.")->type_name("X Y Z")->expected(3)->default_str("0 0 0");
+    verb->add_option("scene", flags->scene, "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
+        ->type_name("DIR|FILE")
+        ->required();
+    verb->add_option("-o,--out", flags->out, "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")
+        ->type_name("PATH");
+    verb->add_option("--position", flags->position, "Where the camera is: metres right, down, forward of the first panorama.")
+        ->type_name("X Y Z")
+        ->expected(3)
+        ->default_str("0 0 0");
     verb->add_option("--yaw", flags->yaw_deg, "Degrees turned to the right.")->type_name("X")->capture_default_str();
     verb->add_option("--pitch", flags->pitch_deg, "Degrees looked up.")->type_name("X")->capture_default_str();
     verb->add_option("--fov", flags->fov_deg, "Horizontal field of view in degrees.")->type_name("X")->capture_default_str();
     verb->add_option("--size", flags->size, "Size of the picture in pixels; default 1280x720, with --sphere 2048x1024.")->type_name("WxH");
     verb->add_flag("--sphere", flags->sphere, "All around: an equirectangular picture.");
-    verb->add_option("--depth", flags->depth, "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere along the ray.")->type_name("FILE");
+    verb->add_option("--depth", flags->depth,
+                     "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere along the ray.")
+        ->type_name("FILE");
     verb->add_option("--alpha", flags->alpha, "Also how opaque each pixel is (.png).")->type_name("FILE");
     verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")->type_name("R G B")->expected(3)->default_str("0 0 0");
     verb->add_option("--path", flags->path,

@@ -18,7 +18,8 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
     });
     // As the paper's step is called.
     if (const CLI::Option* sfm = app.get_option_no_throw("--views-sfm"))
-        app.add_option_function<std::string>("--sfm", [given = flags->given](const std::string& text) { (*given)["--views-sfm"] = text; }, "The same as --views-sfm.")
+        app.add_option_function<std::string>(
+               "--sfm", [given = flags->given](const std::string& text) { (*given)["--views-sfm"] = text; }, "The same as --views-sfm.")
             ->type_name(sfm->get_type_name())
             ->group(sfm->get_group());
     app.add_option("--quality", flags->quality, "Preset that fills all settings below.")
@@ -51,12 +52,21 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("prompt", flags->prompt, "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".")->type_name("PROMPT");
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
-    verb->add_option("--panorama", flags->picture, "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
+    verb->add_option("--panorama", flags->picture,
+                     "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
         ->type_name("FILE|diffusion360");
-    verb->add_option("--weights", flags->weights, "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of `models pull diffusion360`.")->type_name("DIR");
-    verb->add_option("--photo", flags->photo, "With --panorama diffusion360: a photo that is continued all around. How wide it sees: --panorama-photo-fov-deg.")->type_name("FILE");
-    verb->add_option("--range", flags->range_map, "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")->type_name("FILE");
-    verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/formats.md).")->type_name("FILE");
+    verb->add_option("--weights", flags->weights,
+                     "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of "
+                     "`models pull diffusion360`.")
+        ->type_name("DIR");
+    verb->add_option("--photo", flags->photo,
+                     "With --panorama diffusion360: a photo that is continued all around. How wide it sees: --panorama-photo-fov-deg.")
+        ->type_name("FILE");
+    verb->add_option("--range", flags->range_map,
+                     "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")
+        ->type_name("FILE");
+    verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/formats.md).")
+        ->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
         ->type_name("none|cc0|all")
@@ -73,11 +83,15 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 if (painted) flags->picture.clear();
                 const auto upscale = flags->given->find("--panorama-upscale");
                 const bool larger = upscale != flags->given->end() && upscale->second != "none";
-                if (larger && !painted && flags->picture.empty()) throw UsageError("--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found alone");
+                if (larger && !painted && flags->picture.empty())
+                    throw UsageError("--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found alone");
                 if (!painted && !larger && !flags->weights.empty())
-                    throw UsageError("--weights: expected together with --panorama diffusion360, or --panorama FILE and --panorama-upscale, found alone");
-                if (!painted && !flags->photo.empty()) throw UsageError("--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to --panorama FILE");
-                if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos) throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
+                    throw UsageError(
+                        "--weights: expected together with --panorama diffusion360, or --panorama FILE and --panorama-upscale, found alone");
+                if (!painted && !flags->photo.empty())
+                    throw UsageError("--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to --panorama FILE");
+                if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos)
+                    throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
                 request.source = {flags->prompt, flags->picture, flags->range_map, flags->weights, flags->photo, flags->more};
                 request.quality = flags->quality;
                 request.params = params_of_quality(flags->quality);

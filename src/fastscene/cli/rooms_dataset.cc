@@ -7,7 +7,8 @@ namespace {
 
 std::string summary(const std::string& folder, const DatasetState& state) {
     std::string text = fmt::format("{}: {} of {} pictures are there, {} made now", folder, state.there, state.count, state.made);
-    if (state.there < state.count) text += fmt::format("; {} are in the hands of other processes: the same command finishes what they leave", state.count - state.there);
+    if (state.there < state.count)
+        text += fmt::format("; {} are in the hands of other processes: the same command finishes what they leave", state.count - state.there);
     return text;
 }
 
@@ -20,7 +21,9 @@ Verb add_rooms_dataset(CLI::App& rooms) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand("dataset", "Random rooms as training data: color, range, normals, class and instance ids, cameras.");
-    verb->add_option("-o,--out", flags->out, "Folder of the set. What is there is kept; any number of processes may work on one folder.")->type_name("DIR")->required();
+    verb->add_option("-o,--out", flags->out, "Folder of the set. What is there is kept; any number of processes may work on one folder.")
+        ->type_name("DIR")
+        ->required();
     verb->add_option("--count", flags->count, "Pictures in all. A larger number makes a set longer.")->type_name("N")->required();
     verb->add_option("--size", flags->size, "Size of the pictures.")->type_name("WIDTHxHEIGHT")->capture_default_str();
     verb->add_option("--seed", flags->seed, "Same seed and settings, same pictures, byte for byte.")->type_name("N")->capture_default_str();

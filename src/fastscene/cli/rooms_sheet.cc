@@ -12,7 +12,9 @@ Verb add_rooms_sheet(CLI::App& rooms) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand("sheet", "A picture of every room in every style, and all of them on one sheet.");
-    verb->add_option("-o,--out", flags->out, "Folder of the pictures and sheets. Those that are there already are kept.")->type_name("DIR")->required();
+    verb->add_option("-o,--out", flags->out, "Folder of the pictures and sheets. Those that are there already are kept.")
+        ->type_name("DIR")
+        ->required();
     verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between: living, bedroom, kids …")->type_name("NAMES")->delimiter(',');
     verb->add_option("--styles", flags->styles, "Only these styles, with commas between: modern, \"art deco\" …")->type_name("NAMES")->delimiter(',');
     verb->add_option("--seed", flags->seed, "Other rooms of the same kinds.")->type_name("N")->capture_default_str();
@@ -20,7 +22,8 @@ Verb add_rooms_sheet(CLI::App& rooms) {
     return {verb, [flags](const Session& session) {
                 SheetParams params;
                 apply_fields("", params, *flags->given);
-                const auto made = make_contact_sheet(flags->out, flags->rooms, flags->styles, params, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                const auto made = make_contact_sheet(flags->out, flags->rooms, flags->styles, params,
+                                                     session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 Json sheets = Json::array();
                 for (const auto& path : made) sheets.push_back(path.string());
                 session.print(made.back().string(), {{"sheets", sheets}});

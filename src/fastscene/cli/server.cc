@@ -16,7 +16,8 @@ namespace {
 std::string settings_of(const RunFolder& folder) {
     if (const auto glance = first_glance_of_capture(folder))
         return viewer_settings({folder.root.filename().string(), glance->position_m, glance->position_m + glance->forward, glance->fov_deg});
-    const Vec3f target = world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), kPreviewPitchDeg) * Vec3f{0, 0, 1};
+    const Vec3f target =
+        world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), kPreviewPitchDeg) * Vec3f{0, 0, 1};
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 

@@ -43,11 +43,17 @@ Verb add_splat(CLI::App& app) {
     Verb verb = add_stage_verb(app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.", stage);
     verb.app->get_option("folder")->required(false);
     const std::string group = "Photographs with cameras (instead of a run's folder)";
-    verb.app->add_option("--colmap", flags->colmap, "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.")->type_name("DIR")->group(group);
-    verb.app->add_option("--nerfstudio", flags->nerfstudio, "transforms.json of nerfstudio or NeRF, or the folder it lies in.")->type_name("FILE")->group(group);
+    verb.app->add_option("--colmap", flags->colmap, "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.")
+        ->type_name("DIR")
+        ->group(group);
+    verb.app->add_option("--nerfstudio", flags->nerfstudio, "transforms.json of nerfstudio or NeRF, or the folder it lies in.")
+        ->type_name("FILE")
+        ->group(group);
     verb.app->add_option("-o,--out", flags->out, "Folder to make; default: out/ and the name of the source.")->type_name("DIR")->group(group);
     verb.app->add_option("--images", flags->images, "Folder of the pictures; default: images beside the model.")->type_name("DIR")->group(group);
-    verb.app->add_option("--masks", flags->masks, "Folder of masks, white = counts; default: masks beside the model, where it is.")->type_name("DIR")->group(group);
+    verb.app->add_option("--masks", flags->masks, "Folder of masks, white = counts; default: masks beside the model, where it is.")
+        ->type_name("DIR")
+        ->group(group);
     verb.app->add_option("--seed", flags->seed, "Same seed, same splats, byte for byte.")->type_name("N")->default_str("0")->group(group);
     verb.app->add_flag("--force", flags->force, "Throw away what another run has left in the folder.")->group(group);
     PhotosParams photos;

@@ -13,7 +13,10 @@ Verb add_view(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("view", "Serves a scene to a browser on this machine (127.0.0.1) until Ctrl-C.");
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR")->required();
-    verb->add_option("--port", flags->port, "Port; 0 = any free one.")->type_name("N")->check(CLI::Range(0, 65535).description(""))->capture_default_str();
+    verb->add_option("--port", flags->port, "Port; 0 = any free one.")
+        ->type_name("N")
+        ->check(CLI::Range(0, 65535).description(""))
+        ->capture_default_str();
     return {verb, [flags](const Session& session) {
                 const RunFolder folder{flags->folder};
                 if (!std::filesystem::exists(folder.scene_compressed_ply()))

@@ -13,9 +13,11 @@ void make_table(const TableFlags& flags, const Session& session) {
     const bool has_picture = !flags.picture.empty() || !flags.range_map.empty();
     if (has_picture == !flags.scene.empty() || flags.picture.empty() != flags.range_map.empty())
         throw UsageError("walk table: expected the folder of a run, or --panorama FILE and --range FILE");
-    if (flags.truth && has_picture) throw UsageError("--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
+    if (flags.truth && has_picture)
+        throw UsageError("--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
     const Run run = session.run(0);
-    const std::vector<HoleRow> rows = has_picture ? hole_table_of_picture(flags.picture, flags.range_map, run) : hole_table_of_run(flags.scene, flags.truth, run);
+    const std::vector<HoleRow> rows =
+        has_picture ? hole_table_of_picture(flags.picture, flags.range_map, run) : hole_table_of_run(flags.scene, flags.truth, run);
     if (!flags.out.empty()) save_hole_table(flags.out, rows);
     std::string text = hole_table_text(rows);
     text.pop_back();
@@ -27,7 +29,8 @@ void make_table(const TableFlags& flags, const Session& session) {
 Verb add_walk(CLI::App& app) {
     Verb walk = add_stage_verb(app, "walk", "One panorama with range -> many, at exactly known positions, holes filled.");
     auto flags = std::make_shared<TableFlags>();
-    CLI::App* table = walk.app->add_subcommand("table", "How much of the picture a step leaves open, by axis and distance (the paper's Table 1): as published, and ours.");
+    CLI::App* table = walk.app->add_subcommand(
+        "table", "How much of the picture a step leaves open, by axis and distance (the paper's Table 1): as published, and ours.");
     table->add_option("scene", flags->scene, "Folder of a run that has got as far as its depth.")->type_name("DIR");
     table->add_option("--panorama", flags->picture, "Or a 2:1 picture …")->type_name("FILE");
     table->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, 16-bit .png in millimetres).")->type_name("FILE");

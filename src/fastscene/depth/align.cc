@@ -22,7 +22,8 @@ struct Neighbour {
 };
 
 float weighted_median(std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)>& items, std::size_t count) {
-    std::sort(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count), [](const Neighbour& a, const Neighbour& b) { return a.value < b.value; });
+    std::sort(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count),
+              [](const Neighbour& a, const Neighbour& b) { return a.value < b.value; });
     float total = 0;
     for (std::size_t i = 0; i < count; ++i) total += items[i].weight;
     // Between the two in the middle, so that a smooth surface stays smooth.
@@ -53,7 +54,8 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
     std::transform(guide.pixels.begin(), guide.pixels.end(), seen.pixels.begin(), as_seen);
 
     ImageF out(large.width, large.height);
-    const float sx = static_cast<float>(small.width) / static_cast<float>(large.width), sy = static_cast<float>(small.height) / static_cast<float>(large.height);
+    const float sx = static_cast<float>(small.width) / static_cast<float>(large.width),
+                sy = static_cast<float>(small.height) / static_cast<float>(large.height);
     parallel_for(large.height, 16, [&](std::int64_t begin, std::int64_t end) {
         std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)> items;
         for (int y = static_cast<int>(begin); y < end; ++y)

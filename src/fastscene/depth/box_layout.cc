@@ -123,7 +123,8 @@ class BoxScore {
         const float bottom = -std::atan(floor_m_ / distance), top = std::atan(ceiling_m_ / distance);
         constexpr int kSteps = 12;
         float sum = 0;
-        for (int i = 0; i < kSteps; ++i) sum += strength_at(lines_.upright, lon, bottom + (top - bottom) * (static_cast<float>(i) + 0.5f) / kSteps, false);
+        for (int i = 0; i < kSteps; ++i)
+            sum += strength_at(lines_.upright, lon, bottom + (top - bottom) * (static_cast<float>(i) + 0.5f) / kSteps, false);
         return sum / kSteps;
     }
     const Lines& lines_;

@@ -51,7 +51,8 @@ TEST(BoxLayout, RangeLiesOnTheBox) {
         for (int x = 0; x < kSize.width; ++x) {
             const Vec3f p = direction_of_pixel(x, y, kSize) * range.at(x, y);
             const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw), right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
-            const float inside[6] = {box.wall_m[0] - ahead, box.wall_m[1] - right, box.wall_m[2] + ahead, box.wall_m[3] + right, box.floor_m - p.y, box.ceiling_m + p.y};
+            const float inside[6] = {box.wall_m[0] - ahead, box.wall_m[1] - right, box.wall_m[2] + ahead,
+                                     box.wall_m[3] + right, box.floor_m - p.y,     box.ceiling_m + p.y};
             float nearest = 10;
             for (const float gap : inside) {
                 EXPECT_GT(gap, -1e-4f);
@@ -64,7 +65,8 @@ TEST(BoxLayout, RangeLiesOnTheBox) {
 TEST(BoxLayout, FindsAPaintedBox) {
     const BoxLayout box = some_box();
     const BoxLayout found = fit_box(painted(box, {512, 256}), box.floor_m);
-    EXPECT_LT(mean_relative_error(range_of_box(found, kSize), range_of_box(box, kSize)), 0.06) << "yaw " << found.yaw << " ceiling " << found.ceiling_m;
+    EXPECT_LT(mean_relative_error(range_of_box(found, kSize), range_of_box(box, kSize)), 0.06)
+        << "yaw " << found.yaw << " ceiling " << found.ceiling_m;
 }
 
 TEST(BoxLayout, FindsNoNonsenseInAnEmptyPicture) {
@@ -125,7 +127,8 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
             mirrored.at(size.width - 1 - x, y) = picture.at(x, y);
         }
     const auto unlike = [&](int looks) {
-        const ImageF a = network.relative_depth(picture, looks), b = network.relative_depth(turned, looks), c = network.relative_depth(mirrored, looks);
+        const ImageF a = network.relative_depth(picture, looks), b = network.relative_depth(turned, looks),
+                     c = network.relative_depth(mirrored, looks);
         double turn = 0, mirror = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {

@@ -44,7 +44,8 @@ class EgformerEstimator : public DepthEstimator {
         run.check_stop();
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
-            run.warn(fmt::format("depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess", camera_height_m_));
+            run.warn(
+                fmt::format("depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess", camera_height_m_));
         return {aligned_to_picture(metric_range(relative, fit), color),
                 {{"backend", "egformer"},
                  {"weights", name_},
@@ -71,9 +72,11 @@ std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) 
     FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto" || params.backend == "egformer");
     const float height = params.camera_height_m;
     if (params.backend == "layout") return std::make_unique<LayoutEstimator>(height);
-    if (const std::filesystem::path file = params.weights; !file.empty()) return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), params);
+    if (const std::filesystem::path file = params.weights; !file.empty())
+        return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), params);
     if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, params);
-    if (params.backend == "egformer") throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
+    if (params.backend == "egformer")
+        throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
     return std::make_unique<LayoutEstimator>(height);
 }
 

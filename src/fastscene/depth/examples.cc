@@ -31,7 +31,8 @@ void find_rooms(const fs::path& shard, std::vector<DepthFiles>& out) {
         try {
             if (json.at("camera").at("model") != "EQUIRECTANGULAR") continue;
             const int room = json.at("room").get<int>();
-            out.push_back({shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), fmt::format("room {}", room), room % 10 == 9});
+            out.push_back({shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), fmt::format("room {}", room),
+                           room % 10 == 9});
         } catch (const Json::exception& e) {
             throw Error("{}: expected camera, room, color and range (docs/dataset.md): {}", path.string(), e.what());
         }
@@ -83,8 +84,11 @@ std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
         else find_pano3d(path, out);
     }
     if (out.empty())
-        throw Error("{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, scene_00000/2D_rendering of Structured3D, or *_color_*.png with "
-                    "*_depth_*.exr of Pano3D), found none", folder.string());
+        throw Error(
+            "{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, scene_00000/2D_rendering of Structured3D, or "
+            "*_color_*.png with "
+            "*_depth_*.exr of Pano3D), found none",
+            folder.string());
     return out;
 }
 
@@ -118,7 +122,8 @@ std::vector<float> mean_range_by_latitude(const std::vector<DepthExample>& examp
     std::vector<double> sum(height), count(height);
     for (const DepthExample& e : examples)
         for (std::size_t i = 0; i < e.range.size(); ++i)
-            if (const float r = e.range.pixels[i]; r > 0) sum[i / static_cast<std::size_t>(e.range.width)] += r, count[i / static_cast<std::size_t>(e.range.width)] += 1;
+            if (const float r = e.range.pixels[i]; r > 0)
+                sum[i / static_cast<std::size_t>(e.range.width)] += r, count[i / static_cast<std::size_t>(e.range.width)] += 1;
     std::vector<float> mean(height, 0.f);
     float last = 0;
     for (std::size_t y = 0; y < height; ++y) mean[y] = last = count[y] > 0 ? static_cast<float>(sum[y] / count[y]) : last;

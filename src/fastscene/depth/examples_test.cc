@@ -59,7 +59,8 @@ TEST(Examples, RoomsAreHeldOutAsAWhole) {
 TEST(Examples, Structured3dAndPano3d) {
     const fs::path s3d = fresh("s3d");
     for (const char* scene : {"scene_00012", "scene_03100"})
-        make_pair(s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "rgb_rawlight.png", s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "depth.png");
+        make_pair(s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "rgb_rawlight.png",
+                  s3d / scene / "2D_rendering" / "485142" / "panorama" / "full" / "depth.png");
     const std::vector<DepthFiles> rooms = find_depth_files(s3d);
     ASSERT_EQ(rooms.size(), 2u);
     EXPECT_FALSE(rooms[0].held_out);
@@ -135,7 +136,8 @@ TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
         Random a(4, "look", i), b(4, "look", i);
         const PhotoLook look = random_photo_look(a), same = random_photo_look(b);
         EXPECT_EQ(look.exposure_ev, same.exposure_ev);
-        EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 && look.white.x > 0.3f && look.white.x < 3.f);
+        EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 && look.white.x > 0.3f &&
+                    look.white.x < 3.f);
     }
 }
 

@@ -82,7 +82,9 @@ void meet(const Thing& thing, Vec3f o, Vec3f d, Hit& hit) {
     hit.t = t;
     hit.local = lo + ld * t;
     Vec3f n{};
-    if (thing.round) n = normalize(Vec3f{hit.local.x / (thing.half.x * thing.half.x), hit.local.y / (thing.half.y * thing.half.y), hit.local.z / (thing.half.z * thing.half.z)});
+    if (thing.round)
+        n = normalize(Vec3f{hit.local.x / (thing.half.x * thing.half.x), hit.local.y / (thing.half.y * thing.half.y),
+                            hit.local.z / (thing.half.z * thing.half.z)});
     else n[axis] = ld[axis] > 0 ? -1.f : 1.f;
     hit.normal = turned(n, thing.c, thing.s);
     hit.paint = &thing.paint;
@@ -126,7 +128,9 @@ Vec3f color_of(const Paint& paint, Vec3f local, Vec3f normal) {
     switch (paint.pattern) {
         case Pattern::stripes: t = static_cast<float>(floor_int(uv.x) & 1); break;
         case Pattern::checker: t = static_cast<float>((floor_int(uv.x) + floor_int(uv.y)) & 1); break;
-        case Pattern::planks: t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0, paint.seed); break;
+        case Pattern::planks:
+            t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0, paint.seed);
+            break;
         case Pattern::clouds: t = 0.6f * noise2(uv, paint.seed) + 0.4f * noise2(uv * 3.1f, paint.seed + 1); break;
         default: break;
     }
@@ -138,7 +142,8 @@ Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     if (hit.paint->shines || hit.paint->window) return albedo * 3.f;
     float open = 1;   // less light comes into corners
     for (std::size_t a = 0; a < 3; ++a)
-        if (std::abs(hit.normal[a]) < 0.7f) open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) * (1 - scene.corner * std::exp(-(scene.high[a] - p[a]) / 0.4f));
+        if (std::abs(hit.normal[a]) < 0.7f)
+            open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) * (1 - scene.corner * std::exp(-(scene.high[a] - p[a]) / 0.4f));
     float light = scene.ambient * open * (1 - 0.15f * hit.normal.y);
     for (const Vec3f lamp : scene.lamps) {
         const Vec3f to = lamp - p;
@@ -251,10 +256,12 @@ void add_sheet(Scene& scene, Random& dice) {
     const float width = std::min(0.8f * span, dice.uniform(0.3f, 2.2f)), kind = dice.uniform();
     const bool door = kind < 0.25f, window = kind > 0.6f;
     const float height = door ? std::min(2.05f, 0.9f * tall) : dice.uniform(0.3f, 0.6f) * tall, along = dice.uniform(0, span - width) + width / 2;
-    const float thick = kind > 0.5f && !window ? 0.12f : 0.03f, y = door ? scene.high.y - height / 2 : scene.low.y + dice.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
+    const float thick = kind > 0.5f && !window ? 0.12f : 0.03f,
+                y = door ? scene.high.y - height / 2 : scene.low.y + dice.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
     Thing t;
     t.half = along_x ? Vec3f{width / 2, height / 2, thick / 2} : Vec3f{thick / 2, height / 2, width / 2};
-    t.center = along_x ? Vec3f{scene.low.x + along, y, wall == 0 ? scene.low.z : scene.high.z} : Vec3f{wall == 1 ? scene.high.x : scene.low.x, y, scene.low.z + along};
+    t.center = along_x ? Vec3f{scene.low.x + along, y, wall == 0 ? scene.low.z : scene.high.z}
+                       : Vec3f{wall == 1 ? scene.high.x : scene.low.x, y, scene.low.z + along};
     t.paint = random_paint(dice, 0.05f, 0.9f, 0.3f);
     t.paint.window = window;
     add(scene, t);
@@ -264,7 +271,8 @@ void add_sheet(Scene& scene, Random& dice) {
 void add_corner(Scene& scene, Random& dice) {
     const float w = scene.high.x - scene.low.x, d = scene.high.z - scene.low.z, tall = scene.high.y - scene.low.y;
     const float x = dice.uniform(0.05f, 0.45f) * w, z = dice.uniform(0.05f, 0.45f) * d;
-    Thing t = standing(scene, {x, tall, z}, dice.chance(0.5f) ? scene.low.x + x / 2 : scene.high.x - x / 2, dice.chance(0.5f) ? scene.low.z + z / 2 : scene.high.z - z / 2, 0);
+    Thing t = standing(scene, {x, tall, z}, dice.chance(0.5f) ? scene.low.x + x / 2 : scene.high.x - x / 2,
+                       dice.chance(0.5f) ? scene.low.z + z / 2 : scene.high.z - z / 2, 0);
     t.paint = scene.sides[dice.chance(0.5f) ? 0 : 4];
     if (clear_of_camera(t)) scene.things.push_back(t);
 }
@@ -291,7 +299,8 @@ Scene random_scene(Random& dice) {
     for (int i = dice.index(15); i > 0; --i) add_furniture(scene, dice);
     for (int i = dice.index(8); i > 0; --i) add_sheet(scene, dice);
     for (int i = 1 + dice.index(3); i > 0; --i) {
-        const Vec3f at{dice.uniform(0.8f * scene.low.x, 0.8f * scene.high.x), scene.low.y + dice.uniform(0.1f, 0.6f), dice.uniform(0.8f * scene.low.z, 0.8f * scene.high.z)};
+        const Vec3f at{dice.uniform(0.8f * scene.low.x, 0.8f * scene.high.x), scene.low.y + dice.uniform(0.1f, 0.6f),
+                       dice.uniform(0.8f * scene.low.z, 0.8f * scene.high.z)};
         scene.lamps.push_back(at);
         Thing shade;
         shade.center = at;
@@ -320,7 +329,8 @@ DepthExample painted_room(EquirectSize size, Random& dice) {
             const Hit hit = first_hit(scene, d);
             range.at(x, y) = hit.paint->window ? 0.f : hit.t;
             // Another ray beside the center's softens edges.
-            const Vec3f beside = turned(direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()}, size), c, s);
+            const Vec3f beside =
+                turned(direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()}, size), c, s);
             const Hit other = first_hit(scene, beside);
             light.at(x, y) = (light_at(scene, d * hit.t, hit) + light_at(scene, beside * other.t, other)) * 0.5f;
             mean += luminance(light.at(x, y));

@@ -24,7 +24,8 @@ ImageColor blurred(const ImageColor& image, float sigma) {
     ImageColor across(image.width, image.height), out(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            across.at(x, y) = (image.at(x, y) + (image.at(wrap_column(x - 1, image.width), y) + image.at(wrap_column(x + 1, image.width), y)) * side) * scale;
+            across.at(x, y) =
+                (image.at(x, y) + (image.at(wrap_column(x - 1, image.width), y) + image.at(wrap_column(x + 1, image.width), y)) * side) * scale;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             out.at(x, y) = (across.at(x, y) + (across.at(x, std::max(0, y - 1)) + across.at(x, std::min(image.height - 1, y + 1))) * side) * scale;

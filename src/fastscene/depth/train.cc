@@ -55,7 +55,8 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     const auto wanted = static_cast<std::size_t>(std::max(1., p.share * static_cast<double>(files.size())));
     const std::vector<DepthExample> examples = load_examples(with_fate(files, false, wanted), false, size, run);
     std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);
-    if (examples.empty() && !files.empty()) throw Error("{}: expected pictures to train on, found held-out ones only: more rooms are needed", names.dump());
+    if (examples.empty() && !files.empty())
+        throw Error("{}: expected pictures to train on, found held-out ones only: more rooms are needed", names.dump());
     if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
     const double painted = files.empty() ? 1 : p.painted;
 

@@ -20,8 +20,10 @@ template <class V>
 void visit_fields(DepthTrainParams& p, V&& v) {
     v("height", p.height, Bounds{32, 1024}, "Height of what the network sees, a multiple of 32; 512 as published. Its width is twice that.");
     v("channels", p.channels, Bounds{4, 256}, "Of its first stage, a multiple of 4; 32 as published. Size and time grow with the square.");
-    v("painted", p.painted, Bounds{0, 1}, "Share of examples that are painted rooms: boxes in a box, made while training; 1 where there is no --data.");
-    v("direct", p.direct, Bounds{0, 100}, "Weight of a loss that aligns nothing, beside the published one, which aligns scale and shift; 0 = as published.");
+    v("painted", p.painted, Bounds{0, 1},
+      "Share of examples that are painted rooms: boxes in a box, made while training; 1 where there is no --data.");
+    v("direct", p.direct, Bounds{0, 100},
+      "Weight of a loss that aligns nothing, beside the published one, which aligns scale and shift; 0 = as published.");
     v("share", p.share, Bounds{0.001, 1}, "Use only this share of the pictures.");
     visit_fields(p.training, v);
 }

@@ -76,7 +76,8 @@ std::string bar_chart(const std::string& title, const std::string& hint, const s
     double y = kTop;
     for (const Bar& bar : bars) {
         inside += fmt::format("<g><title>{}: {}</title>", html_escaped(bar.label), html_escaped(bar.text));
-        for (const std::string& line : lines_of(bar.label, kLabelLetters)) inside += text_at(0, y + 11, "start", line, "chart-label"), y += kLabelStep;
+        for (const std::string& line : lines_of(bar.label, kLabelLetters))
+            inside += text_at(0, y + 11, "start", line, "chart-label"), y += kLabelStep;
         const double length = std::max(1.0, (kWidth - kValueWidth) * std::max(0.0, bar.value) / most);
         inside += fmt::format("<rect class=\"bar {}\" x=\"0\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" rx=\"3\"/>", bar.kind, y, length, kBarHeight);
         inside += text_at(length + 6, y + 13, "start", bar.text, "chart-value") + "</g>";

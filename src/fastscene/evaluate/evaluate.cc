@@ -114,7 +114,8 @@ class Evaluation {
     }
     std::optional<OwnRun> own_run(const SuiteScene& scene) const {
         for (const Job& job : jobs_)
-            if (job.scene == &scene && finished_stage(job.folder(options_.out), last_stage_)) return OwnRun{{job.folder(options_.out)}, truth_of(job)};
+            if (job.scene == &scene && finished_stage(job.folder(options_.out), last_stage_))
+                return OwnRun{{job.folder(options_.out)}, truth_of(job)};
         return std::nullopt;
     }
 
@@ -137,7 +138,13 @@ class Evaluation {
         try {
             if (given) record["quality"] = recorded_run(folder).request.quality;
             const Json report = make(job, folder, run);
-            const MeasureInputs inputs{&suite_, options_.out, options_.out / "measured" / job.place, truth_of(job), job.variant->bounds, given, options_.weights,
+            const MeasureInputs inputs{&suite_,
+                                       options_.out,
+                                       options_.out / "measured" / job.place,
+                                       truth_of(job),
+                                       job.variant->bounds,
+                                       given,
+                                       options_.weights,
                                        job.scene->source.prompt};
             Measured measured = measure_scene(inputs, folder, run);
             measured.samples.push_back(cost_of(report));

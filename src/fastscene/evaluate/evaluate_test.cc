@@ -53,7 +53,8 @@ TEST_F(TwoScenes, FailedScenesKeepTheirRowAndTheirReasons) {
     EXPECT_EQ(row_of(both, "ours").at("scenes"), 0);
     EXPECT_EQ(row_of(both, "ours").at("of"), 2);
     const std::string markdown = read_file(folder_ / "out/table.md");
-    for (const char* scene : {"a", "b"}) EXPECT_NE(markdown.find(std::string("- failed: ours, ") + scene + ", seed 0: "), std::string::npos) << markdown;
+    for (const char* scene : {"a", "b"})
+        EXPECT_NE(markdown.find(std::string("- failed: ours, ") + scene + ", seed 0: "), std::string::npos) << markdown;
 }
 
 TEST_F(TwoScenes, WhatIsRefusedLeavesNothingBehind) {

@@ -25,7 +25,8 @@ class MeasureSheet {
     // A folder below the scene's work folder, made by `make` unless it is there from the same params.
     std::filesystem::path kept(const std::string& name, const Json& params, const std::function<void(const std::filesystem::path&)>& make);
     // The same; hangs also on the run's stages as they are now.
-    std::filesystem::path made(const std::string& name, Json params, const RunFolder& folder, const std::function<void(const std::filesystem::path&)>& make);
+    std::filesystem::path made(const std::string& name, Json params, const RunFolder& folder,
+                               const std::function<void(const std::filesystem::path&)>& make);
 
     Measured take() { return std::move(measured_); }
 

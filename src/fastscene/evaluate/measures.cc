@@ -48,7 +48,8 @@ class SceneMeasures {
             const auto draw = [&](const fs::path& to) {
                 const Panorama first = ours ? load_first_panorama(*ours) : Panorama{};
                 const StillsParams& p = in_.suite->stills;
-                save_walked_stills(to / "walked", load_splats(other.splats).splats, p, still_camera(p, ours ? first.color.width : width), first.range, run_);
+                save_walked_stills(to / "walked", load_splats(other.splats).splats, p, still_camera(p, ours ? first.color.width : width), first.range,
+                                   run_);
             };
             dir = (ours ? sheet_.made("stills", params, *ours, draw) : sheet_.kept("stills", params, draw)) / "walked";
         }
@@ -94,7 +95,9 @@ class SceneMeasures {
             sample.values["holes_published"] = percent(row.at("published"));
             sample.values["holes"] = percent(row.at("ours"));
             if (row.contains("truth")) sample.values["holes_true"] = percent(row.at("truth").at("ratio"));
-            else sample.notes["holes_true"] = {row.at("in_room").get<bool>() ? "needs a room behind the scene" : "the step ends in or behind a surface"};
+            else
+                sample.notes["holes_true"] = {row.at("in_room").get<bool>() ? "needs a room behind the scene"
+                                                                            : "the step ends in or behind a surface"};
         }
     }
 
@@ -121,7 +124,8 @@ class SceneMeasures {
 
     // `theirs`: judged instead of the run's own splats.
     void held_out(const RunFolder& folder, const fs::path& theirs) {
-        if (!recorded_run(folder).request.source.has_room()) return sheet_.note_all("held-out", "needs a room behind the scene: a prompt, not a picture");
+        if (!recorded_run(folder).request.source.has_room())
+            return sheet_.note_all("held-out", "needs a room behind the scene: a prompt, not a picture");
         const HeldOutParams& p = in_.suite->held_out;
         const Run poses_run{0, run_.events, run_.stop};
         RunTruth room(folder.root, in_.truth, poses_run);

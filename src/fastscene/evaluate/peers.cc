@@ -52,7 +52,8 @@ double minutes_in(const fs::path& file) {
     const std::string text = read_file(file);
     char* end = nullptr;
     const double minutes = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || !(minutes >= 0) || !std::isfinite(minutes)) throw Error("{}: expected a number of minutes, found \"{}\"", file.string(), text.substr(0, 40));
+    if (end == text.c_str() || !(minutes >= 0) || !std::isfinite(minutes))
+        throw Error("{}: expected a number of minutes, found \"{}\"", file.string(), text.substr(0, 40));
     return minutes;
 }
 
@@ -74,7 +75,11 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
         const fs::path work = inputs.out / "measured" / "peers" / slug_of(peer.name) / scene.name;
         const std::optional<OwnRun> own = inputs.own_run(scene);
         if (own) record["cameras"] = own->folder.root.generic_string();
-        const MeasureInputs measure{.suite = &inputs.suite, .out = inputs.out, .work = work, .truth = own ? own->truth : fs::path(), .weights = inputs.weights,
+        const MeasureInputs measure{.suite = &inputs.suite,
+                                    .out = inputs.out,
+                                    .work = work,
+                                    .truth = own ? own->truth : fs::path(),
+                                    .weights = inputs.weights,
                                     .prompt = scene.source.prompt};
         const OtherScene judged{stills_alone(other, work), other.sphere, other.splats};
         const int width = inputs.suite.variants.front().params.panorama.width;
@@ -106,7 +111,8 @@ void check_peers(const std::vector<SuitePeer>& peers, const Suite& suite) {
     std::set<std::string> rows;
     for (const SuiteVariant& variant : suite.variants) rows.insert(slug_of(variant.name));
     for (const SuitePeer& peer : peers) {
-        if (!rows.insert(slug_of(peer.name)).second) throw UsageError("--peer {}: expected a name of its own, found another row of this name", peer.name);
+        if (!rows.insert(slug_of(peer.name)).second)
+            throw UsageError("--peer {}: expected a name of its own, found another row of this name", peer.name);
         check_peer(peer, suite);
     }
 }

@@ -39,7 +39,8 @@ ImageRgb8 thumbnail(const ImageRgb8& image, int width) {
             for (int v = y0; v < y1; ++v)
                 for (int u = x0; u < x1; ++u) r += image.at(u, v).r, g += image.at(u, v).g, b += image.at(u, v).b;
             const int n = (x1 - x0) * (y1 - y0);
-            out.at(x, y) = {static_cast<std::uint8_t>((r + n / 2) / n), static_cast<std::uint8_t>((g + n / 2) / n), static_cast<std::uint8_t>((b + n / 2) / n)};
+            out.at(x, y) = {static_cast<std::uint8_t>((r + n / 2) / n), static_cast<std::uint8_t>((g + n / 2) / n),
+                            static_cast<std::uint8_t>((b + n / 2) / n)};
         }
     }
     return out;

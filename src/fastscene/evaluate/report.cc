@@ -115,10 +115,14 @@ std::string size_text(const Json& results) {
 }  // namespace
 
 std::string report_html(const Json& results, const fs::path& out) {
-    std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-                       escaped(results, "title") + "</title>\n<style>\n" + std::string(kReportStyle) + "</style></head>\n<body><main>\n";
-    html += fmt::format("<header><div class=\"kicker\">fastscene evaluate {}</div><h1>{}</h1>\n<p>{}</p><div class=\"meta\">{}, fastscene {}</div></header>\n",
-                        escaped(results, "suite"), escaped(results, "title"), escaped(results, "about"), size_text(results), escaped(results.at("versions"), "fastscene"));
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n<title>" +
+        escaped(results, "title") + "</title>\n<style>\n" + std::string(kReportStyle) + "</style></head>\n<body><main>\n";
+    html += fmt::format(
+        "<header><div class=\"kicker\">fastscene evaluate {}</div><h1>{}</h1>\n<p>{}</p><div class=\"meta\">{}, fastscene {}</div></header>\n",
+        escaped(results, "suite"), escaped(results, "title"), escaped(results, "about"), size_text(results),
+        escaped(results.at("versions"), "fastscene"));
     const Footnotes footnotes(results);
     html += "<h2>Results</h2>\n" + table_html(results, footnotes) + notes_html(results, footnotes);
     if (const std::string curves = curves_html(results); !curves.empty()) html += "<h2>Curves</h2>\n<div class=\"charts\">" + curves + "</div>\n";

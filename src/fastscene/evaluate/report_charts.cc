@@ -20,7 +20,8 @@ std::string better_hint(const Json& column) {
 std::string short_title(const Json& results, const Json& row) {
     const std::string group = row.at("group");
     const auto& rows = results.at("rows");
-    const bool alone = std::none_of(rows.begin(), rows.end(), [&](const Json& r) { return r.at("kind") != "published" && r.at("name") != row.at("name"); });
+    const bool alone =
+        std::none_of(rows.begin(), rows.end(), [&](const Json& r) { return r.at("kind") != "published" && r.at("name") != row.at("name"); });
     return alone && !group.empty() ? group : row_title(row);
 }
 
@@ -58,7 +59,8 @@ std::string curves_html(const Json& results) {
             const std::string group = unit == "dB" || key.starts_with("holes") ? "" : ", " + text_of(column, "label");
             const std::string title = text_of(row, "name") + (series.empty() ? "" : ", " + series) + group;
             if (std::find(titles.begin(), titles.end(), title) == titles.end()) titles.push_back(title);
-            labels[title] = {series.empty() ? "radius, m" : "step, share of the greatest range", group.empty() ? (unit == "%" ? "holes, % of the picture" : unit) : better_hint(column)};
+            labels[title] = {series.empty() ? "radius, m" : "step, share of the greatest range",
+                             group.empty() ? (unit == "%" ? "holes, % of the picture" : unit) : better_hint(column)};
             Curve& curve = charts[title][key];
             curve.name = text_of(column, "label");
             curve.dashed = column.at("better") == "neither";

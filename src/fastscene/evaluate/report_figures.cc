@@ -21,7 +21,8 @@ constexpr int kStillWidth = 300, kPairWidth = 420, kSphereWidth = 1060, kJpegQua
 std::string picture_data(const fs::path& out, const fs::path& picture, int width) {
     const fs::path file = out / picture, kept = out / "measured" / "thumbnails";
     if (!fs::exists(file)) return "";  // deleted since; the page says so by its gap
-    const std::string key = Hash().add(file.string()).add(fs::file_size(file)).add(fs::last_write_time(file).time_since_epoch().count()).add(width).hex();
+    const std::string key =
+        Hash().add(file.string()).add(fs::file_size(file)).add(fs::last_write_time(file).time_since_epoch().count()).add(width).hex();
     const fs::path small = kept / (key + ".jpg");
     if (!fs::exists(small)) {
         make_directories(kept);
@@ -47,7 +48,10 @@ std::string figures_html(const Json& figures, const fs::path& out) {
                 continue;
             }
             html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label,
-                                picture_data(out, picture.at("file").get<std::string>(), wide ? kSphereWidth : stills || columns ? kStillWidth : kPairWidth),
+                                picture_data(out, picture.at("file").get<std::string>(),
+                                             wide                ? kSphereWidth
+                                             : stills || columns ? kStillWidth
+                                                                 : kPairWidth),
                                 label.empty() ? "" : "<span>" + label + "</span>");
         }
         html += "</div></figure>\n";

@@ -114,7 +114,8 @@ std::string panoramas_html(const Room& room, const fs::path& out) {
         const std::string quality = text_of(*record, "quality");
         if (!record->contains("panorama") || std::find(shown.begin(), shown.end(), quality) != shown.end()) continue;
         shown.push_back(quality);
-        html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality), picture_data(out, text_of(*record, "panorama"), 1060));
+        html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality),
+                            picture_data(out, text_of(*record, "panorama"), 1060));
     }
     return html;
 }
@@ -124,14 +125,18 @@ std::string room_html(const Room& room, const Json& results, const fs::path& out
     const std::string prompt = text_of(first, "prompt");
     std::string html = fmt::format("<section class=\"scene\"><h3>{}</h3>\n", html_escaped(prompt.empty() ? room.scene : "“" + prompt + "”"));
     for (const Json* record : room.records)
-        html += fmt::format("<div class=\"hint\">{}{}{}, {}</div>\n", html_escaped(text_of(*record, "variant")), record->at("kind") == "ours" ? fmt::format(", seed {}", room.seed) : "",
-                            record->contains("quality") ? ", quality " + html_escaped(text_of(*record, "quality")) : "", html_escaped(text_of(*record, "folder")));
+        html += fmt::format("<div class=\"hint\">{}{}{}, {}</div>\n", html_escaped(text_of(*record, "variant")),
+                            record->at("kind") == "ours" ? fmt::format(", seed {}", room.seed) : "",
+                            record->contains("quality") ? ", quality " + html_escaped(text_of(*record, "quality")) : "",
+                            html_escaped(text_of(*record, "folder")));
     for (const Json* record : room.records)
         if (record->contains("failed"))
-            html += fmt::format("<div class=\"todo failed\"><p>{} failed</p>{}</div>\n", html_escaped(text_of(*record, "variant")), html_escaped(text_of(*record, "failed")));
+            html += fmt::format("<div class=\"todo failed\"><p>{} failed</p>{}</div>\n", html_escaped(text_of(*record, "variant")),
+                                html_escaped(text_of(*record, "failed")));
     const Json figures = figures_of(room);
     // A comparison all around shows panorama 0 anyway.
-    if (std::none_of(figures.begin(), figures.end(), [](const Json& figure) { return figure.at("wide").get<bool>(); })) html += panoramas_html(room, out);
+    if (std::none_of(figures.begin(), figures.end(), [](const Json& figure) { return figure.at("wide").get<bool>(); }))
+        html += panoramas_html(room, out);
     html += facts_html(room, results);
     if (!figures.empty()) html += "<details open><summary>Pictures</summary>" + figures_html(figures, out) + "</details>";
     return html + "</section>\n";

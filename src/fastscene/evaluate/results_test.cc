@@ -17,7 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Suite suite_of_two(const std::string& scene = "prompt = \"a\"\n") {
-    return read_suite("measures = [\"stills\", \"source\"]\ncolumns = [\"niqe\", \"clip_l14\", \"source_psnr\"]\n[[scene]]\n" + scene + "[[published]]\nname = \"Them & us_1\"\nniqe = 3.9\n", "two", "two.toml");
+    return read_suite("measures = [\"stills\", \"source\"]\ncolumns = [\"niqe\", \"clip_l14\", \"source_psnr\"]\n[[scene]]\n" + scene +
+                          "[[published]]\nname = \"Them & us_1\"\nniqe = 3.9\n",
+                      "two", "two.toml");
 }
 Suite suite_of_seeds() { return suite_of_two("prompt = \"a\"\nseeds = [0, 1]\n"); }
 
@@ -74,7 +76,9 @@ TEST(Rows, AFailedSceneIsMissingFromTheMeansAndSaysSoEverywhere) {
 
 TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
     const Suite seeds = suite_of_seeds();
-    const auto best = [](const Json& results, int row) { return is_best(results, results["rows"][static_cast<std::size_t>(row)], results["columns"][0]); };
+    const auto best = [](const Json& results, int row) {
+        return is_best(results, results["rows"][static_cast<std::size_t>(row)], results["columns"][0]);
+    };
     const Json equal = results_of(seeds, {record("a", 4, 30.0, 0), record("a", 5, 30.0, 1), record("b", 6, 30.0, 0), record("b", 7, 30.0, 1)});
     EXPECT_TRUE(best(equal, 1));
     EXPECT_FALSE(best(equal, 2));
@@ -85,11 +89,13 @@ TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
     const Suite one = suite_of_two();
     EXPECT_FALSE(best(results_of(one, {record("a", 4.001, 30.0), record("b", 4.002, 30.0)}), 1)) << "the same at the digits that are shown";
     EXPECT_TRUE(best(results_of(one, {record("a", 4, 30.0), record("peer", 5, 30.0, 0, "peer")}), 1));
-    EXPECT_FALSE(best(results_of(seeds, {record("a", 4, 30.0, 0), record("a", 4, 30.0, 1), record("peer", 5, 30.0, 0, "peer")}), 1)) << "two seeds against one";
+    EXPECT_FALSE(best(results_of(seeds, {record("a", 4, 30.0, 0), record("a", 4, 30.0, 1), record("peer", 5, 30.0, 0, "peer")}), 1))
+        << "two seeds against one";
 }
 
 TEST(Rows, OneFigureForAllScenesHasNoDeviation) {
-    const Suite suite = read_suite("measures = [\"stills\"]\ncolumns = [\"minutes\"]\n[[scene]]\nprompt = \"a\"\n[[scene]]\nprompt = \"b\"\n", "two", "two.toml");
+    const Suite suite =
+        read_suite("measures = [\"stills\"]\ncolumns = [\"minutes\"]\n[[scene]]\nprompt = \"a\"\n[[scene]]\nprompt = \"b\"\n", "two", "two.toml");
     std::vector<Json> records;
     for (const char* scene : {"a", "b"})
         records.push_back({{"variant", "P"}, {"kind", "peer"}, {"scene", scene}, {"seed", 0}, {"samples", {{{"group", ""}, {"values", {{"minutes", 70}}}, {"notes", Json::object()}, {"shared", true}}}}});

@@ -138,8 +138,10 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
     }
     // A variant without figures of its own beside its cost (holes, several radii) would be an empty row.
     std::erase_if(rows, [&](const Row& row) {
-        const bool has_groups = std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && !r.key.group.empty(); });
-        const bool has_shown = std::any_of(suite.columns.begin(), suite.columns.end(), [&](const std::string& c) { return row.cells.contains(c) && !row.cells.at(c).values.empty(); });
+        const bool has_groups =
+            std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && !r.key.group.empty(); });
+        const bool has_shown = std::any_of(suite.columns.begin(), suite.columns.end(),
+                                           [&](const std::string& c) { return row.cells.contains(c) && !row.cells.at(c).values.empty(); });
         return row.key.group.empty() && has_groups && !has_shown;
     });
     Json out = published_rows(suite);

@@ -46,8 +46,10 @@ Score score_from_report(const Json& report, const std::string& measure, int tran
     if (report.at("missing").contains(measure)) score.notes.push_back(report.at("missing").at(measure));  // its file is there, but broken
     note_undefined(report, measure, score);
     if (infinite > 0 && score.counted > 0)
-        score.notes.push_back(fmt::format("infinite for {} of {} pictures, which equal what they should be: the mean leaves them out", infinite, score.pictures));
-    if (transparent > 0) score.notes.push_back(fmt::format("{} of {} pictures are transparent in parts: measured over black", transparent, score.pictures));
+        score.notes.push_back(
+            fmt::format("infinite for {} of {} pictures, which equal what they should be: the mean leaves them out", infinite, score.pictures));
+    if (transparent > 0)
+        score.notes.push_back(fmt::format("{} of {} pictures are transparent in parts: measured over black", transparent, score.pictures));
     return score;
 }
 

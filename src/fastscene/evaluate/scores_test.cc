@@ -62,7 +62,8 @@ class Scores : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     Measured judge() {
-        const MeasureInputs inputs{.suite = &suite_, .out = folder_ / "out", .work = folder_ / "out/work", .truth = {}, .weights = folder_ / "weights", .prompt = ""};
+        const MeasureInputs inputs{
+            .suite = &suite_, .out = folder_ / "out", .work = folder_ / "out/work", .truth = {}, .weights = folder_ / "weights", .prompt = ""};
         const fastscene::Run run{0, &listener_, {}};
         MeasureSheet sheet(inputs, run);
         sheet.scores("stills", "", folder_ / "pictures", "");

@@ -31,7 +31,8 @@ float free_way(const ImageF& range, Vec3f direction) {
     return std::max(0.f, least - kClearance);
 }
 
-void save_all(const std::filesystem::path& folder, const std::string& work, const std::vector<Rigid>& poses, const Run& run, const std::function<ImageRgb8(const Rigid&)>& picture) {
+void save_all(const std::filesystem::path& folder, const std::string& work, const std::vector<Rigid>& poses, const Run& run,
+              const std::function<ImageRgb8(const Rigid&)>& picture) {
     make_directories(folder);
     Progress progress(run, work, static_cast<std::int64_t>(poses.size()));
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -70,13 +71,17 @@ Pinhole still_camera(const StillsParams& params, int panorama_width) {
     return Pinhole::with_fov(side, side, static_cast<float>(params.fov_deg));
 }
 
-void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera, const ImageF& range, const Run& run) {
+void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera,
+                        const ImageF& range, const Run& run) {
     save_all(folder, "stills", still_poses(params, range), run, [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
 }
-void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera, const Run& run) {
-    save_all(folder, "stills at the origin", still_poses(at_origin(params), {}), run, [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
+void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera,
+                        const Run& run) {
+    save_all(folder, "stills at the origin", still_poses(at_origin(params), {}), run,
+             [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
 }
-void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params, const Pinhole& camera, const Run& run) {
+void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params, const Pinhole& camera,
+                       const Run& run) {
     save_all(folder, "the panorama's own crops", still_poses(at_origin(params), {}), run,
              [&](const Rigid& pose) { return srgb8_from_linear(pinhole_from_equirect(first.color, camera, pose.rotation)); });
 }

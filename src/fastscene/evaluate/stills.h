@@ -20,7 +20,8 @@ std::vector<Rigid> still_poses(const StillsParams& params, const ImageF& range);
 Pinhole still_camera(const StillsParams& params, int panorama_width);
 
 // NN.png each.
-void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera, const ImageF& range, const Run& run);
+void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera,
+                        const ImageF& range, const Run& run);
 void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera, const Run& run);
 void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params, const Pinhole& camera, const Run& run);
 

@@ -34,7 +34,9 @@ std::vector<std::string> setting_names() {
     return names;
 }
 
-fs::path below(const fs::path& folder, const std::string& path) { return path.empty() || fs::path(path).is_absolute() ? fs::path(path) : folder / path; }
+fs::path below(const fs::path& folder, const std::string& path) {
+    return path.empty() || fs::path(path).is_absolute() ? fs::path(path) : folder / path;
+}
 
 // A setting that names a file.
 std::string weights_file(const TomlTable& table, const std::string& name, const fs::path& folder) {
@@ -69,8 +71,12 @@ std::vector<std::string> with(std::vector<std::string> list, std::initializer_li
 class Reader {
   public:
     Reader(const toml::table& document, std::string name, fs::path file, std::string quality)
-        : top_(document, file.string(), "", {"title", "about", "measures", "columns", "notes", "quality", "diffusion360", "settings", "stills", "held-out", "scene", "variant", "published", "peer"}),
-          name_(std::move(name)), file_(std::move(file)), forced_quality_(std::move(quality)) {}
+        : top_(document, file.string(), "",
+               {"title", "about", "measures", "columns", "notes", "quality", "diffusion360", "settings", "stills", "held-out", "scene", "variant",
+                "published", "peer"}),
+          name_(std::move(name)),
+          file_(std::move(file)),
+          forced_quality_(std::move(quality)) {}
 
     Suite read() {
         suite_.name = name_;
@@ -87,7 +93,8 @@ class Reader {
         read_stills();
         read_held_out();
         const fs::path painter = path_of(top_.text("diffusion360"));
-        if (!painter.empty() && !fs::is_directory(painter)) top_.fail("diffusion360", fmt::format("expected a folder, found none at {}", painter.string()));
+        if (!painter.empty() && !fs::is_directory(painter))
+            top_.fail("diffusion360", fmt::format("expected a folder, found none at {}", painter.string()));
         for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
         if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
         for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
@@ -101,7 +108,8 @@ class Reader {
     std::vector<std::string> chosen(std::string_view key, const std::vector<std::string>& known) const {
         const std::vector<std::string> names = top_.texts(key);
         for (std::size_t i = 0; i < names.size(); ++i) {
-            if (std::find(known.begin(), known.end(), names[i]) == known.end()) top_.fail_item(key, i, fmt::format("unknown \"{}\"{}", names[i], meant(names[i], known)));
+            if (std::find(known.begin(), known.end(), names[i]) == known.end())
+                top_.fail_item(key, i, fmt::format("unknown \"{}\"{}", names[i], meant(names[i], known)));
             if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i))
                 top_.fail_item(key, i, fmt::format("expected each once, found \"{}\" twice", names[i]));
         }
@@ -156,14 +164,17 @@ class Reader {
         if (scene.source.picture.empty() && !scene.source.range_map.empty()) table.fail("range", "expected together with panorama, found alone");
         if (table.has("variant")) table.fail("variant", "expected together with run, found alone: what is made is made for every row");
         for (const char* key : {"panorama", "range"})
-            if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path))) table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));
+            if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path)))
+                table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));
         if (table.has("seeds")) scene.seeds = seeds_of(table);
     }
     static std::vector<std::uint64_t> seeds_of(const TomlTable& table) {
         std::vector<std::uint64_t> seeds;
         for (const double seed : table.numbers("seeds")) {
-            if (!(seed >= 0 && seed < 9e15 && seed == static_cast<double>(static_cast<std::uint64_t>(seed)))) table.fail("seeds", fmt::format("expected whole numbers from 0, found {}", seed));
-            if (std::find(seeds.begin(), seeds.end(), static_cast<std::uint64_t>(seed)) != seeds.end()) table.fail("seeds", fmt::format("expected each once, found {} twice", seed));
+            if (!(seed >= 0 && seed < 9e15 && seed == static_cast<double>(static_cast<std::uint64_t>(seed))))
+                table.fail("seeds", fmt::format("expected whole numbers from 0, found {}", seed));
+            if (std::find(seeds.begin(), seeds.end(), static_cast<std::uint64_t>(seed)) != seeds.end())
+                table.fail("seeds", fmt::format("expected each once, found {} twice", seed));
             seeds.push_back(static_cast<std::uint64_t>(seed));
         }
         if (seeds.empty()) table.fail("seeds", "expected at least one, found none");
@@ -188,28 +199,33 @@ class Reader {
         std::vector<std::string> rows;
         for (const SuiteVariant& variant : suite_.variants) rows.push_back(variant.name);
         if (scene.variant.empty()) table.fail_missing("variant", fmt::format("the row that the run belongs to, one of {}", fmt::join(rows, ", ")));
-        if (std::find(rows.begin(), rows.end(), scene.variant) == rows.end()) table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, rows)));
+        if (std::find(rows.begin(), rows.end(), scene.variant) == rows.end())
+            table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, rows)));
     }
 
     std::string quality_of(const TomlTable& table) const {
         if (!forced_quality_.empty()) return forced_quality_;
         const std::string quality = table.text("quality", top_.text("quality", "standard"));
         const std::vector<std::string> known = qualities();
-        if (std::find(known.begin(), known.end(), quality) == known.end()) table.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
+        if (std::find(known.begin(), known.end(), quality) == known.end())
+            table.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
         return quality;
     }
     SceneParams params_of(const TomlTable& table, const toml::table* own) const {
         SceneParams params = params_of_quality(quality_of(table));
         if (top_.has("diffusion360")) params.panorama.width = 1024;  // what the model was trained for
-        if (const toml::table* common = top_.table("settings")) apply_settings({*common, file_.string(), "[settings]", setting_names()}, file_.parent_path(), params);
+        if (const toml::table* common = top_.table("settings"))
+            apply_settings({*common, file_.string(), "[settings]", setting_names()}, file_.parent_path(), params);
         if (own) apply_settings({*own, file_.string(), "settings", setting_names()}, file_.parent_path(), params);
         return params;
     }
     void read_variant(const toml::table& found) {
         const TomlTable table(found, file_.string(), "[[variant]]", {"name", "quality", "settings", "bounds"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
-        if (!rows_.insert(slug_of(table.text("name"))).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
-        suite_.variants.push_back({table.text("name"), quality_of(table), params_of(table, table.table("settings")), table.flag("bounds", suite_.held_out.bounds)});
+        if (!rows_.insert(slug_of(table.text("name"))).second)
+            table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
+        suite_.variants.push_back(
+            {table.text("name"), quality_of(table), params_of(table, table.table("settings")), table.flag("bounds", suite_.held_out.bounds)});
     }
 
     void read_published(const toml::table& found) {
@@ -224,7 +240,8 @@ class Reader {
         const TomlTable table(found, file_.string(), "[[peer]]", {"name", "folder"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
         if (table.text("folder").empty()) table.fail_missing("folder", "the folder of its pictures or splats");
-        if (!rows_.insert(slug_of(table.text("name"))).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
+        if (!rows_.insert(slug_of(table.text("name"))).second)
+            table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
         suite_.peers.push_back({table.text("name"), path_of(table.text("folder"))});
     }
 

@@ -31,7 +31,8 @@ std::string complaint(const std::string& text) {
 TEST(Suite, EveryOneThatShipsIsWhole) {
     std::vector<std::string> names;
     for (const auto& [name, title] : shipped_suites()) names.push_back(name);
-    EXPECT_EQ(names, (std::vector<std::string>{"inpainters", "paper-table1", "paper-table2", "paper-table3", "paper-table4", "resolutions", "truth"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"inpainters", "paper-table1", "paper-table2", "paper-table3", "paper-table4", "resolutions", "truth"}));
     for (const std::string& name : names) {
         const SuiteText found = find_suite(name);
         const Suite suite = read_suite(found.text, found.name, found.file);
@@ -39,7 +40,9 @@ TEST(Suite, EveryOneThatShipsIsWhole) {
         EXPECT_FALSE(suite.columns.empty()) << name;
         EXPECT_FALSE(suite.notes.empty()) << name << " says how its protocol differs";
         for (const PublishedRow& row : suite.published)
-            for (const auto& [column, value] : row.values) EXPECT_NE(std::find(suite.columns.begin(), suite.columns.end(), column), suite.columns.end()) << name << ": " << column << " is published but not shown";
+            for (const auto& [column, value] : row.values)
+                EXPECT_NE(std::find(suite.columns.begin(), suite.columns.end(), column), suite.columns.end())
+                    << name << ": " << column << " is published but not shown";
     }
     const SuiteText two = find_suite("paper-table2");
     const Suite table2 = read_suite(two.text, two.name, two.file);
@@ -48,8 +51,11 @@ TEST(Suite, EveryOneThatShipsIsWhole) {
 }
 
 TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
-    const std::string text = kHead + "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nquality = \"standard\"\n"
-                             "settings = { walk = \"paper\", splat-steps = 9 }\nbounds = true\n" + kScene;
+    const std::string text = kHead +
+                             "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname = \"a\"\n[[variant]]\nname = "
+                             "\"b\"\nquality = \"standard\"\n"
+                             "settings = { walk = \"paper\", splat-steps = 9 }\nbounds = true\n" +
+                             kScene;
     const Suite suite = read(text);
     ASSERT_EQ(suite.variants.size(), 2u);
     EXPECT_EQ(suite.variants[0].params.panorama.width, params_of_quality("draft").panorama.width);
@@ -85,11 +91,13 @@ TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
     expect(kHead, {"mine.toml", "scene", "found none"});
     expect(kScene, {"mine.toml", "measures", "found none"});
     expect(kHead + "[[scene]]\npanorama = \"none.jpg\"\n", {"mine.toml:4:", "panorama", "none.jpg"});
-    expect(kHead + "columns = [\"niqe\",\n\"psnr\"]\n" + kScene, {"mine.toml:4: columns", "\"psnr\" is filled by the measure \"held-out\"", "found stills"});
+    expect(kHead + "columns = [\"niqe\",\n\"psnr\"]\n" + kScene,
+           {"mine.toml:4: columns", "\"psnr\" is filled by the measure \"held-out\"", "found stills"});
     expect(kHead + "columns = [\"niqe\", \"niqe\"]\n" + kScene, {"mine.toml:3: columns", "\"niqe\" twice"});
     expect("measures = [\"stills\", \"stills\"]\n" + kScene, {"mine.toml:1: measures", "twice"});
     expect(kHead + kScene + "seeds = [1, 2, 1]\n", {"mine.toml:5: [[scene]]: seeds", "1 twice"});
-    expect(kHead + kScene + "[[peer]]\nname = \"P\"\nfolder = \"p\"\n[[peer]]\nname = \"p\"\nfolder = \"q\"\n", {"mine.toml:9: [[peer]]: name", "twice"});
+    expect(kHead + kScene + "[[peer]]\nname = \"P\"\nfolder = \"p\"\n[[peer]]\nname = \"p\"\nfolder = \"q\"\n",
+           {"mine.toml:9: [[peer]]: name", "twice"});
     expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
     expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
 }
@@ -131,9 +139,11 @@ TEST_F(SuiteFiles, PathsStartAtTheSuitesFolderAndMustBeThere) {
         const std::string said = complaint_there(text);
         for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
     };
-    expect(kHead + "[settings]\nwalk-inpaint-weights = \"none.pt\"\n" + kScene, {"mine.toml:4: [settings]: walk-inpaint-weights", "expected a file", "none.pt"});
+    expect(kHead + "[settings]\nwalk-inpaint-weights = \"none.pt\"\n" + kScene,
+           {"mine.toml:4: [settings]: walk-inpaint-weights", "expected a file", "none.pt"});
     expect(kHead + "[settings]\ndepth-weights = \"/none.pkl\"\n" + kScene, {"mine.toml:4: [settings]: depth-weights", "/none.pkl"});
-    expect(kHead + "[[variant]]\nname = \"v\"\nsettings = { walk-inpaint-weights = \"none.pt\" }\n" + kScene, {"mine.toml:5: settings: walk-inpaint-weights"});
+    expect(kHead + "[[variant]]\nname = \"v\"\nsettings = { walk-inpaint-weights = \"none.pt\" }\n" + kScene,
+           {"mine.toml:5: settings: walk-inpaint-weights"});
     expect("diffusion360 = \"painter\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder", "painter"});
     expect("diffusion360 = \"weights.pt\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder"});
 }

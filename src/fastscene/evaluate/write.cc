@@ -92,7 +92,8 @@ std::string joined(const Json& note) {
 std::string table_markdown(const Json& results) {
     const Footnotes footnotes(results);
     const bool with_scenes = scene_counts_differ(results);
-    std::string out = fmt::format("# {}\n\n", results.at("title").get<std::string>()), line = with_scenes ? "| | scenes |" : "| |", rule = with_scenes ? "|---|--:|" : "|---|";
+    std::string out = fmt::format("# {}\n\n", results.at("title").get<std::string>()), line = with_scenes ? "| | scenes |" : "| |",
+                rule = with_scenes ? "|---|--:|" : "|---|";
     for (const Json& column : results.at("columns")) {
         line += fmt::format(" {}{} |", markdown_escaped(with_unit(column)), arrow(column, " ↑", " ↓"));
         rule += "--:|";
@@ -143,7 +144,8 @@ std::string table_latex(const Json& results) {
 std::string scenes_csv(const Json& results) {
     std::string out = "row,group,scene,seed,column,value,note\n";
     for (const Json& record : results.at("records")) {
-        const std::string who = csv_quoted(record.at("variant")), scene = fmt::format("{},{}", csv_quoted(record.at("scene")), record.at("seed").get<std::uint64_t>());
+        const std::string who = csv_quoted(record.at("variant")),
+                          scene = fmt::format("{},{}", csv_quoted(record.at("scene")), record.at("seed").get<std::uint64_t>());
         if (record.contains("failed")) out += fmt::format("{},\"\",{},,,{}\n", who, scene, csv_quoted("failed: " + record.at("failed").get<std::string>()));
         for (const Json& sample : record.value("samples", Json::array())) {
             const std::string begin = fmt::format("{},{},{}", who, csv_quoted(sample.at("group")), scene);

@@ -67,7 +67,9 @@ std::optional<Vec2d> Lens::pixel_of(Vec3d d, double reach) const {
         v = y * scale + 2 * p2 * x * y + p1 * (r2 + 2 * y * y);
     } else if (r > 1e-12) {
         // The lens of Devernay and Faugeras: atan(2 r tan(omega / 2)) / omega.
-        const double bent = kind == LensKind::fisheye ? fisheye_radius(k, std::atan(r)) : std::fabs(k[0]) < 1e-9 ? r : std::atan(2 * r * std::tan(k[0] / 2)) / k[0];
+        const double bent = kind == LensKind::fisheye ? fisheye_radius(k, std::atan(r))
+                            : std::fabs(k[0]) < 1e-9  ? r
+                                                      : std::atan(2 * r * std::tan(k[0] / 2)) / k[0];
         u *= bent / r, v *= bent / r;
     }
     return Vec2d{fx * u + cx, fy * v + cy};

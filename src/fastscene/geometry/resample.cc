@@ -113,7 +113,8 @@ ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& tar
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
         Build& build = builds[static_cast<std::size_t>(begin) / kGrain];
         for (int y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < width_; ++x) quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] = build.plan_pixel(x, y);
+            for (int x = 0; x < width_; ++x)
+                quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] = build.plan_pixel(x, y);
     });
     begin_.push_back(0);
     for (std::size_t piece = 0; piece < pieces; ++piece) {
@@ -201,7 +202,8 @@ void ResamplePlan::apply_to(const ImageColor& source, ImageColor& out) const {
     const std::int64_t wide = cubic_ ? 0 : std::max<std::int64_t>(0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);
     const auto plain = [wide](const Quad& quad) { return quad.first >= 0 && quad.first < wide; };
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-        const std::size_t from = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_), to = static_cast<std::size_t>(end) * static_cast<std::size_t>(width_);
+        const std::size_t from = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_),
+                          to = static_cast<std::size_t>(end) * static_cast<std::size_t>(width_);
         const Vec3f* const pixels = source.pixels.data();
         const std::int64_t row = source_width_;
         std::size_t i = from;
@@ -231,7 +233,8 @@ ImageF ResamplePlan::apply(const ImageF& source) const {
     FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_);
     ImageF out(width_, height_);
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_); i < static_cast<std::size_t>(end) * static_cast<std::size_t>(width_); ++i)
+        for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_);
+             i < static_cast<std::size_t>(end) * static_cast<std::size_t>(width_); ++i)
             out.pixels[i] = general(source, quads_[i]);
     });
     return out;

@@ -40,7 +40,8 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
         return;
     }
     // The face's plane goes on; what is seen through there lies in the neighbour.
-    const Vec3f d = pano_from_face(kCubeFaces[static_cast<std::size_t>(part)]) * s.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+    const Vec3f d = pano_from_face(kCubeFaces[static_cast<std::size_t>(part)]) *
+                    s.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
     const auto other = static_cast<int>(face_of_direction(d));
     const Vec2f at = s.camera.project(transpose(pano_from_face(kCubeFaces[static_cast<std::size_t>(other)])) * d).value_or(Vec2f{});
     const float px = std::clamp(at.x - 0.5f, 0.f, static_cast<float>(w - 1)), py = std::clamp(at.y - 0.5f, 0.f, static_cast<float>(h - 1));
@@ -116,7 +117,8 @@ float pitch_at(const SpherePicture& s, Vec3f direction) {
 Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
     const Vec3f d = transpose(t.world_from_picture) * direction;
     if (t.kind == Kind::equirect) {
-        const float row = std::numbers::pi_v<float> / static_cast<float>(t.height), column = 2 * std::numbers::pi_v<float> / static_cast<float>(t.width);
+        const float row = std::numbers::pi_v<float> / static_cast<float>(t.height),
+                    column = 2 * std::numbers::pi_v<float> / static_cast<float>(t.width);
         return {column * std::sqrt(std::fmax(0.f, 1 - d.y * d.y)), row};
     }
     const float z = t.kind == Kind::perspective ? std::fabs(d.z) : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});

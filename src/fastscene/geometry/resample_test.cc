@@ -12,7 +12,8 @@ namespace {
 
 // A picture without detail finer than the pixels: spherical waves of a few cycles a turn.
 Vec3f soft_color(Vec3f d) {
-    return {0.5f + 0.3f * std::sin(5 * d.x + 2 * d.y) * std::cos(4 * d.z), 0.5f + 0.4f * std::sin(6 * d.z + d.x), 0.5f + 0.4f * d.y * std::cos(7 * d.x)};
+    return {0.5f + 0.3f * std::sin(5 * d.x + 2 * d.y) * std::cos(4 * d.z), 0.5f + 0.4f * std::sin(6 * d.z + d.x),
+            0.5f + 0.4f * d.y * std::cos(7 * d.x)};
 }
 ImageColor painted(const SpherePicture& p) {
     ImageColor out(p.width, p.height);
@@ -24,7 +25,8 @@ ImageColor painted(const SpherePicture& p) {
             else if (p.kind == SpherePicture::Kind::perspective) d = p.camera.direction_at(at);
             else {
                 const int face = y / p.width;
-                d = pano_from_face(kCubeFaces[static_cast<std::size_t>(face)]) * p.camera.direction_at({at.x, at.y - static_cast<float>(face * p.width)});
+                d = pano_from_face(kCubeFaces[static_cast<std::size_t>(face)]) *
+                    p.camera.direction_at({at.x, at.y - static_cast<float>(face * p.width)});
             }
             out.at(x, y) = soft_color(p.world_from_picture * normalize(d));
         }

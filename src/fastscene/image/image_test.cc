@@ -13,7 +13,8 @@ ImageRgb8 noise(int width, int height, std::uint64_t seed) {
     Random random(seed, "noise");
     ImageRgb8 image(width, height);
     for (Rgb8& p : image.pixels)
-        p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256))};
+        p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)),
+             static_cast<std::uint8_t>(random.index(256))};
     return image;
 }
 

@@ -9,7 +9,9 @@ struct Box {
     int left, top, right, bottom;  // right and bottom are outside
 };
 bool overlap(const Box& a, const Box& b) { return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; }
-Box hull(const Box& a, const Box& b) { return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)}; }
+Box hull(const Box& a, const Box& b) {
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
 
 // Holes by cells of this size: near ones belong together anyway.
 constexpr int kCell = 16;
@@ -24,7 +26,8 @@ std::vector<Box> boxes_of(const ImageMask& hole, int margin) {
                 for (int x = left; x < std::min(left + kCell, hole.width); ++x)
                     if (hole.at(x, y)) box = hull(box, {x, y, x + 1, y + 1});
             if (box.right == 0) continue;
-            box = {std::max(0, box.left - margin), std::max(0, box.top - margin), std::min(hole.width, box.right + margin), std::min(hole.height, box.bottom + margin)};
+            box = {std::max(0, box.left - margin), std::max(0, box.top - margin), std::min(hole.width, box.right + margin),
+                   std::min(hole.height, box.bottom + margin)};
             // The united box may touch others again: start over with it.
             for (std::size_t i = 0; i < boxes.size();)
                 if (overlap(boxes[i], box)) {
@@ -61,7 +64,8 @@ std::vector<Crop> crops_around(const ImageMask& hole, int margin, int multiple, 
     std::vector<Crop> out;
     for (const Box& box : boxes_of(hole, margin))
         for (const Span& y : spans(box.top, box.bottom, hole.height, margin, multiple, smallest, largest))
-            for (const Span& x : spans(box.left, box.right, hole.width, margin, multiple, smallest, largest)) out.push_back({x.begin, y.begin, x.size, y.size});
+            for (const Span& x : spans(box.left, box.right, hole.width, margin, multiple, smallest, largest))
+                out.push_back({x.begin, y.begin, x.size, y.size});
     return out;
 }
 

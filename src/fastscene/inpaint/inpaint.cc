@@ -17,7 +17,10 @@ std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::file
     if (name == "harmonic") return std::make_unique<HarmonicInpainter>();
     if (name != "aotgan") throw UsageError("unknown inpainter '{}': expected harmonic or aotgan", name);
     if (weights.empty() && is_shipped(kShippedAotgan)) return std::make_unique<AotganInpainter>(Aotgan::of(shipped_weights(kShippedAotgan)));
-    if (weights.empty()) throw UsageError("inpainter aotgan: expected a file of weights (--walk-inpaint-weights; fastscene models pull aotgan-places2 says where the official one is), found none");
+    if (weights.empty())
+        throw UsageError(
+            "inpainter aotgan: expected a file of weights (--walk-inpaint-weights; fastscene models pull aotgan-places2 says where the official one "
+            "is), found none");
     return std::make_unique<AotganInpainter>(Aotgan::load(weights));
 }
 

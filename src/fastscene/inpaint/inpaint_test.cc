@@ -207,7 +207,8 @@ TEST(Crops, CoverEveryHole) {
         }
         ImageMask covered(hole.width, hole.height);
         for (const Crop& crop : crops_around(hole, 48, 8, 64, 512)) {
-            EXPECT_TRUE(crop.width % 8 == 0 && crop.height % 8 == 0 && crop.width >= 64 && crop.height >= 64 && crop.width <= 512 && crop.height <= 512);
+            EXPECT_TRUE(crop.width % 8 == 0 && crop.height % 8 == 0 && crop.width >= 64 && crop.height >= 64 && crop.width <= 512 &&
+                        crop.height <= 512);
             EXPECT_TRUE(crop.x >= 0 && crop.y >= 0);
             for (int y = crop.y; y < std::min(hole.height, crop.y + crop.height); ++y)
                 for (int x = crop.x; x < std::min(hole.width, crop.x + crop.width); ++x) covered.at(x, y) = 1;

@@ -24,7 +24,8 @@ template <class V>
 void visit_fields(InpaintTrainParams& p, V&& v) {
     v("size", p.size, Bounds{64, 2048}, "Side of the crops about holes that are trained on; a multiple of 8.");
     v("strange-masks", p.strange_masks, Bounds{0, 1}, "Share of the examples that have another picture's holes besides their own.");
-    v("shrunk", p.shrunk, Bounds{0, 1}, "Share of the examples at half their size: faces of a small panorama are soft, those of a large one are not.");
+    v("shrunk", p.shrunk, Bounds{0, 1},
+      "Share of the examples at half their size: faces of a small panorama are soft, those of a large one are not.");
     v("most-open", p.most_open, Bounds{0.01, 1}, "Crops with a larger share of holes are left out.");
     v("jitter", p.jitter, Bounds{0, 1}, "How far brightness, contrast and balance of the colors stray.");
     v("held-out", p.held_out, Bounds{1, 100000}, "Held-out examples whose figures are measured while training.");
@@ -47,6 +48,7 @@ HoleSet find_holes(const std::filesystem::path& part);
 InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice, std::atomic<std::int64_t>& broken);
 
 // `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out examples.
-std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data, const InpaintTrainParams& params, const std::filesystem::path& folder, const Run& run);
+std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data, const InpaintTrainParams& params,
+                                                            const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

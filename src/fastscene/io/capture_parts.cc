@@ -46,7 +46,10 @@ std::vector<CapturePoint> points_of_ply(const fs::path& path) {
         points[i].position = {ply.value(v, i, x), ply.value(v, i, y), ply.value(v, i, z)};
         const auto byte = [&](std::size_t c) -> std::uint8_t {
             if (color[c] < 0) return 128;
-            const double value = ply.value(v, i, color[c]) * (v.properties[static_cast<std::size_t>(color[c])].kind == 'f' && v.properties[static_cast<std::size_t>(color[c])].bytes == 4 ? 255 : 1);
+            const double value =
+                ply.value(v, i, color[c]) *
+                (v.properties[static_cast<std::size_t>(color[c])].kind == 'f' && v.properties[static_cast<std::size_t>(color[c])].bytes == 4 ? 255
+                                                                                                                                             : 1);
             return static_cast<std::uint8_t>(std::min(std::max(0.0, value), 255.0));
         };
         points[i].color = {byte(0), byte(1), byte(2)};

@@ -68,7 +68,8 @@ Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std
     for (const double p : parameters)
         if (!std::isfinite(p)) in.refuse("expected finite camera parameters, found another");
     const Lens lens = lens_of(model, static_cast<int>(width), static_cast<int>(height), parameters);
-    if (lens.kind != LensKind::equirectangular && !(lens.fx > 0 && lens.fy > 0)) in.refuse(fmt::format("expected a positive focal length, found {}", lens.fx));
+    if (lens.kind != LensKind::equirectangular && !(lens.fx > 0 && lens.fy > 0))
+        in.refuse(fmt::format("expected a positive focal length, found {}", lens.fx));
     return lens;
 }
 
@@ -77,7 +78,8 @@ Rigidd pose_of(const In& in, const std::array<double, 7>& v) {
     for (const double number : v)
         if (!std::isfinite(number)) in.refuse("expected a finite pose, found another");
     const Quatd q{v[0], v[1], v[2], v[3]};
-    if (const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; !(n > 0.1 && n < 10)) in.refuse("expected a unit quaternion, found one of another length");
+    if (const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; !(n > 0.1 && n < 10))
+        in.refuse("expected a unit quaternion, found one of another length");
     return inverse(Rigidd{matrix_of(q), {v[4], v[5], v[6]}});
 }
 
@@ -187,7 +189,9 @@ std::vector<CapturePoint> points_of_binary(const fs::path& path) {
 }  // namespace
 
 bool is_colmap_model(const fs::path& dir) {
-    const auto has = [&](const char* part) { return fs::exists(dir / (std::string(part) + ".bin")) || fs::exists(dir / (std::string(part) + ".txt")); };
+    const auto has = [&](const char* part) {
+        return fs::exists(dir / (std::string(part) + ".bin")) || fs::exists(dir / (std::string(part) + ".txt"));
+    };
     return has("cameras") && has("images");
 }
 
@@ -214,7 +218,8 @@ Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) 
         if (!is_colmap_model(place)) continue;
         Capture capture = load_colmap_model(place);
         capture.source = dir.string();
-        name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks, folders.downscale);
+        name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks,
+                   folders.downscale);
         return capture;
     }
     if (!fs::exists(dir)) throw Error("{}: cannot be read: No such file or directory", dir.string());

@@ -188,7 +188,9 @@ Splats splats_of_compressed_ply(const Ply& ply) {
         splats.mean_m[i] = mean.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(position)));
         splats.log_scale[i] = scale.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(packed_scale)));
         splats.rotation[i] = unpack_rotation(packed(rotation));
-        splats.sh0[i] = (color.between(ply, chunk, i / kChunk, {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) - Vec3f{0.5f, 0.5f, 0.5f}) / kSh0;
+        splats.sh0[i] =
+            (color.between(ply, chunk, i / kChunk, {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) - Vec3f{0.5f, 0.5f, 0.5f}) /
+            kSh0;
         splats.opacity_logit[i] = logit_of(from_unorm(c, 0, 8));
         for (std::size_t k = 0; k < rest.size(); ++k) splats.sh_rest[i * rest.size() + k] = sh_of_byte(ply.value(*sh, i, rest[k]));
     }

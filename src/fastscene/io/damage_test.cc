@@ -77,7 +77,8 @@ std::string damaged(const std::string& whole, int n, Random& random) {
 
 // `pack` is applied to the damaged bytes: so that damage inside a compressed stream gets past its checksum.
 // Errors must name the file, or with it a neighbour of its folder that no longer fits.
-void damage(const fs::path& file, const std::string& whole, const std::function<void()>& load, const std::function<std::string(const std::string&)>& pack = {}, bool neighbours = false) {
+void damage(const fs::path& file, const std::string& whole, const std::function<void()>& load,
+            const std::function<std::string(const std::string&)>& pack = {}, bool neighbours = false) {
     const auto try_one = [&](const std::string& bytes) {
         write_file(file, pack ? pack(bytes) : bytes);
         try {
@@ -136,7 +137,9 @@ TEST(Damage, Ply) {
     save_splat_ply(file, some_splats(1), PlyBands::present);
     damage(file, read_file(file), [&] { (void)load_splats(file); });
     std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n";
-    for (const char* name : {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) text += fmt::format("property float {}\n", name);
+    for (const char* name :
+         {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
+        text += fmt::format("property float {}\n", name);
     text += "end_header\n";
     for (int row = 0; row < 3; ++row) text += "1 2 3 0.1 0.2 0.3 1 -3 -3 -4 1 0 0 0\n";
     damage(file, text, [&] { (void)load_splats(file); });
@@ -211,7 +214,8 @@ TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
             EXPECT_EQ(a.file, b.file);
             EXPECT_NEAR(a.lens.fx, b.lens.fx, 1e-5);
             EXPECT_NEAR(length(a.world_from_camera.translation - b.world_from_camera.translation), 0, 1e-6);
-            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(length(a.world_from_camera.rotation.column(c) - b.world_from_camera.rotation.column(c)), 0, 1e-6);
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(length(a.world_from_camera.rotation.column(c) - b.world_from_camera.rotation.column(c)), 0, 1e-6);
             const Mat3f& truth = set.views[i].world_from_camera.rotation;
             EXPECT_NEAR(length(a.world_from_camera.rotation.column(2) - Vec3d{truth.row0.z, truth.row1.z, truth.row2.z}), 0, 1e-6);
         }

@@ -92,7 +92,8 @@ ImageColor load_exr_color(const fs::path& path) {
         }
         ImageColor image(info.width, info.height);
         static_assert(sizeof(Vec3f) == 3 * sizeof(float));
-        read_channels(path, colored ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{single_channel(path)}, &image.pixels.data()->x, 3);
+        read_channels(path, colored ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{single_channel(path)},
+                      &image.pixels.data()->x, 3);
         if (!colored)
             for (Vec3f& c : image.pixels) c = {c.x, c.x, c.x};
         return image;

@@ -111,7 +111,8 @@ class Glb {
         double error = 0;
         for (std::size_t a = 0; a < 3; ++a)
             for (std::size_t b = 0; b < 3; ++b) error = std::max(error, std::fabs(square.column(b)[a] - (a == b ? 1 : 0)));
-        if (!(scale > 0 && error < 1e-3 && std::isfinite(move.x + move.y + move.z))) refuse("expected a node that turns, moves or scales evenly, found another matrix");
+        if (!(scale > 0 && error < 1e-3 && std::isfinite(move.x + move.y + move.z)))
+            refuse("expected a node that turns, moves or scales evenly, found another matrix");
         return {turn, scale, move};
     }
 
@@ -121,7 +122,8 @@ class Glb {
         const Similarity world_from_node = compose(world_from_parent, placement(node));
         if (node.contains("mesh"))
             for (const Json& primitive : list(item("meshes", whole(node, "mesh")), "primitives"))
-                if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension)) out.push_back({&primitive, world_from_node});
+                if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension))
+                    out.push_back({&primitive, world_from_node});
         for (const Json& child : list(node, "children"))
             if (child.is_number_unsigned()) visit(item("nodes", child.get<std::size_t>()), world_from_node, depth + 1, out);
     }
@@ -135,13 +137,16 @@ class Glb {
         } else {  // no scene: whatever there is
             for (const Json& mesh : list(json_, "meshes"))
                 for (const Json& primitive : list(mesh, "primitives"))
-                    if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension)) out.push_back({&primitive, {}});
+                    if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension))
+                        out.push_back({&primitive, {}});
         }
         return out;
     }
 
     static std::string harmonic(int degree, int n) { return fmt::format("{}:SH_DEGREE_{}_COEF_{}", kExtension, degree, n); }
-    static bool has(const Json& primitive, const std::string& name) { return primitive.contains("attributes") && primitive.at("attributes").contains(name); }
+    static bool has(const Json& primitive, const std::string& name) {
+        return primitive.contains("attributes") && primitive.at("attributes").contains(name);
+    }
     static int degree_of(const Json& primitive) {
         int degree = 0;
         while (degree < 3 && has(primitive, harmonic(degree + 1, 0))) ++degree;
@@ -158,7 +163,9 @@ class Glb {
         if (accessor.contains("sparse")) refuse(fmt::format("{}: expected a plain accessor, found a sparse one", name));
         const Json& buffer = item("buffers", whole(view, "buffer"));
         if (buffer.contains("uri")) refuse(fmt::format("{}: expected data inside the file, found a buffer elsewhere", name));
-        const std::size_t component = whole(accessor, "componentType"), bytes = component == 5126 ? 4 : component == 5122 || component == 5123 ? 2 : 1;
+        const std::size_t component = whole(accessor, "componentType"), bytes = component == 5126                        ? 4
+                                                                                : component == 5122 || component == 5123 ? 2
+                                                                                                                         : 1;
         const bool known = component == 5126 || ((component >= 5120 && component <= 5123) && accessor.value("normalized", Json()) == true);
         if (!known) refuse(fmt::format("{}: expected floats or normalized integers, found component type {}", name, component));
         const std::size_t count = whole(accessor, "count"), row = bytes * width, stride = whole(view, "byteStride", row);
@@ -188,11 +195,13 @@ class Glb {
         const Json& extension = primitive.at("extensions").at(kExtension);
         if (extension.is_object() && extension.contains("extensions") && !extension.at("extensions").empty())
             refuse(fmt::format("expected plain splats, found them compressed with {}", extension.at("extensions").begin().key()));
-        if (const std::string space = extension.is_object() && extension.contains("colorSpace") ? extension.at("colorSpace").dump() : "\"srgb_rec709_display\"";
+        if (const std::string space =
+                extension.is_object() && extension.contains("colorSpace") ? extension.at("colorSpace").dump() : "\"srgb_rec709_display\"";
             space != "\"srgb_rec709_display\"")
             refuse(fmt::format("expected colors in srgb_rec709_display, found {}", space));
         const std::string prefix = std::string(kExtension) + ":";
-        const auto mean = read(primitive, "POSITION", 3), rotation = read(primitive, prefix + "ROTATION", 4), scale = read(primitive, prefix + "SCALE", 3);
+        const auto mean = read(primitive, "POSITION", 3), rotation = read(primitive, prefix + "ROTATION", 4),
+                   scale = read(primitive, prefix + "SCALE", 3);
         const auto opacity = read(primitive, prefix + "OPACITY", 1), sh0 = read(primitive, harmonic(0, 0), 3);
         const std::size_t count = opacity.size();
         // Nodes may share a mesh, but not to make much of little.

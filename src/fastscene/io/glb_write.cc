@@ -70,8 +70,9 @@ Attributes attributes_of(const Splats& s) {
         const auto [w, x, y, z] = unit_quaternion(s.rotation[i]);
         put(x), put(y), put(z), put(w);
     });
-    out.add("KHR_gaussian_splatting:SCALE", "VEC3",
-            [&](std::size_t i, const auto& put) { three({std::exp(s.log_scale[i].x), std::exp(s.log_scale[i].y), std::exp(s.log_scale[i].z)}, put); });
+    out.add("KHR_gaussian_splatting:SCALE", "VEC3", [&](std::size_t i, const auto& put) {
+        three({std::exp(s.log_scale[i].x), std::exp(s.log_scale[i].y), std::exp(s.log_scale[i].z)}, put);
+    });
     out.add("KHR_gaussian_splatting:OPACITY", "SCALAR", [&](std::size_t i, const auto& put) { put(sigmoid(s.opacity_logit[i])); });
     out.add("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0", "VEC3", [&](std::size_t i, const auto& put) { three(s.sh0[i], put); });
     add_harmonics(out, s);

@@ -30,14 +30,17 @@ fs::path scratch(const std::string& name) {
 ImageRgb8 noise(int width, int height) {
     Random random(1, "noise");
     ImageRgb8 image(width, height);
-    for (Rgb8& p : image.pixels) p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256))};
+    for (Rgb8& p : image.pixels)
+        p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)),
+             static_cast<std::uint8_t>(random.index(256))};
     return image;
 }
 // Smooth, so that JPEG keeps it.
 ImageRgb8 ramp(int width, int height) {
     ImageRgb8 image(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) image.at(x, y) = {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height), 90};
+        for (int x = 0; x < width; ++x)
+            image.at(x, y) = {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height), 90};
     return image;
 }
 TEST(Png, RoundTripsAreExactAndDeterministic) {
@@ -89,7 +92,9 @@ TEST(Pictures, DamagedFilesAreErrors) {
     for (const char* name : {"f.png", "f.jpg", "f.exr", "f.pfm"}) {
         const std::string whole = read_file(scratch(name));
         const fs::path broken = scratch("broken");
-        const auto load = [&] { name[2] == 'p' && name[3] == 'n' ? (void)load_rgb8(broken) : name[2] == 'j' ? (void)load_rgb8(broken) : (void)load_float(broken); };
+        const auto load = [&] {
+            name[2] == 'p' && name[3] == 'n' ? (void)load_rgb8(broken) : name[2] == 'j' ? (void)load_rgb8(broken) : (void)load_float(broken);
+        };
         for (std::size_t keep = 0; keep + 12 < whole.size(); keep += 1 + whole.size() / 60) {
             write_file(broken, whole.substr(0, keep));
             EXPECT_THROW(load(), Error) << name << " cut to " << keep;
@@ -145,7 +150,9 @@ TEST(CompressedPly, DecodesWithinTheFormatsSteps) {
     ASSERT_EQ(chunks.count, 3u);
     ASSERT_EQ(vertices.count, 700u);
     EXPECT_EQ(ply.element("sh").properties.size(), 9u);
-    const auto bits = [](std::uint32_t v, int at, int n) { return static_cast<float>(v >> at & ((1u << n) - 1)) / static_cast<float>((1u << n) - 1); };
+    const auto bits = [](std::uint32_t v, int at, int n) {
+        return static_cast<float>(v >> at & ((1u << n) - 1)) / static_cast<float>((1u << n) - 1);
+    };
     std::vector<bool> used(splats.size());
     for (std::size_t i = 0; i < vertices.count; ++i) {
         const std::size_t chunk = i / 256;

@@ -26,7 +26,8 @@ std::string exif_block(int orientation, bool little) {
         for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * (little ? i : bytes - 1 - i));
         return out;
     };
-    return (little ? std::string("II") : std::string("MM")) + n(42, 2) + n(8, 4) + n(1, 2) + n(0x0112, 2) + n(3, 2) + n(1, 4) + n(static_cast<unsigned>(orientation), 2) + n(0, 2) + n(0, 4);
+    return (little ? std::string("II") : std::string("MM")) + n(42, 2) + n(8, 4) + n(1, 2) + n(0x0112, 2) + n(3, 2) + n(1, 4) +
+           n(static_cast<unsigned>(orientation), 2) + n(0, 2) + n(0, 4);
 }
 std::string jpeg_with_exif(const std::string& jpeg, const std::string& block) {
     const std::string data = std::string("Exif\0\0", 6) + block;
@@ -76,7 +77,8 @@ TEST(Exif, OrientationIsFoundOrOne) {
 TEST(Exif, PngSaysItInAChunk) {
     save_png(scratch("o.png"), ImageRgb8(16, 8));
     const std::string png = read_file(scratch("o.png")), block = exif_block(8, false);
-    std::string chunk = std::string("\0\0\0", 3) + static_cast<char>(block.size()) + "eXIf" + block + "\x01\x02\x03\x04";  // the checksum is not ours to judge
+    std::string chunk =
+        std::string("\0\0\0", 3) + static_cast<char>(block.size()) + "eXIf" + block + "\x01\x02\x03\x04";  // the checksum is not ours to judge
     write_file(scratch("o.png"), png.substr(0, 33) + chunk + png.substr(33));
     EXPECT_EQ(picture_info(scratch("o.png")).orientation, 8);
 }
@@ -89,7 +91,8 @@ std::array<std::uint8_t, 4> rgbe(Vec3f c) {
     int exponent = 0;
     std::frexp(std::max({c.x, c.y, c.z}), &exponent);
     const float scale = std::ldexp(256.f, -exponent);
-    return {static_cast<std::uint8_t>(c.x * scale), static_cast<std::uint8_t>(c.y * scale), static_cast<std::uint8_t>(c.z * scale), static_cast<std::uint8_t>(exponent + 128)};
+    return {static_cast<std::uint8_t>(c.x * scale), static_cast<std::uint8_t>(c.y * scale), static_cast<std::uint8_t>(c.z * scale),
+            static_cast<std::uint8_t>(exponent + 128)};
 }
 
 enum class Packing { bare, pixels, channels };

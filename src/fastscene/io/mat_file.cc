@@ -95,7 +95,8 @@ std::optional<Named> read_matrix(std::string_view bytes, const std::filesystem::
     const Element name = parts.next();
     if (sides.size() != 2) return std::nullopt;
     const std::vector<double> values = numbers(parts.next(), parts);
-    if (!(sides[0] >= 0 && sides[1] >= 0 && sides[0] * sides[1] == static_cast<double>(values.size()))) throw parts.broken("as many values as the matrix has");
+    if (!(sides[0] >= 0 && sides[1] >= 0 && sides[0] * sides[1] == static_cast<double>(values.size())))
+        throw parts.broken("as many values as the matrix has");
 
     Named out{std::string(name.data), {static_cast<int>(sides[0]), static_cast<int>(sides[1]), {}}};
     out.matrix.values.resize(values.size());

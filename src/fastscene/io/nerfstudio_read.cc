@@ -14,10 +14,12 @@ namespace fs = std::filesystem;
 
 class Transforms {
   public:
-    Transforms(const fs::path& file, const CaptureFolders& folders) : file_(file), dir_(file.parent_path()), folders_(folders), json_(read_json(file)) {}
+    Transforms(const fs::path& file, const CaptureFolders& folders)
+        : file_(file), dir_(file.parent_path()), folders_(folders), json_(read_json(file)) {}
 
     Capture capture() {
-        if (!json_.is_object() || !json_.contains("frames") || !json_.at("frames").is_array()) refuse("", "expected \"frames\", an array, found none");
+        if (!json_.is_object() || !json_.contains("frames") || !json_.at("frames").is_array())
+            refuse("", "expected \"frames\", an array, found none");
         Capture out;
         out.source = file_.string();
         std::size_t number = 0;
@@ -38,7 +40,8 @@ class Transforms {
         const Json* owner = frame.contains(name) ? &frame : json_.contains(name) ? &json_ : nullptr;
         if (!owner) return {};
         const Json& value = owner->at(name);
-        if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(where, fmt::format("expected a number as \"{}\", found {}", name, value.dump().substr(0, 40)));
+        if (!value.is_number() || !std::isfinite(value.get<double>()))
+            refuse(where, fmt::format("expected a number as \"{}\", found {}", name, value.dump().substr(0, 40)));
         return value.get<double>();
     }
     std::optional<std::string> text(const Json& frame, const char* name) const {
@@ -62,15 +65,18 @@ class Transforms {
 
     Lens lens(const Json& frame, const std::string& where, const fs::path& file) const {
         const std::string name = text(frame, "camera_model").value_or("OPENCV");
-        const bool known = name == "OPENCV" || name == "PINHOLE" || name == "SIMPLE_PINHOLE" || name == "PERSPECTIVE" || name == "OPENCV_FISHEYE" || name == "EQUIRECTANGULAR";
-        if (!known) refuse(where, fmt::format("expected camera_model OPENCV, PINHOLE, SIMPLE_PINHOLE, OPENCV_FISHEYE or EQUIRECTANGULAR, found {}", name));
+        const bool known = name == "OPENCV" || name == "PINHOLE" || name == "SIMPLE_PINHOLE" || name == "PERSPECTIVE" || name == "OPENCV_FISHEYE" ||
+                           name == "EQUIRECTANGULAR";
+        if (!known)
+            refuse(where, fmt::format("expected camera_model OPENCV, PINHOLE, SIMPLE_PINHOLE, OPENCV_FISHEYE or EQUIRECTANGULAR, found {}", name));
         double width = number(frame, where, "w").value_or(0), height = number(frame, where, "h").value_or(0);
         if (width == 0 || height == 0) {
             if (!fs::exists(file)) refuse(where, fmt::format("expected w and h, or the picture to ask; found neither w and h nor {}", file.string()));
             const PictureInfo info = picture_info(file);
             width = info.width, height = info.height;
         }
-        if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536)) refuse(where, fmt::format("expected a picture size, found {} x {}", width, height));
+        if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536))
+            refuse(where, fmt::format("expected a picture size, found {} x {}", width, height));
         Lens lens;
         lens.width = static_cast<int>(width), lens.height = static_cast<int>(height);
         if (name == "EQUIRECTANGULAR") return lens.kind = LensKind::equirectangular, lens;
@@ -80,7 +86,8 @@ class Transforms {
         lens.fx = fl_x ? *fl_x : angle_x ? width / 2 / std::tan(*angle_x / 2) : fl_y.value_or(0);
         lens.fy = fl_y ? *fl_y : angle_y ? height / 2 / std::tan(*angle_y / 2) : lens.fx;
         lens.cx = number(frame, where, "cx").value_or(width / 2), lens.cy = number(frame, where, "cy").value_or(height / 2);
-        if (!(lens.fx > 0 && lens.fy > 0)) refuse(where, fmt::format("expected a positive focal length (fl_x, or camera_angle_x), found {}", lens.fx));
+        if (!(lens.fx > 0 && lens.fy > 0))
+            refuse(where, fmt::format("expected a positive focal length (fl_x, or camera_angle_x), found {}", lens.fx));
         constexpr std::array<const char*, 4> kNames{"k1", "k2", "k3", "k4"};
         for (std::size_t i = 0; i < kNames.size(); ++i)
             if (lens.kind == LensKind::fisheye || i < 3) lens.k[i] = number(frame, where, kNames[i]).value_or(0);
@@ -103,7 +110,8 @@ class Transforms {
         const Vec3d right = column(0) * (1 / size), up = column(1) * (1 / length(column(1))), back = column(2) * (1 / length(column(2)));
         const Vec3d place = column(3);
         const bool turn = std::fabs(dot(right, up)) < 0.02 && length(cross(right, up) - back) < 0.02 && size > 1e-9;
-        if (!(turn && std::isfinite(place.x + place.y + place.z))) refuse(where, "expected a rotation and a place in transform_matrix, found another matrix");
+        if (!(turn && std::isfinite(place.x + place.y + place.z)))
+            refuse(where, "expected a rotation and a place in transform_matrix, found another matrix");
         return {matrix_of(quaternion_of(Mat3d::from_columns(right, -up, -back))), place};
     }
 

@@ -60,7 +60,8 @@ void each_line(std::string_view text, F&& f) {
 
 class Reader {
   public:
-    Reader(const std::string& where, const std::function<std::optional<std::string>(const std::string&)>& read_sibling) : where_(where), read_sibling_(read_sibling) {
+    Reader(const std::string& where, const std::function<std::optional<std::string>(const std::string&)>& read_sibling)
+        : where_(where), read_sibling_(read_sibling) {
         model_.materials.push_back({});
     }
 
@@ -118,7 +119,8 @@ class Reader {
                 const auto second = word.find('/', first + 1);
                 const std::string_view uv = word.substr(first + 1, second == std::string_view::npos ? second : second - first - 1);
                 if (!uv.empty()) corner.uv = index(uv, uvs_.size(), line);
-                if (second != std::string_view::npos && second + 1 < word.size()) corner.normal = index(word.substr(second + 1), normals_.size(), line);
+                if (second != std::string_view::npos && second + 1 < word.size())
+                    corner.normal = index(word.substr(second + 1), normals_.size(), line);
             }
             corners.push_back(corner);
         }
@@ -163,7 +165,8 @@ class Reader {
 
     Vec3f face_normal(const Face& f) const {
         const Vec3f a = positions_[static_cast<std::size_t>(f.corners[0].position)];
-        return cross(positions_[static_cast<std::size_t>(f.corners[1].position)] - a, positions_[static_cast<std::size_t>(f.corners[2].position)] - a);
+        return cross(positions_[static_cast<std::size_t>(f.corners[1].position)] - a,
+                     positions_[static_cast<std::size_t>(f.corners[2].position)] - a);
     }
 
     // The mean of the faces around a position that lie within 40 degrees of this one, weighted by area.
@@ -221,7 +224,8 @@ class Reader {
 
 }  // namespace
 
-ObjModel parse_obj(std::string_view text, const std::string& where, const std::function<std::optional<std::string>(const std::string&)>& read_sibling) {
+ObjModel parse_obj(std::string_view text, const std::string& where,
+                   const std::function<std::optional<std::string>(const std::string&)>& read_sibling) {
     return Reader(where, read_sibling).read(text);
 }
 

@@ -33,6 +33,7 @@ struct ObjModel {
 // `where` names the file in errors; `read_sibling` gives the text of a file named by mtllib, or nothing.
 // Faces of any number of corners; negative indices; missing normals are computed (smooth below 40 degrees).
 // Throws Error for indices or numbers that make no sense.
-ObjModel parse_obj(std::string_view text, const std::string& where, const std::function<std::optional<std::string>(const std::string&)>& read_sibling);
+ObjModel parse_obj(std::string_view text, const std::string& where,
+                   const std::function<std::optional<std::string>(const std::string&)>& read_sibling);
 
 }  // namespace fastscene

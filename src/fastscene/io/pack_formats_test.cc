@@ -38,11 +38,12 @@ std::string deflated(const std::string& text) {
 std::string archive(const std::string& name, const std::string& text, bool packed) {
     const std::string data = packed ? deflated(text) : text;
     const auto crc = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-    const std::string common = le(20, 2) + le(0, 2) + le(packed ? 8 : 0, 2) + le(0, 4) + le(crc, 4) + le(static_cast<std::uint32_t>(data.size()), 4) + le(static_cast<std::uint32_t>(text.size()), 4) +
-                               le(static_cast<std::uint32_t>(name.size()), 2) + le(0, 2);
+    const std::string common = le(20, 2) + le(0, 2) + le(packed ? 8 : 0, 2) + le(0, 4) + le(crc, 4) + le(static_cast<std::uint32_t>(data.size()), 4) +
+                               le(static_cast<std::uint32_t>(text.size()), 4) + le(static_cast<std::uint32_t>(name.size()), 2) + le(0, 2);
     const std::string local = le(0x04034b50, 4) + common + name + data;
     const std::string central = le(0x02014b50, 4) + le(20, 2) + common + le(0, 2) + le(0, 2) + le(0, 2) + le(0, 4) + le(0, 4) + name;
-    return local + central + le(0x06054b50, 4) + le(0, 4) + le(1, 2) + le(1, 2) + le(static_cast<std::uint32_t>(central.size()), 4) + le(static_cast<std::uint32_t>(local.size()), 4) + le(0, 2);
+    return local + central + le(0x06054b50, 4) + le(0, 4) + le(1, 2) + le(1, 2) + le(static_cast<std::uint32_t>(central.size()), 4) +
+           le(static_cast<std::uint32_t>(local.size()), 4) + le(0, 2);
 }
 
 class Zip : public ::testing::Test {
@@ -80,8 +81,9 @@ ObjModel parse(const std::string& text, const std::string& mtl = "") {
 }
 
 TEST(Obj, FacesOfAnySizeNegativeIndicesAndMaterials) {
-    const ObjModel m = parse("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red paint\nf -4/-4 -3/-3 -2/-2 -1/-1\n",
-                             "newmtl red paint\nKd 1 0 0\nNs 50\nd 0.5\nmap_Kd some picture.jpg\n");
+    const ObjModel m =
+        parse("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red paint\nf -4/-4 -3/-3 -2/-2 -1/-1\n",
+              "newmtl red paint\nKd 1 0 0\nNs 50\nd 0.5\nmap_Kd some picture.jpg\n");
     ASSERT_EQ(m.groups.size(), 1u);
     EXPECT_EQ(m.groups[0].triangles.size(), 6u);
     const ObjMaterial& red = m.materials[m.groups[0].material];

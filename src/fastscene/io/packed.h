@@ -33,7 +33,8 @@ inline std::uint8_t byte_near(float v) { return v > 0.f ? static_cast<std::uint8
 
 // w x y z of length 1; a zero quaternion is no turn.
 inline std::array<float, 4> unit_quaternion(Quatf q) {
-    const double n = std::sqrt(static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z);
+    const double n =
+        std::sqrt(static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z);
     if (!(n > 0)) return {1, 0, 0, 0};
     const auto part = [&](float v) { return static_cast<float>(static_cast<double>(v) / n); };
     return {part(q.w), part(q.x), part(q.y), part(q.z)};

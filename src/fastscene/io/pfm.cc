@@ -24,7 +24,8 @@ Header parse(const fs::path& path, std::string_view bytes) {
     int read = 0;
     const std::string head(bytes.substr(0, 128));
     header.color = head.substr(0, 2) == "PF";
-    if ((head.substr(0, 2) != "Pf" && !header.color) || std::sscanf(head.c_str() + 2, "%d %d %f%n", &header.width, &header.height, &scale, &read) != 3)
+    if ((head.substr(0, 2) != "Pf" && !header.color) ||
+        std::sscanf(head.c_str() + 2, "%d %d %f%n", &header.width, &header.height, &scale, &read) != 3)
         throw Error("{}: expected a float map (\"Pf\" or \"PF\", width, height, scale), found \"{}\"", path.string(), head.substr(0, 2));
     header.little = scale < 0;
     header.data = 2 + static_cast<std::size_t>(read) + 1;

@@ -127,7 +127,8 @@ void Ply::read_text_rows() {
             while (at_ < bytes_.size() && (bytes_[at_] == ' ' || bytes_[at_] == '\t' || bytes_[at_] == '\r' || bytes_[at_] == '\n')) ++at_;
             double value = 0;
             const auto [end, code] = std::from_chars(bytes_.data() + at_, bytes_.data() + bytes_.size(), value);
-            if (code != std::errc() && code != std::errc::result_out_of_range) throw Error("{}: byte {}: expected a number, found none", path_.string(), at_);
+            if (code != std::errc() && code != std::errc::result_out_of_range)
+                throw Error("{}: byte {}: expected a number, found none", path_.string(), at_);
             at_ = static_cast<std::size_t>(end - bytes_.data());
             append(rows, value);
         }

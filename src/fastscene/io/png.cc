@@ -82,7 +82,10 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     width = static_cast<int>(png_get_image_width(png, info));
     height = static_cast<int>(png_get_image_height(png, info));
     const std::size_t stride = png_get_rowbytes(png, info);
-    const std::size_t expected = static_cast<std::size_t>(width) * (wanted == Wanted::rgb8 ? 3 : wanted == Wanted::rgba8 ? 4 : wanted == Wanted::gray8 ? 1 : 2);
+    const std::size_t expected = static_cast<std::size_t>(width) * (wanted == Wanted::rgb8    ? 3
+                                                                    : wanted == Wanted::rgba8 ? 4
+                                                                    : wanted == Wanted::gray8 ? 1
+                                                                                              : 2);
     if (stride != expected) png_error(png, "an unusual pixel layout");
     make_rows(source, pixels, stride, static_cast<std::size_t>(height));
     png_read_image(png, source.rows.data());

@@ -37,7 +37,8 @@ Header parse(const fs::path& path, std::string_view bytes) {
     const std::string size = line();
     int read = 0;
     if (std::sscanf(size.c_str(), "-Y %d +X %d%n", &header.height, &header.width, &read) != 2)
-        throw Error("{}: expected \"-Y height +X width\" (rows from the top, columns from the left), found \"{}\"", path.string(), size.substr(0, 40));
+        throw Error("{}: expected \"-Y height +X width\" (rows from the top, columns from the left), found \"{}\"", path.string(),
+                    size.substr(0, 40));
     header.data = at;
     return header;
 }

@@ -31,7 +31,8 @@ Splats read_any(const fs::path& path, SplatFormat& format) {
     if (is_glb(bytes)) return format = SplatFormat::glb, splats_of_glb(path, bytes);
     if (is_spz(bytes)) return format = SplatFormat::spz, splats_of_spz(path, bytes);
     if (!bytes.starts_with("ply"))
-        throw Error("{}: expected splats as PLY, compressed PLY, SPZ or GLB, found {}", path.string(), bytes.empty() ? "an empty file" : "something else");
+        throw Error("{}: expected splats as PLY, compressed PLY, SPZ or GLB, found {}", path.string(),
+                    bytes.empty() ? "an empty file" : "something else");
     const Ply ply(path);
     if (is_compressed_ply(ply)) return format = SplatFormat::compressed_ply, splats_of_compressed_ply(ply);
     return format = SplatFormat::ply, splats_of_ply(ply);

@@ -21,7 +21,8 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats, Ply
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats), splats.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) out += fmt::format("property float {}\n", name);
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
-    for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) out += fmt::format("property float {}\n", name);
+    for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
+        out += fmt::format("property float {}\n", name);
     out += "end_header\n";
     const std::size_t floats = 17 + 3 * static_cast<std::size_t>(written);
     out.reserve(out.size() + splats.size() * floats * 4);
@@ -35,7 +36,8 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats, Ply
         put3({});
         put3(splats.sh0[i]);
         for (int c = 0; c < 3; ++c)
-            for (int k = 0; k < written; ++k) put(k < have ? splats.sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)] : 0.f);
+            for (int k = 0; k < written; ++k)
+                put(k < have ? splats.sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)] : 0.f);
         put(splats.opacity_logit[i]);
         put3(splats.log_scale[i]);
         const Quatf q = splats.rotation[i];

@@ -86,7 +86,8 @@ std::string unzstd(const fs::path& path, std::string_view bytes, std::size_t at,
         if (ZSTD_isError(more)) throw Error("{}: byte {}: expected a frame of zstd, found: {}", path.string(), at + in.pos, ZSTD_getErrorName(more));
         out.append(piece, 0, to.pos);
         if (out.size() > expected) break;
-        if (more != 0 && to.pos == 0 && in.pos == in.size) throw Error("{}: byte {}: expected more of a frame of zstd, found its end", path.string(), at + in.pos);
+        if (more != 0 && to.pos == 0 && in.pos == in.size)
+            throw Error("{}: byte {}: expected more of a frame of zstd, found its end", path.string(), at + in.pos);
     }
     if (out.size() != expected) throw Error("{}: byte {}: expected {} bytes unpacked, found {}", path.string(), at, expected, out.size());
     return out;
@@ -107,7 +108,8 @@ Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
     if (whole.size() < expected) throw Error("{}: expected {} bytes unpacked for {} splats, found {}", path.string(), expected, packed.header.count, whole.size());
     std::size_t at = kSpzHeader;
     const auto sizes = spz_stream_bytes(packed.header.version, packed.header.sh_degree);
-    for (std::size_t i = 0; i < kSpzStreams; at += sizes[i++] * packed.header.count) packed.streams[i] = whole.substr(at, sizes[i] * packed.header.count);
+    for (std::size_t i = 0; i < kSpzStreams; at += sizes[i++] * packed.header.count)
+        packed.streams[i] = whole.substr(at, sizes[i] * packed.header.count);
     return packed;
 }
 
@@ -175,7 +177,8 @@ Splats splats_of(const Packed& packed) {
             s.log_scale[i][a] = static_cast<float>(bytes(kSpzScales)[3 * i + a]) / 16.f - 10.f;
         }
         s.opacity_logit[i] = logit_of(static_cast<float>(bytes(kSpzAlphas)[i]) / 255.f);
-        s.rotation[i] = h.version >= 3 ? rotation3(number_at<std::uint32_t>(packed.streams[kSpzRotations], 4 * i)) : rotation2(bytes(kSpzRotations) + 3 * i);
+        s.rotation[i] =
+            h.version >= 3 ? rotation3(number_at<std::uint32_t>(packed.streams[kSpzRotations], 4 * i)) : rotation2(bytes(kSpzRotations) + 3 * i);
         for (std::size_t c = 0; c < k; ++c)
             for (std::size_t channel = 0; channel < 3; ++channel)
                 s.sh_rest[(i * 3 + channel) * k + c] = (static_cast<float>(bytes(kSpzSh)[(i * stored + c) * 3 + channel]) - 128.f) / 128.f;

@@ -20,7 +20,8 @@ using Streams = std::array<std::string, kSpzStreams>;
 
 void append_fixed(std::string& out, float metres) {
     const float v = std::round(metres * static_cast<float>(1 << kSpzFractionalBits));
-    if (!(std::fabs(v) < 8388608.f)) throw Error("SPZ holds positions up to 2048 m from the origin, found {} m: scale or crop the scene first", metres);
+    if (!(std::fabs(v) < 8388608.f))
+        throw Error("SPZ holds positions up to 2048 m from the origin, found {} m: scale or crop the scene first", metres);
     const auto fixed = static_cast<std::uint32_t>(static_cast<std::int32_t>(v));
     for (int shift = 0; shift < 24; shift += 8) out += static_cast<char>(fixed >> shift & 255);
 }

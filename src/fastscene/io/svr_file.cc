@@ -129,7 +129,8 @@ FeatureRanges load_libsvm_ranges(const std::filesystem::path& path) {
     std::string line;
     int number = 2;
     double low = 0, high = 0;
-    if (!std::getline(lines, line) || line.substr(0, 1) != "x") throw Error("{}:1: expected \"x\" (ranges of svm-scale), found \"{}\"", path.string(), line);
+    if (!std::getline(lines, line) || line.substr(0, 1) != "x")
+        throw Error("{}:1: expected \"x\" (ranges of svm-scale), found \"{}\"", path.string(), line);
     std::getline(lines, line);
     std::istringstream(line) >> low >> high;
     if (low != -1 || high != 1) throw Error("{}:2: expected the target range -1 1, found \"{}\"", path.string(), line);

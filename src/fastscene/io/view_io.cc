@@ -36,7 +36,8 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
     const int x = ply.property(v, "x"), y = ply.property(v, "y"), z = ply.property(v, "z");
     const int r = ply.property(v, "red"), g = ply.property(v, "green"), b = ply.property(v, "blue");
     const int nx = Ply::find(v, "nx"), ny = Ply::find(v, "ny"), nz = Ply::find(v, "nz");
-    const PlyElement& spacing = ply.has("spacing") && ply.element("spacing").count == v.count ? ply.element("spacing") : v;   // v: as older files have it
+    const PlyElement& spacing =
+        ply.has("spacing") && ply.element("spacing").count == v.count ? ply.element("spacing") : v;  // v: as older files have it
     const int radius = Ply::find(spacing, "radius");
     std::vector<SurfacePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {

@@ -71,7 +71,8 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     // A module that is part of the page exports nothing.
     const std::string_view exported = "export { createViewer };";
     const std::size_t at = script.rfind(exported);
-    if (at == std::string::npos) throw Error("{}: expected \"{}\", found another version of the viewer", (viewer_dir / "index.js").string(), exported);
+    if (at == std::string::npos)
+        throw Error("{}: expected \"{}\", found another version of the viewer", (viewer_dir / "index.js").string(), exported);
     script.erase(at, exported.size());
     // No map file travels along.
     if (const std::size_t map = script.rfind("//# sourceMappingURL="); map != std::string::npos) script.erase(map);
@@ -85,7 +86,8 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
 
     // The longest text goes in last, so that no pattern is searched for inside it.
     replace_once(page, "<link rel=\"stylesheet\" href=\"./index.css\" />", "<style>" + css + "</style>", index);
-    replace_once(page, "<title>SuperSplat Viewer</title>", "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
+    replace_once(page, "<title>SuperSplat Viewer</title>", "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->",
+                 index);
     // Without tracks of ours the viewer would drift along a figure of its own; visitors want to stand where they are.
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
     if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);

@@ -17,7 +17,9 @@ constexpr std::size_t kEndSize = 22, kCentralSize = 46, kLocalSize = 30, kMaxCom
 constexpr std::uint32_t kEndMark = 0x06054b50, kCentralMark = 0x02014b50, kLocalMark = 0x04034b50;
 constexpr std::uint32_t kMaxUnpacked = 256u << 20;
 
-std::uint32_t u16(std::string_view b, std::size_t at) { return static_cast<unsigned char>(b[at]) | (static_cast<unsigned>(static_cast<unsigned char>(b[at + 1])) << 8); }
+std::uint32_t u16(std::string_view b, std::size_t at) {
+    return static_cast<unsigned char>(b[at]) | (static_cast<unsigned>(static_cast<unsigned char>(b[at + 1])) << 8);
+}
 std::uint32_t u32(std::string_view b, std::size_t at) { return u16(b, at) | (u16(b, at + 2) << 16); }
 
 std::string bytes_at(std::ifstream& file, std::uint64_t at, std::size_t count) {
@@ -57,15 +59,20 @@ ZipFile::ZipFile(fs::path path) : path_(std::move(path)) {
         if (u32(tail, at) == kEndMark) end = at;
     if (end == std::string::npos) throw Error("{}: expected a zip archive, found no table of contents (the file may be cut short)", path_.string());
     const std::uint32_t count = u16(tail, end + 10), size = u32(tail, end + 12), offset = u32(tail, end + 16);
-    if (std::uint64_t{offset} + size > file_size_) throw Error("{}: expected its table of contents inside the file, found it beyond the end", path_.string());
+    if (std::uint64_t{offset} + size > file_size_)
+        throw Error("{}: expected its table of contents inside the file, found it beyond the end", path_.string());
     const std::string table = bytes_at(file, offset, size);
     std::size_t at = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         if (at + kCentralSize > table.size() || u32(table, at) != kCentralMark) throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
         const std::size_t name = u16(table, at + 28), extra = u16(table, at + 30), comment = u16(table, at + 32);
         if (at + kCentralSize + name > table.size()) throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
-        entries_[table.substr(at + kCentralSize, name)] = {u32(table, at + 42), u32(table, at + 20), u32(table, at + 24), u32(table, at + 16),
-                                                          static_cast<std::uint16_t>(u16(table, at + 10)), static_cast<std::uint16_t>(u16(table, at + 8))};
+        entries_[table.substr(at + kCentralSize, name)] = {u32(table, at + 42),
+                                                           u32(table, at + 20),
+                                                           u32(table, at + 24),
+                                                           u32(table, at + 16),
+                                                           static_cast<std::uint16_t>(u16(table, at + 10)),
+                                                           static_cast<std::uint16_t>(u16(table, at + 8))};
         at += kCentralSize + name + extra + comment;
     }
 }
@@ -86,12 +93,14 @@ std::string ZipFile::read(const std::string& name) const {
     if (entry.size > kMaxUnpacked || entry.packed > file_size_) throw Error("{}: expected at most 256 MiB, found {} bytes", where, entry.size);
     std::ifstream file(path_, std::ios::binary);
     const std::string head = bytes_at(file, entry.offset, kLocalSize);
-    if (head.size() < kLocalSize || u32(head, 0) != kLocalMark) throw Error("{}: expected an entry at byte {}, found something else", where, entry.offset);
+    if (head.size() < kLocalSize || u32(head, 0) != kLocalMark)
+        throw Error("{}: expected an entry at byte {}, found something else", where, entry.offset);
     const std::string packed = bytes_at(file, entry.offset + kLocalSize + u16(head, 26) + u16(head, 28), entry.packed);
     std::string out(entry.size, '\0');
     const bool whole = packed.size() == entry.packed && (entry.method == 0 ? packed.size() == out.size() : inflate_raw(packed, out));
     if (whole && entry.method == 0) out = packed;
-    if (!whole || crc32(0, reinterpret_cast<const Bytef*>(out.data()), static_cast<uInt>(out.size())) != entry.crc) throw Error("{}: expected a whole entry, found a damaged one", where);
+    if (!whole || crc32(0, reinterpret_cast<const Bytef*>(out.data()), static_cast<uInt>(out.size())) != entry.crc)
+        throw Error("{}: expected a whole entry, found a damaged one", where);
     return out;
 }
 

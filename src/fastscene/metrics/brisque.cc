@@ -53,7 +53,8 @@ std::vector<double> brisque_features(const ImageRgb8& image, BrisqueVariant vari
     if (is_constant(image)) throw Error("BRISQUE: expected a picture with structure, found one constant color ({} x {})", image.width, image.height);
     std::vector<double> out = variant == BrisqueVariant::opencv ? opencv_brisque_features(image) : authors_features(image);
     if (!std::all_of(out.begin(), out.end(), [](double v) { return std::isfinite(v); }))
-        throw Error("BRISQUE: expected a picture with structure, found one so even that its statistics are not defined ({} x {})", image.width, image.height);
+        throw Error("BRISQUE: expected a picture with structure, found one so even that its statistics are not defined ({} x {})", image.width,
+                    image.height);
     return out;
 }
 

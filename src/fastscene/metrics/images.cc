@@ -25,13 +25,16 @@ bool is_wanted(const MeasureKind& kind, const std::vector<std::string>& wanted, 
     return kind.unasked == Unasked::measured;
 }
 
-fs::path partner_of(const fs::path& picture, const fs::path& reference) { return fs::is_directory(reference) ? reference / picture.filename() : reference; }
+fs::path partner_of(const fs::path& picture, const fs::path& reference) {
+    return fs::is_directory(reference) ? reference / picture.filename() : reference;
+}
 
 // Known from the files' heads: better said before the first picture than after an hour.
 void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
     for (const fs::path& picture : pictures) {
         const fs::path partner = partner_of(picture, reference);
-        if (!fs::exists(partner)) throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
+        if (!fs::exists(partner))
+            throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
         const PictureInfo a = picture_info(picture), b = picture_info(partner);
         if (a.width != b.width || a.height != b.height)
             throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), a.width, a.height, picture.string(), b.width, b.height);
@@ -74,7 +77,8 @@ class Readied {
     static bool is_possible(const MeasureKind& kind, const ImageMeasures& inputs) {
         if (kind.needs == Needs::nothing || (kind.needs == Needs::reference ? !inputs.reference.empty() : !inputs.prompt.empty())) return true;
         if (!inputs.wanted.empty())
-            throw UsageError("--measure {}: expected {}, found none", kind.name, kind.needs == Needs::reference ? "--reference DIR" : "--prompt TEXT");
+            throw UsageError("--measure {}: expected {}, found none", kind.name,
+                             kind.needs == Needs::reference ? "--reference DIR" : "--prompt TEXT");
         return false;
     }
     void add(const MeasureKind& kind, const ImageMeasures& inputs, LoadedClips& clips) try {
@@ -98,7 +102,8 @@ int without_picture(const std::vector<fs::path>& pictures, const fs::path& refer
     if (!fs::is_directory(reference)) return 0;
     std::vector<std::string> alone;
     for (const fs::path& file : pictures_in(reference, "--reference"))
-        if (std::none_of(pictures.begin(), pictures.end(), [&](const fs::path& p) { return p.filename() == file.filename(); })) alone.push_back(file.filename().string());
+        if (std::none_of(pictures.begin(), pictures.end(), [&](const fs::path& p) { return p.filename() == file.filename(); }))
+            alone.push_back(file.filename().string());
     if (!alone.empty())
         run.note(fmt::format("--reference {}: {} of its pictures have no picture of the same name and are left out ({}{})", reference.string(), alone.size(), alone[0],
                              alone.size() > 1 ? " …" : ""));
@@ -232,7 +237,8 @@ std::string image_table(const Json& report) {
 }
 
 fs::path metrics_weights(const fs::path& given) {
-    if (!given.empty() && !fs::is_directory(given)) throw Error("--weights {}: expected a folder, found {}", given.string(), fs::exists(given) ? "a file" : "none");
+    if (!given.empty() && !fs::is_directory(given))
+        throw Error("--weights {}: expected a folder, found {}", given.string(), fs::exists(given) ? "a file" : "none");
     if (!given.empty()) return given;
     if (const char* own = std::getenv("FASTSCENE_WEIGHTS"); own && *own) return own;
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "fastscene/metrics";

@@ -138,7 +138,8 @@ TEST_F(Images, TheAuthorsModelAndOnesOwnHaveNamesOfTheirOwn) {
     EXPECT_NE(report["mean"]["niqe"], score);
     EXPECT_EQ(report["models"]["niqe_own"], Json::array({{{"file", own.string()}, {"sha256", sha256_of_file(own)}}}));
     EXPECT_EQ(report["models"]["niqe"][0]["file"], authors.string());
-    EXPECT_NE(image_table(report).find(fmt::format("niqe by {} (sha256 {:.12})", authors.string(), sha256_of_file(authors))), std::string::npos) << image_table(report);
+    EXPECT_NE(image_table(report).find(fmt::format("niqe by {} (sha256 {:.12})", authors.string(), sha256_of_file(authors))), std::string::npos)
+        << image_table(report);
     EXPECT_FALSE(report["mean"].contains("niqe_y"));
     EXPECT_NE(measured({"niqe_y"})["mean"]["niqe_y"], report["mean"]["niqe"]);
 }

@@ -81,8 +81,10 @@ const std::vector<MeasureKind>& measure_kinds() {
     static const std::string own_home = "`fastscene metrics niqe-fit PHOTOS -o niqe.json`";
     static const std::string brisque_home = "MATLAB/allmodel and allrange of github.com/utlive/BRISQUE";
     static const std::string opencv_home = "modules/quality/samples of github.com/opencv/opencv_contrib";
-    static const std::string alex_home = "download.pytorch.org/models/alexnet-owt-7be5be79.pth and lpips/weights/v0.1/alex.pth of github.com/richzhang/PerceptualSimilarity";
-    static const std::string vgg_home = "download.pytorch.org/models/vgg16-397923af.pth and lpips/weights/v0.1/vgg.pth of github.com/richzhang/PerceptualSimilarity";
+    static const std::string alex_home =
+        "download.pytorch.org/models/alexnet-owt-7be5be79.pth and lpips/weights/v0.1/alex.pth of github.com/richzhang/PerceptualSimilarity";
+    static const std::string vgg_home =
+        "download.pytorch.org/models/vgg16-397923af.pth and lpips/weights/v0.1/vgg.pth of github.com/richzhang/PerceptualSimilarity";
     static const std::string b32 = "clip-vit-base-patch32", l14 = "clip-vit-large-patch14";
     static const std::vector<std::string> b32_files{b32 + "|ViT-B-32.pt|ViT-B-32.safetensors"}, l14_files{l14 + "|ViT-L-14.pt|ViT-L-14.safetensors"};
     static const std::vector<std::string> niqe_files{"modelparameters.mat|modelparameters_niqe.mat"};
@@ -96,10 +98,16 @@ const std::vector<MeasureKind>& measure_kinds() {
         {"niqe_y", "the same on the Y of YCbCr, as BasicSR measures it", Needs::nothing, niqe_files, niqe_home, "niqe", Unasked::left_out},
         {"niqe_own", "NIQE with a model of one's own", Needs::nothing, {"niqe.json"}, own_home, "", Unasked::measured_if_there},
         {"brisque", "BRISQUE, authors' features and regression", Needs::nothing, {"allmodel", "allrange"}, brisque_home, "brisque"},
-        {"brisque_opencv", "BRISQUE as OpenCV has it", Needs::nothing, {"brisque_model_live.yml", "brisque_range_live.yml"}, opencv_home, "brisque-opencv"},
+        {"brisque_opencv",
+         "BRISQUE as OpenCV has it",
+         Needs::nothing,
+         {"brisque_model_live.yml", "brisque_range_live.yml"},
+         opencv_home,
+         "brisque-opencv"},
         {"clip_b32", "100 cos of picture and prompt, ViT-B/32", Needs::prompt, b32_files, clip_home(b32, "ViT-B-32.pt"), b32},
         {"clip_l14", "100 cos of picture and prompt, ViT-L/14", Needs::prompt, l14_files, clip_home(l14, "ViT-L-14.pt"), l14},
-        {"clip_s", "CLIPScore of Hessel et al. 2021: 2.5 max(cos, 0), \"A photo depicts \" before the prompt, ViT-B/32", Needs::prompt, b32_files, clip_home(b32, "ViT-B-32.pt"), b32},
+        {"clip_s", "CLIPScore of Hessel et al. 2021: 2.5 max(cos, 0), \"A photo depicts \" before the prompt, ViT-B/32", Needs::prompt, b32_files,
+         clip_home(b32, "ViT-B-32.pt"), b32},
     };
     return list;
 }

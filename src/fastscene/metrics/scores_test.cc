@@ -147,7 +147,8 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
         low += i == 1 ? "0." : ", 0.";
         high += ", 4.";
     }
-    write_file(dir / "allmodel", "svm_type epsilon_svr\nkernel_type rbf\ngamma 0.05\nnr_class 2\ntotal_sv 2\nrho -1.5\nSV\n" + sv + "\n" + zero + " 36:0\n");
+    write_file(dir / "allmodel",
+               "svm_type epsilon_svr\nkernel_type rbf\ngamma 0.05\nnr_class 2\ntotal_sv 2\nrho -1.5\nSV\n" + sv + "\n" + zero + " 36:0\n");
     write_file(dir / "allrange", ranges);
     EXPECT_EQ(load_libsvm_model(dir / "allmodel").weights, (std::vector<double>{-2, 3}));
     const BrisqueModel text = load_brisque_model(dir / "allmodel", dir / "allrange");
@@ -157,8 +158,10 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
 
     std::string zeros = list;
     for (std::size_t at; (at = zeros.find("0.5")) != std::string::npos;) zeros.replace(at, 3, "0.");
-    write_file(dir / "model.yml", "%YAML:1.0\n---\nopencv_ml_svm:\n   svmType: EPS_SVR\n   kernel:\n      type: RBF\n      gamma: 0.05\n   var_count: 36\n"
-               "   support_vectors:\n      - " + list + " ]\n      - " + zeros + " ]\n   decision_functions:\n      -\n         rho: -1.5\n         alpha: [ -2., 3. ]\n");
+    write_file(dir / "model.yml",
+               "%YAML:1.0\n---\nopencv_ml_svm:\n   svmType: EPS_SVR\n   kernel:\n      type: RBF\n      gamma: 0.05\n   var_count: 36\n"
+               "   support_vectors:\n      - " +
+                   list + " ]\n      - " + zeros + " ]\n   decision_functions:\n      -\n         rho: -1.5\n         alpha: [ -2., 3. ]\n");
     write_file(dir / "range.yml", "%YAML:1.0\n---\nrange: !!opencv-matrix\n   rows: 2\n   cols: 36\n   dt: f\n   data: [ " + low + high + " ]\n");
     const BrisqueModel yaml = load_brisque_model(dir / "model.yml", dir / "range.yml");
     EXPECT_EQ(yaml.variant, BrisqueVariant::opencv);

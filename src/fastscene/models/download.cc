@@ -93,7 +93,9 @@ struct Interrupted : std::runtime_error {
 
 class Attempt {
   public:
-    Attempt(const Download& wanted, const Run& run) : wanted_(wanted), run_(run), curl_(curl_easy_init(), curl_easy_cleanup) { FASTSCENE_CHECK(curl_ != nullptr); }
+    Attempt(const Download& wanted, const Run& run) : wanted_(wanted), run_(run), curl_(curl_easy_init(), curl_easy_cleanup) {
+        FASTSCENE_CHECK(curl_ != nullptr);
+    }
 
     Fetched make() {
         prepare();
@@ -196,7 +198,8 @@ class Attempt {
             throw Interrupted("the server has no bytes beyond those already here");
         }
         if (said == 429 || said >= 500) throw Interrupted(fmt::format("the server says {}", said));
-        if (said == 401 || said == 403) throw Error("{}: the server refuses ({}): does the file ask for an account? Fetch it by hand", wanted_.url, said);
+        if (said == 401 || said == 403)
+            throw Error("{}: the server refuses ({}): does the file ask for an account? Fetch it by hand", wanted_.url, said);
         if (said >= 400) throw Error("{}: expected the file, found the answer {}", wanted_.url, said);
         if (code == CURLE_TOO_MANY_REDIRECTS) throw Error("{}: expected a file, found more than {} redirects", wanted_.url, kMostRedirects);
         if (code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL || code == CURLE_PEER_FAILED_VERIFICATION)
@@ -206,7 +209,8 @@ class Attempt {
             throw Interrupted(reason(code));
         }
         if (code != CURLE_OK) throw Interrupted(reason(code));
-        if (received_ == 0 && begin_ == 0 && (!is_web() || wanted_.bytes == 0)) throw Error("{}: expected a file, found 0 bytes (a folder, or a copy that failed?)", wanted_.url);
+        if (received_ == 0 && begin_ == 0 && (!is_web() || wanted_.bytes == 0))
+            throw Error("{}: expected a file, found 0 bytes (a folder, or a copy that failed?)", wanted_.url);
         const std::int64_t have = size_of(wanted_.part);
         if (wanted_.bytes > 0 && have < wanted_.bytes) throw Interrupted(fmt::format("the server sent {} of {} bytes", have, wanted_.bytes));
         return Fetched::whole;
@@ -232,7 +236,9 @@ class Attempt {
         auto* attempt = static_cast<Attempt*>(self);
         return attempt->guarded(size * count, [&] { attempt->take(data, size * count); });
     }
-    static int on_progress(void* self, curl_off_t, curl_off_t, curl_off_t, curl_off_t) { return static_cast<Attempt*>(self)->run_.stop.stop_requested() ? 1 : 0; }
+    static int on_progress(void* self, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+        return static_cast<Attempt*>(self)->run_.stop.stop_requested() ? 1 : 0;
+    }
 
     const Download& wanted_;
     const Run& run_;

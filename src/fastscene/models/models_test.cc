@@ -98,12 +98,14 @@ const std::string kBytes = [] {
 }();
 
 // A decent server: ranges, an ETag.
-std::string decent(const Request& request, const std::string& bytes = kBytes, const std::string& etag = "\"one\"", std::size_t cut = std::string::npos) {
+std::string decent(const Request& request, const std::string& bytes = kBytes, const std::string& etag = "\"one\"",
+                   std::size_t cut = std::string::npos) {
     const std::string tag = "ETag: " + etag + "\r\n";
     const bool same = request.if_range.empty() || request.if_range == etag;
     if (request.from == 0 || !same) return reply("200 OK", tag + length(bytes.size()), bytes.substr(0, cut));
     const auto from = static_cast<std::size_t>(request.from);
-    if (from >= bytes.size()) return reply("416 Range Not Satisfiable", "Content-Range: bytes */" + std::to_string(bytes.size()) + "\r\n" + length(0), "");
+    if (from >= bytes.size())
+        return reply("416 Range Not Satisfiable", "Content-Range: bytes */" + std::to_string(bytes.size()) + "\r\n" + length(0), "");
     return reply("206 Partial Content", tag + fmt::format("Content-Range: bytes {}-{}/{}\r\n", from, bytes.size() - 1, bytes.size()) + length(bytes.size() - from),
                  bytes.substr(from, cut));
 }
@@ -181,7 +183,9 @@ TEST_F(Pulled, ABrokenConnectionGoesOnWhereItWas) {
 
 TEST_F(Pulled, WhatArrivedIsKeptForTheNextPull) {
     std::atomic<bool> well = false;
-    Server server([&](const Request& r) { return well ? decent(r) : r.from == 0 ? decent(r, kBytes, "\"one\"", 1000) : reply("503 Busy", length(0), ""); });
+    Server server([&](const Request& r) {
+        return well ? decent(r) : r.from == 0 ? decent(r, kBytes, "\"one\"", 1000) : reply("503 Busy", length(0), "");
+    });
     const Model toy = model(server.url());
     const std::string text = complaint(toy, options());
     EXPECT_NE(text.find("503"), std::string::npos) << text;
@@ -206,7 +210,9 @@ TEST_F(Pulled, AFileThatChangedMeanwhileBeginsAnew) {
 
 TEST_F(Pulled, AServerThatIgnoresRangesIsReadFromTheBeginning) {
     std::atomic<int> asked = 0;
-    Server server([&](const Request&) { return reply("200 OK", "ETag: \"one\"\r\n" + length(kBytes.size()), kBytes.substr(0, asked++ == 0 ? 5000 : kBytes.size())); });
+    Server server([&](const Request&) {
+        return reply("200 OK", "ETag: \"one\"\r\n" + length(kBytes.size()), kBytes.substr(0, asked++ == 0 ? 5000 : kBytes.size()));
+    });
     pull_model(model(server.url(), 0, hash_), options(), {});
     EXPECT_EQ(read_file(file()), kBytes);
     EXPECT_EQ(server.seen()[1].from, 5000);
@@ -216,7 +222,10 @@ TEST_F(Pulled, AServerThatAlwaysBreaksOffIsGivenUp) {
     Server server([](const Request&) { return reply("200 OK", length(kBytes.size()), kBytes.substr(0, 5000)); });
     EXPECT_NE(complaint(model(server.url()), options()).find("given up"), std::string::npos);
     EXPECT_LE(server.seen().size(), 6u);
-    Server wrong([](const Request& r) { return r.from == 0 ? decent(r, kBytes, "\"one\"", 100) : reply("206 Partial Content", "Content-Range: bytes 0-9/10\r\n" + length(10), "0123456789"); });
+    Server wrong([](const Request& r) {
+        return r.from == 0 ? decent(r, kBytes, "\"one\"", 100)
+                           : reply("206 Partial Content", "Content-Range: bytes 0-9/10\r\n" + length(10), "0123456789");
+    });
     EXPECT_NE(complaint(model(wrong.url()), options()).find("given up"), std::string::npos) << "other bytes than were asked for";
     EXPECT_FALSE(fs::exists(file()));
 }
@@ -245,7 +254,9 @@ TEST_F(Pulled, CorruptBytesAreThrownAway) {
 
 TEST_F(Pulled, ADamagedBeginningIsFetchedOnceMore) {
     std::atomic<bool> well = false;
-    Server server([&](const Request& r) { return well ? decent(r) : r.from == 0 ? decent(r, kBytes, "\"one\"", 1000) : reply("500 Oh", length(0), ""); });
+    Server server([&](const Request& r) {
+        return well ? decent(r) : r.from == 0 ? decent(r, kBytes, "\"one\"", 1000) : reply("500 Oh", length(0), "");
+    });
     const Model toy = model(server.url(), 0, hash_);
     EXPECT_NE(complaint(toy, options()), "none");
     std::fstream(part(), std::ios::in | std::ios::out | std::ios::binary).seekp(10).put('?');
@@ -413,7 +424,8 @@ TEST(Registry, SaysWhatItKnowsOfEveryFile) {
         EXPECT_TRUE(model.licence_url.starts_with("https://") && model.home.starts_with("https://"));
         EXPECT_TRUE(model.by_hand() || (model.base.starts_with("https://") && model.base.ends_with("/")));
         for (const ModelFile& file : model.files) {
-            EXPECT_TRUE(file.sha256.empty() || (file.sha256.size() == 64 && file.sha256.find_first_not_of("0123456789abcdef") == std::string::npos)) << file.name;
+            EXPECT_TRUE(file.sha256.empty() || (file.sha256.size() == 64 && file.sha256.find_first_not_of("0123456789abcdef") == std::string::npos))
+                << file.name;
             EXPECT_EQ(urls_of(model, file).empty(), model.by_hand()) << file.name;
             EXPECT_TRUE(file.names().size() == 1 || file.sha256.empty()) << "one hash for two files: " << file.name;
             for (const std::string& name : file.names()) EXPECT_FALSE(name.empty() || name.starts_with("/") || name.find("..") != std::string::npos);

@@ -25,7 +25,8 @@ Json read_or_empty(const fs::path& file) { return fs::exists(file) ? read_json(f
 // Two pulls of one model would write into each other's files.
 class Lock {
   public:
-    explicit Lock(const Model& model, const fs::path& root) : fd_(::open((root / model.folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    explicit Lock(const Model& model, const fs::path& root)
+        : fd_(::open((root / model.folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
         if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
             if (fd_ >= 0) ::close(fd_);
             throw Error("models pull {}: expected to be alone, found another pull at work in {}", model.name, (root / model.folder).string());
@@ -53,7 +54,8 @@ void accept_licence(const Model& model, const PullOptions& options) {
 std::string percent_encoded(std::string_view text, std::string_view stays) {
     std::string out;
     for (const unsigned char c : text) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~").find(static_cast<char>(c)) != std::string_view::npos;
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           std::string_view("-._~").find(static_cast<char>(c)) != std::string_view::npos;
         if (plain || stays.find(static_cast<char>(c)) != std::string_view::npos)
             out += static_cast<char>(c);
         else
@@ -215,7 +217,8 @@ std::string_view name_of(FileState state) {
 }
 
 bool ModelReport::whole() const {
-    return std::none_of(files.begin(), files.end(), [](const FileReport& file) { return file.state == FileState::missing || file.state == FileState::damaged; });
+    return std::none_of(files.begin(), files.end(),
+                        [](const FileReport& file) { return file.state == FileState::missing || file.state == FileState::damaged; });
 }
 
 Json to_json(const ModelReport& report) {

@@ -17,7 +17,8 @@ Adam::Adam(NamedTensors parameters, AdamSettings given) : settings(given), param
 void Adam::step() {
     const at::NoGradGuard no_gradients;
     ++steps;
-    const double correction1 = 1 - std::pow(settings.beta1, static_cast<double>(steps)), correction2 = 1 - std::pow(settings.beta2, static_cast<double>(steps));
+    const double correction1 = 1 - std::pow(settings.beta1, static_cast<double>(steps)),
+                 correction2 = 1 - std::pow(settings.beta2, static_cast<double>(steps));
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
         at::Tensor parameter = parameters_[i].second;
         const at::Tensor gradient = parameter.grad();

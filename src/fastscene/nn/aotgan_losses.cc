@@ -38,7 +38,8 @@ struct Verdicts {
     Tensor of_fake, of_fake_detached, of_real;
 };
 Verdicts verdicts(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real, const Tensor& mask) {
-    const Tensor a = aotgan_discriminator(s, width, fake, true), b = aotgan_discriminator(s, width, fake.detach(), true), c = aotgan_discriminator(s, width, real, true);
+    const Tensor a = aotgan_discriminator(s, width, fake, true), b = aotgan_discriminator(s, width, fake.detach(), true),
+                 c = aotgan_discriminator(s, width, real, true);
     return {at_size_of(a, mask), at_size_of(b, mask), at_size_of(c, mask)};
 }
 

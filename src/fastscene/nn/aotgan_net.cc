@@ -78,14 +78,16 @@ AotganShape aotgan_shape(const Weights& weights) {
         shape.skips = last.size() == 4 && last[1] == 2 * shape.width;
     }
     while (weights.has("middle." + std::to_string(shape.blocks) + ".fuse.1.weight")) ++shape.blocks;
-    for (std::int64_t i = 0; i < 10 && weights.has("middle.0.block0" + std::to_string(i) + ".1.weight"); ++i) shape.rates.push_back(std::int64_t{1} << i);
+    for (std::int64_t i = 0; i < 10 && weights.has("middle.0.block0" + std::to_string(i) + ".1.weight"); ++i)
+        shape.rates.push_back(std::int64_t{1} << i);
     if (shape.blocks == 0 || shape.rates.empty() || 4 * shape.width % static_cast<std::int64_t>(shape.rates.size()) != 0)
         throw Error("{}: expected AOT-GAN's blocks (middle.0.block00.1.weight …), found {} blocks of {} branches", weights.path.string(), shape.blocks, shape.rates.size());
     if (const auto said = weights.metadata.find("rates"); said != weights.metadata.end()) {
         const Json list = Json::parse(said->second, nullptr, false);
         if (!list.is_array() || list.size() != shape.rates.size()) throw Error("{}: rates: expected {} numbers, found {}", weights.path.string(), shape.rates.size(), said->second);
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (!list[i].is_number_integer() || list[i] < 1 || list[i] > 64) throw Error("{}: rates: expected numbers from 1 to 64, found {}", weights.path.string(), said->second);
+            if (!list[i].is_number_integer() || list[i] < 1 || list[i] > 64)
+                throw Error("{}: rates: expected numbers from 1 to 64, found {}", weights.path.string(), said->second);
             shape.rates[i] = list[i];
         }
     }

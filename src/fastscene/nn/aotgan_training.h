@@ -32,7 +32,8 @@ void visit_fields(AotganTrainingParams& p, V&& v) {
     v("holes", p.holes, Choices{{"white", "harmonic"}},
       "What the network finds in holes: white, as published, and it paints the picture; or the harmonic fill, and it paints what that lacks.");
     v("start", p.start, "Weights to begin from (G*.pt, .safetensors); empty: random ones.");
-    v("vgg", p.vgg, "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and the perceptual loss; empty: --pyramid stands in for them.");
+    v("vgg", p.vgg,
+      "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and the perceptual loss; empty: --pyramid stands in for them.");
     v("l1", p.l1, Bounds{0, 1e6}, "Weight of the mean absolute difference of all pixels.");
     v("l1-holes", p.l1_holes, Bounds{0, 1e6}, "Weight of that of the holes' pixels; 0 as published.");
     v("l2-holes", p.l2_holes, Bounds{0, 1e6}, "Weight of the mean square of their differences; 0 as published.");

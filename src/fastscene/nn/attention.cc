@@ -36,7 +36,8 @@ Lanes all(float x) { return x - Lanes{}; }
 
 // to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors].
 template <int W, bool add>
-void multiply(const float* rows, std::int64_t row_stride, const float* panel, std::int64_t panel_stride, std::int64_t depth, float* to, std::int64_t to_stride) {
+void multiply(const float* rows, std::int64_t row_stride, const float* panel, std::int64_t panel_stride, std::int64_t depth, float* to,
+              std::int64_t to_stride) {
     Lanes sum[kRows][W];
     for (int r = 0; r < kRows; ++r)
         for (int w = 0; w < W; ++w) sum[r][w] = add ? load(to + r * to_stride + w * kLanes) : Lanes{};
@@ -107,7 +108,8 @@ Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
 struct Bench {
     Floats q, weights, sum;
     Floats greatest, total;   // of each row so far
-    Bench(std::int64_t d, std::int64_t wide) : q(kTileRows * d), weights(kTileRows * kTileKeys), sum(kTileRows * wide), greatest(kTileRows), total(kTileRows) {}
+    Bench(std::int64_t d, std::int64_t wide)
+        : q(kTileRows * d), weights(kTileRows * kTileKeys), sum(kTileRows * wide), greatest(kTileRows), total(kTileRows) {}
 };
 
 // Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that grows.
@@ -158,7 +160,8 @@ void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, s
         const std::int64_t keys = std::min(kTileKeys, m - from), padded = rounded_up(keys, kPanel);
         for (std::int64_t j = 0; j < padded; j += kPanel)
             for (std::int64_t row = 0; row < rows; row += kRows)
-                multiply<kVectors, false>(b.q.data() + row * d, d, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j, kTileKeys);
+                multiply<kVectors, false>(b.q.data() + row * d, d, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j,
+                                          kTileKeys);
         for (std::int64_t row = 0; row < rows; ++row) weigh(b, row, keys, padded, p.wide);
         for (std::int64_t row = 0; row < rows; row += kRows) add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);
     }
@@ -177,8 +180,8 @@ Tensor through_matrix_unit(const Tensor& q, const Tensor& k, const Tensor& v) {
         at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
             const Tensor work = at::empty({static_cast<std::int64_t>(amx::workspace(d))}, at::kByte);   // libtorch aligns to 64
             const std::int64_t from = begin * kAtOnce, to = std::min(end * kAtOnce, l);
-            amx::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d, reinterpret_cast<std::byte*>(work.data_ptr()),
-                        numbers(out) + (i * l + from) * d);
+            amx::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d,
+                        reinterpret_cast<std::byte*>(work.data_ptr()), numbers(out) + (i * l + from) * d);
         });
     }
     return out;

@@ -77,7 +77,8 @@ ClipConfig clip_config(const Json& json, const std::string& where) {
         if (tower.empty() && !whole) throw Error("{}: expected \"{}\" (a CLIPModel), found none", where, key);
         return tower;
     };
-    return {clip_text_tower(part("text_config"), where + ": text_config"), clip_vision_tower(part("vision_config"), where + ": vision_config"), f.whole("projection_dim", 512)};
+    return {clip_text_tower(part("text_config"), where + ": text_config"), clip_vision_tower(part("vision_config"), where + ": vision_config"),
+            f.whole("projection_dim", 512)};
 }
 
 ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids) {

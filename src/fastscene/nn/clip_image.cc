@@ -71,7 +71,8 @@ ImageRgb8 pillow_bicubic(const ImageRgb8& image, int width, int height) {
     const std::vector<Taps> taps = taps_for(image.height, height);
     ImageRgb8 out(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) out.at(x, y) = gathered(rows.pixels.data() + x, static_cast<std::size_t>(width), taps[static_cast<std::size_t>(y)]);
+        for (int x = 0; x < width; ++x)
+            out.at(x, y) = gathered(rows.pixels.data() + x, static_cast<std::size_t>(width), taps[static_cast<std::size_t>(y)]);
     return out;
 }
 

@@ -33,7 +33,8 @@ WeightTensor transposed(const Weights& w, const std::string& name) {
     const auto rows = static_cast<std::size_t>(from.shape[0]), columns = static_cast<std::size_t>(from.shape[1]), size = bytes_of(from.type);
     auto bytes = std::make_shared<std::vector<std::byte>>(from.bytes.size());
     for (std::size_t y = 0; y < rows; ++y)
-        for (std::size_t x = 0; x < columns; ++x) std::memcpy(bytes->data() + (x * rows + y) * size, from.bytes.data() + (y * columns + x) * size, size);
+        for (std::size_t x = 0; x < columns; ++x)
+            std::memcpy(bytes->data() + (x * rows + y) * size, from.bytes.data() + (y * columns + x) * size, size);
     return {from.type, {from.shape[1], from.shape[0]}, *bytes, bytes};
 }
 
@@ -83,7 +84,8 @@ ClipConfig config_of(const Weights& w) {
     out.text.positions = tensor_of_rank(w, "positional_embedding", 2).shape[0];
     const std::int64_t places = tensor_of_rank(w, "visual.positional_embedding", 2).shape[0] - 1;
     const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(static_cast<double>(places))));
-    if (side < 1 || side * side != places) throw Error("{}: visual.positional_embedding: expected one place more than a square of patches, found {}", w.path.string(), places + 1);
+    if (side < 1 || side * side != places)
+        throw Error("{}: visual.positional_embedding: expected one place more than a square of patches, found {}", w.path.string(), places + 1);
     out.vision.patch = patches[3];
     out.vision.image_size = side * patches[3];
     return out;
@@ -107,8 +109,10 @@ OpenAiClip openai_clip(const Weights& weights) {
     names.move_both("visual.ln_post", "vision_model.post_layernorm");
     out.weights.tensors["text_projection.weight"] = transposed(w, "text_projection");
     out.weights.tensors["visual_projection.weight"] = transposed(w, "visual.proj");
-    for (std::int64_t i = 0; i < out.config.text.layers; ++i) names.layer(kTextBlocks + std::to_string(i), "text_model.encoder.layers." + std::to_string(i));
-    for (std::int64_t i = 0; i < out.config.vision.layers; ++i) names.layer(kPictureBlocks + std::to_string(i), "vision_model.encoder.layers." + std::to_string(i));
+    for (std::int64_t i = 0; i < out.config.text.layers; ++i)
+        names.layer(kTextBlocks + std::to_string(i), "text_model.encoder.layers." + std::to_string(i));
+    for (std::int64_t i = 0; i < out.config.vision.layers; ++i)
+        names.layer(kPictureBlocks + std::to_string(i), "vision_model.encoder.layers." + std::to_string(i));
     return out;
 }
 

@@ -97,12 +97,20 @@ Named tiny_tensors() {
 
 Named as_openai_names_them(Named from) {
     const std::vector<std::pair<std::regex, std::string>> names{
-        {std::regex("^text_model\\.encoder\\.layers"), "transformer.resblocks"}, {std::regex("^vision_model\\.encoder\\.layers"), "visual.transformer.resblocks"},
-        {std::regex("layer_norm([12])"), "ln_$1"}, {std::regex("mlp\\.fc1"), "mlp.c_fc"}, {std::regex("mlp\\.fc2"), "mlp.c_proj"}, {std::regex("self_attn"), "attn"},
-        {std::regex("^text_model\\.embeddings\\.token_embedding"), "token_embedding"}, {std::regex("^text_model\\.embeddings\\.position_embedding.weight"), "positional_embedding"},
-        {std::regex("^text_model\\.final_layer_norm"), "ln_final"}, {std::regex("^vision_model\\.embeddings\\.class_embedding"), "visual.class_embedding"},
-        {std::regex("^vision_model\\.embeddings\\.patch_embedding"), "visual.conv1"}, {std::regex("^vision_model\\.embeddings\\.position_embedding.weight"), "visual.positional_embedding"},
-        {std::regex("^vision_model\\.pre_layrnorm"), "visual.ln_pre"}, {std::regex("^vision_model\\.post_layernorm"), "visual.ln_post"}};
+        {std::regex("^text_model\\.encoder\\.layers"), "transformer.resblocks"},
+        {std::regex("^vision_model\\.encoder\\.layers"), "visual.transformer.resblocks"},
+        {std::regex("layer_norm([12])"), "ln_$1"},
+        {std::regex("mlp\\.fc1"), "mlp.c_fc"},
+        {std::regex("mlp\\.fc2"), "mlp.c_proj"},
+        {std::regex("self_attn"), "attn"},
+        {std::regex("^text_model\\.embeddings\\.token_embedding"), "token_embedding"},
+        {std::regex("^text_model\\.embeddings\\.position_embedding.weight"), "positional_embedding"},
+        {std::regex("^text_model\\.final_layer_norm"), "ln_final"},
+        {std::regex("^vision_model\\.embeddings\\.class_embedding"), "visual.class_embedding"},
+        {std::regex("^vision_model\\.embeddings\\.patch_embedding"), "visual.conv1"},
+        {std::regex("^vision_model\\.embeddings\\.position_embedding.weight"), "visual.positional_embedding"},
+        {std::regex("^vision_model\\.pre_layrnorm"), "visual.ln_pre"},
+        {std::regex("^vision_model\\.post_layernorm"), "visual.ln_post"}};
     from["text_projection"] = from.at("text_projection.weight").t().contiguous();
     from["visual.proj"] = from.at("visual_projection.weight").t().contiguous();
     from.erase("text_projection.weight");
@@ -153,7 +161,9 @@ struct Clip : testing::Test {
     static ImageRgb8 noise(int width, int height, std::uint64_t seed) {
         Random random(seed, "clip");
         ImageRgb8 out(width, height);
-        for (Rgb8& p : out.pixels) p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256))};
+        for (Rgb8& p : out.pixels)
+            p = {static_cast<std::uint8_t>(random.index(256)), static_cast<std::uint8_t>(random.index(256)),
+                 static_cast<std::uint8_t>(random.index(256))};
         return out;
     }
 };
@@ -195,7 +205,8 @@ TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {
     for (int i = 0; i < 300; ++i) {
         std::string bytes = i < 60 ? whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 60) : whole;
         if (i >= 60)
-            for (int k = random.index(4); k >= 0; --k) bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] = static_cast<char>(random.next_u32());
+            for (int k = random.index(4); k >= 0; --k)
+                bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] = static_cast<char>(random.next_u32());
         write_file(broken, bytes);
         const std::string what = message_of([&] {
             for (const auto& [name, tensor] : load_weights(broken).tensors) (void)tensor.floats();
@@ -215,10 +226,13 @@ TEST_F(Clip, WhatIsBrokenIsNamed) {
         save_safetensors(file, weights_of(rest));
         return why(file);
     };
-    EXPECT_NE(without("visual.transformer.resblocks.0.attn.in_proj_bias").find(file.string() + ": expected the tensor \"visual.transformer.resblocks.0.attn.in_proj_bias\""), std::string::npos);
+    EXPECT_NE(without("visual.transformer.resblocks.0.attn.in_proj_bias")
+                  .find(file.string() + ": expected the tensor \"visual.transformer.resblocks.0.attn.in_proj_bias\""),
+              std::string::npos);
     EXPECT_NE(without("text_projection").find("text_projection"), std::string::npos);
     openai["visual.proj"] = at::zeros({127, 24});
-    EXPECT_NE(without("logit_scale").find("visual_projection.weight: expected shape [24, 128], found [24, 127]"), std::string::npos) << without("logit_scale");
+    EXPECT_NE(without("logit_scale").find("visual_projection.weight: expected shape [24, 128], found [24, 127]"), std::string::npos)
+        << without("logit_scale");
     openai["visual.layer1.0.conv1.weight"] = at::zeros({1});
     EXPECT_NE(without("logit_scale").find("a ResNet"), std::string::npos);
 
@@ -238,7 +252,8 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
     nn::lpips(Scope(backbone), Scope(heads), nn::LpipsNet::alex, at::zeros({1, 3, 64, 64}), at::zeros({1, 3, 64, 64}));
     const auto save = [&](const HashedWeights& weights, const char* name, bool positive) {
         Named tensors;
-        for (const auto& [key, tensor] : weights.seen()) tensors[key] = positive ? tensor.abs() : tensor;  // as trained: no layer counts against likeness
+        for (const auto& [key, tensor] : weights.seen())
+            tensors[key] = positive ? tensor.abs() : tensor;  // as trained: no layer counts against likeness
         save_safetensors(root / name, weights_of(tensors));
     };
     save(backbone, "alexnet.safetensors", false);
@@ -256,8 +271,11 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
     EXPECT_NEAR(lpips.distance(a, shifted(90)), lpips.distance(shifted(90), a), 1e-6);
     EXPECT_NE(message_of([&] { (void)lpips.distance(a, noise(64, 49, 1)); }).find("64 x 48 and 64 x 49"), std::string::npos);
     EXPECT_NE(message_of([&] { (void)lpips.distance(noise(31, 40, 1), noise(31, 40, 1)); }).find("31 x 40"), std::string::npos);
-    EXPECT_NE(message_of([&] { const LpipsMeasure other("vgg", root / "alexnet.safetensors", root / "alex.safetensors"); }).find("alexnet.safetensors"), std::string::npos);
-    EXPECT_NE(message_of([&] { const LpipsMeasure other("alex", root / "alex.safetensors", root / "alex.safetensors"); }).find("alex.safetensors"), std::string::npos);
+    EXPECT_NE(
+        message_of([&] { const LpipsMeasure other("vgg", root / "alexnet.safetensors", root / "alex.safetensors"); }).find("alexnet.safetensors"),
+        std::string::npos);
+    EXPECT_NE(message_of([&] { const LpipsMeasure other("alex", root / "alex.safetensors", root / "alex.safetensors"); }).find("alex.safetensors"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ class ConfigFields {
         if (!v || !v->is_array() || v->empty()) throw wrong(key, "a list of whole numbers", v ? *v : Json());
         std::vector<std::int64_t> out;
         for (const Json& item : *v) {
-            if (!item.is_number_integer() || item.get<std::int64_t>() < 1 || item.get<std::int64_t>() > 1 << 16) throw wrong(key, "whole numbers from 1", item);
+            if (!item.is_number_integer() || item.get<std::int64_t>() < 1 || item.get<std::int64_t>() > 1 << 16)
+                throw wrong(key, "whole numbers from 1", item);
             out.push_back(item.get<std::int64_t>());
         }
         return out;

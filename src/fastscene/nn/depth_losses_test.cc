@@ -51,7 +51,8 @@ TEST(DepthLoss, UnknownPixelsHaveNoSay) {
 
 TEST(DepthLoss, AConstantPictureIsJudgedAsItIs) {
     const Tensor truth = some_depth(), flat = at::full_like(truth, 0.25);
-    EXPECT_NEAR(value(invariant_loss(aligned_depth(flat, truth, at::ones_like(truth)), truth, at::ones_like(truth))), value((truth - 0.25).abs().mean()), 1e-6);
+    EXPECT_NEAR(value(invariant_loss(aligned_depth(flat, truth, at::ones_like(truth)), truth, at::ones_like(truth))),
+                value((truth - 0.25).abs().mean()), 1e-6);
 }
 
 TEST(DepthLoss, DirectCountsFactors) {

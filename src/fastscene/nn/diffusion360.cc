@@ -37,7 +37,8 @@ namespace {
 constexpr std::int64_t kMaskAndColor = 4;
 
 fs::path base_of(const fs::path& weights, const char* inside) {
-    if (!fs::is_directory(weights)) throw Error("--weights {}: expected a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/, found none", weights.string());
+    if (!fs::is_directory(weights))
+        throw Error("--weights {}: expected a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/, found none", weights.string());
     const fs::path base = !fs::exists(weights / "unet") && fs::exists(weights / inside) ? weights / inside : weights;
     std::string missing;
     for (const char* part : {"unet", "vae", "text_encoder", "tokenizer", "scheduler"})
@@ -69,7 +70,8 @@ struct Diffusion360::Parts {
         : settings(s), model(base_of(weights, from == From::text ? "sd-base" : "sr-base"),
                              {nn::type_of_precision(s.precision), sampler_named(s.sampler), !s.low_memory, from == From::photo}) {
         if (from == From::text) return;
-        if (!fs::is_directory(weights / "sd-i2p")) throw Error("--photo: expected sd-i2p/ in {}, found none (fastscene models pull diffusion360-photo)", weights.string());
+        if (!fs::is_directory(weights / "sd-i2p"))
+            throw Error("--photo: expected sd-i2p/ in {}, found none (fastscene models pull diffusion360-photo)", weights.string());
         control.emplace(weights / "sd-i2p", model, kMaskAndColor);
     }
     // The published bands are as wide as the picture; larger pictures, and little memory, want tiles.
@@ -82,7 +84,8 @@ struct Diffusion360::Parts {
     // The control's folder is not one of the model's.
     fs::path folder_of(const std::string& part) const { return part == "control" ? control->weights->path() : model.base / part; }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
-    ImageRgb8 finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt, const Run& run, const Preview& preview) const;
+    ImageRgb8 finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt, const Run& run,
+                     const Preview& preview) const;
 };
 
 void Diffusion360::Parts::estimate(const Run& run) {
@@ -147,7 +150,8 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
 }
 
 Diffusion360::Diffusion360(const fs::path& weights, const Diffusion360Settings& settings, const Run& run, From from) {
-    if (settings.width < 256 || settings.width % 128) throw UsageError("--panorama-width: expected a multiple of 128 from 256 for diffusion360, found {}", settings.width);
+    if (settings.width < 256 || settings.width % 128)
+        throw UsageError("--panorama-width: expected a multiple of 128 from 256 for diffusion360, found {}", settings.width);
     const c10::InferenceMode inference;
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings, from);

@@ -223,7 +223,8 @@ fs::path in_two_parts(const fs::path& folder) {
         parts[part].tensors[key] = tensor;
         map[key] = fmt::format("diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1);
     }
-    for (int part = 0; part < 2; ++part) save_safetensors(folder / fmt::format("unet/diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1), parts[part]);
+    for (int part = 0; part < 2; ++part)
+        save_safetensors(folder / fmt::format("unet/diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1), parts[part]);
     write_json(folder / "unet/diffusion_pytorch_model.safetensors.index.json", {{"weight_map", map}});
     fs::remove(whole);
     return folder / "unet/diffusion_pytorch_model-00002-of-00002.safetensors";
@@ -370,7 +371,9 @@ TEST_F(PaintedFurther, OnlyWhatIsOpenedBelongsToThePainting) {
     write_file(folder / "other.safetensors", std::string_view("x"));
     EXPECT_EQ(painting_files(folder, false), before);
     for (const fs::path& file : before) EXPECT_TRUE(fs::exists(file) && file.string().starts_with((folder / "sd-base").string())) << file;
-    const auto has = [](const std::vector<fs::path>& files, const fs::path& file) { return std::find(files.begin(), files.end(), file) != files.end(); };
+    const auto has = [](const std::vector<fs::path>& files, const fs::path& file) {
+        return std::find(files.begin(), files.end(), file) != files.end();
+    };
     EXPECT_TRUE(has(before, folder / "sd-base/unet/diffusion_pytorch_model.safetensors"));
     EXPECT_TRUE(has(painting_files(folder, true), folder / "sd-i2p/diffusion_pytorch_model.safetensors"));
     EXPECT_FALSE(has(enlarging_files(folder, "3"), folder / "RealESRGAN_x2plus.pth"));

@@ -24,7 +24,8 @@ namespace {
 EgformerShape shape_of(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
     if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
-        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}", weights.path.string(), text_of_shape(first.shape));
+        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}", weights.path.string(),
+                    text_of_shape(first.shape));
     EgformerShape shape;
     shape.channels = static_cast<int>(first.shape[0]);
     shape.latitude_prior = weights.has(nn::kLatitudePrior);

@@ -23,7 +23,9 @@ struct Grid {
 };
 Grid grid_of(const EgformerShape& shape, int level) { return {shape.height >> (level + 1), shape.width >> (level + 1)}; }
 
-Tensor picture_from_tokens(const Tensor& tokens, Grid grid) { return tokens.transpose(1, 2).reshape({tokens.size(0), tokens.size(2), grid.height, grid.width}); }
+Tensor picture_from_tokens(const Tensor& tokens, Grid grid) {
+    return tokens.transpose(1, 2).reshape({tokens.size(0), tokens.size(2), grid.height, grid.width});
+}
 Tensor tokens_from_picture(const Tensor& picture) { return picture.flatten(2).transpose(1, 2).contiguous(); }
 
 // ---- PanoFormer's block: attention that samples nine points of the tangent patch, each moved by a learned offset ----

@@ -26,7 +26,8 @@ constexpr float kUnit = 16.f, kFarthest = 15.f;
 nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShape& shape) {
     const auto n = static_cast<std::int64_t>(examples.size());
     const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
-    const Tensor color = at::empty({n, 3, shape.height, shape.width}), truth = at::zeros({n, 1, shape.height, shape.width}), mask = at::zeros_like(truth);
+    const Tensor color = at::empty({n, 3, shape.height, shape.width}), truth = at::zeros({n, 1, shape.height, shape.width}),
+                 mask = at::zeros_like(truth);
     for (std::size_t i = 0; i < examples.size(); ++i) {
         const DepthExample& e = examples[i];
         FASTSCENE_CHECK(e.color.width == shape.width && e.color.height == shape.height && e.range.same_size(e.color));
@@ -60,7 +61,9 @@ nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
         const Tensor prior = at::empty(shape, at::kFloat);
         float* to = prior.data_ptr<float>();
         for (std::int64_t i = 0; i < prior.numel(); ++i) {
-            const std::size_t row = std::min(means.size() - 1, static_cast<std::size_t>((static_cast<double>(i) + 0.5) * static_cast<double>(means.size()) / static_cast<double>(prior.numel())));
+            const std::size_t row = std::min(
+                means.size() - 1,
+                static_cast<std::size_t>((static_cast<double>(i) + 0.5) * static_cast<double>(means.size()) / static_cast<double>(prior.numel())));
             to[i] = static_cast<float>(logit(std::clamp(means[row] / kUnit, 0.01f, 0.99f)));
         }
         return prior;
@@ -107,7 +110,8 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     const EgformerShape& shape = training.shape;
     const at::Device device = nn::training_device(training.training);
     // On a CPU libtorch 1.13 has no layer norm of bfloat16 with parameters in single precision.
-    if (training.training.precision == "bf16" && device.is_cpu()) throw UsageError("--precision bf16: expected for this network with --device cuda only, found a CPU");
+    if (training.training.precision == "bf16" && device.is_cpu())
+        throw UsageError("--precision bf16: expected for this network with --device cuda only, found a CPU");
     const bool bf16 = device.is_cuda() && nn::trains_in_bf16(training.training);
     const nn::EgformerConstants constants(shape, device), tiny({32, 64, shape.channels, shape.latitude_prior}, device);
     nn::Learner network("egformer", start_of(training, run.seed), at::TensorOptions(device),
@@ -157,7 +161,8 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     Json settings = training.settings;
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
     settings["direct"] = training.direct;
-    trained.steps = nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings}, training.training, folder, run).steps;
+    trained.steps =
+        nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings}, training.training, folder, run).steps;
     return trained;
 }
 

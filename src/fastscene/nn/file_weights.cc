@@ -108,7 +108,8 @@ const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef
     }
     // An old VAE stores 1 x 1 convolutions where a matrix stands now.
     const at::IntArrayRef found(tensor->shape);
-    const bool fits = found == shape || (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape && found[shape.size()] == 1 && found.back() == 1);
+    const bool fits = found == shape ||
+                      (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape && found[shape.size()] == 1 && found.back() == 1);
     if (!fits) throw Error("{}: {}: expected shape {}, found {}", component_.string(), key, text_of_shape(shape.vec()), text_of_shape(tensor->shape));
     return *tensor;
 }

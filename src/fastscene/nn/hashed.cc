@@ -39,7 +39,8 @@ at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape) {
         const double scale = std::sqrt(3.0 / (numel / static_cast<double>(shape[0])));
         return filled(key, shape, [scale](float u) { return static_cast<float>(u * scale); });
     }
-    if (key.ends_with("running_var")) return filled(key, shape, [](float u) { return static_cast<float>(1.0 + 0.1 * std::abs(static_cast<double>(u))); });
+    if (key.ends_with("running_var"))
+        return filled(key, shape, [](float u) { return static_cast<float>(1.0 + 0.1 * std::abs(static_cast<double>(u))); });
     if (key.ends_with("weight")) return filled(key, shape, [](float u) { return static_cast<float>(1.0 + 0.1 * u); });
     return filled(key, shape, [](float u) { return static_cast<float>(0.1 * u); });
 }

@@ -23,7 +23,8 @@ at::Tensor layer_norm(const Scope& s, const at::Tensor& x, double eps = 1e-5);
 // softmax(q k' / sqrt(d)) v for q [N, L, heads d], k and v [N, M, heads d], 256 rows of q at a time, so that the L x M weights of a
 // large picture need not be in memory at once; on a CPU, without a mask and without gradients, by tiles (attention.h). `mask` [L, M] is added to the weights if defined. `in_float`: weights in
 // single precision whatever the type of q.
-at::Tensor attention(const at::Tensor& q, const at::Tensor& k, const at::Tensor& v, std::int64_t heads, const at::Tensor& mask = {}, bool in_float = false);
+at::Tensor attention(const at::Tensor& q, const at::Tensor& k, const at::Tensor& v, std::int64_t heads, const at::Tensor& mask = {},
+                     bool in_float = false);
 
 // x sigmoid(1.702 x).
 at::Tensor quick_gelu(const at::Tensor& x);

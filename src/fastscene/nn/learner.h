@@ -50,7 +50,8 @@ struct LearnerSettings {
 class Learner {
   public:
     // `run_once` runs the network through a small example, so that every parameter is there.
-    Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once, LearnerSettings settings);
+    Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once,
+            LearnerSettings settings);
 
     Scope scope() { return Scope(weights_); }     // what learns
     Scope average() { return Scope(average_); }   // the running average: for looking and for keeping

@@ -14,7 +14,8 @@ class MappedFile {
     // Throws Error when it cannot be opened, or is a directory.
     explicit MappedFile(const std::filesystem::path& path);
     // What lies in memory for as long as the program runs, under a name for messages.
-    MappedFile(std::filesystem::path name, std::string_view memory) : path_(std::move(name)), data_(memory.data()), size_(memory.size()), mapped_(false) {}
+    MappedFile(std::filesystem::path name, std::string_view memory)
+        : path_(std::move(name)), data_(memory.data()), size_(memory.size()), mapped_(false) {}
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
     ~MappedFile();

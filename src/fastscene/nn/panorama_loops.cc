@@ -110,7 +110,9 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
                 if (how.check_stop) how.check_stop();
                 const auto count = std::min(at_once, tiles.size() - from);
                 const auto some = [&](const TileRow& all) {
-                    return at::cat(std::vector<Tensor>(all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + static_cast<std::ptrdiff_t>(from + count)), 0);
+                    return at::cat(
+                        std::vector<Tensor>(all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + static_cast<std::ptrdiff_t>(from + count)),
+                        0);
                 };
                 const auto n = static_cast<std::int64_t>(count);
                 const Tensor x = some(tiles), c = some(controls).to(text.scalar_type());

@@ -50,7 +50,8 @@ struct TextToPanorama {
 };
 // With guidance 1 the negative prompt does not count, and is not computed.
 // latents [1, 4, H, W] of unit variance (or noised); text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
-at::Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, at::Tensor latents, const at::Tensor& text, const TextToPanorama& how);
+at::Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, at::Tensor latents, const at::Tensor& text,
+                            const TextToPanorama& how);
 
 struct RefinePanorama {
     double guidance = 15, control = 1;
@@ -62,6 +63,7 @@ struct RefinePanorama {
 };
 // latents [1, 4, H, W] with the noise of first_step, picture [1, 3, 8 H, 8 W] in [0, 1] that the ControlNet holds on to.
 at::Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope, const UNetConfig& control_config,
-                           const Scheduler& scheduler, at::Tensor latents, const at::Tensor& picture, const at::Tensor& text, const RefinePanorama& how);
+                           const Scheduler& scheduler, at::Tensor latents, const at::Tensor& picture, const at::Tensor& text,
+                           const RefinePanorama& how);
 
 }  // namespace fastscene::nn

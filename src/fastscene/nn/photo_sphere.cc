@@ -12,7 +12,8 @@ namespace fastscene::nn {
 using at::Tensor;
 
 PhotoOnSphere photo_on_sphere(const ImageRgb8& photo, int width, double fov_deg) {
-    if (photo.width < 16 || photo.height < 16) throw Error("--photo: expected a picture of at least 16 x 16 pixels, found {} x {}", photo.width, photo.height);
+    if (photo.width < 16 || photo.height < 16)
+        throw Error("--photo: expected a picture of at least 16 x 16 pixels, found {} x {}", photo.width, photo.height);
     const int height = width / 2;
     const double half_width = std::tan(fov_deg / 360 * std::numbers::pi), half_height = half_width * photo.height / photo.width;
     const Tensor lon = ((at::arange(width, at::kFloat) + 0.5) / width - 0.5) * (2 * std::numbers::pi);

@@ -44,7 +44,8 @@ bool is_c_order(const pickle::Tensor& tensor) {
 }
 
 // Elements of a transposed or otherwise strided tensor, put in C order.
-std::shared_ptr<std::vector<std::byte>> gathered(const pickle::Tensor& tensor, std::span<const std::byte> from, std::size_t size, std::int64_t count) {
+std::shared_ptr<std::vector<std::byte>> gathered(const pickle::Tensor& tensor, std::span<const std::byte> from, std::size_t size,
+                                                 std::int64_t count) {
     auto out = std::make_shared<std::vector<std::byte>>(static_cast<std::size_t>(count) * size);
     std::vector<std::int64_t> index(tensor.shape.size(), 0);
     for (std::int64_t i = 0; i < count; ++i) {
@@ -96,7 +97,8 @@ class Collector {
         const auto found = storages_.find(tensor.storage.key);
         if (found == storages_.end()) fail(name, fmt::format("expected the storage \"{}\", found none", tensor.storage.key));
         const std::size_t size = bytes_of(*type);
-        if (tensor.stride.size() != tensor.shape.size()) fail(name, fmt::format("expected as many strides as sides, found {} and {}", tensor.stride.size(), tensor.shape.size()));
+        if (tensor.stride.size() != tensor.shape.size())
+            fail(name, fmt::format("expected as many strides as sides, found {} and {}", tensor.stride.size(), tensor.shape.size()));
 
         // The last element must lie within the storage; all in numbers that cannot overflow.
         const auto have = static_cast<std::int64_t>(found->second.bytes.size() / size);
@@ -113,7 +115,8 @@ class Collector {
             fail(name, fmt::format("expected a tensor within its storage of {} numbers, found {} strides {} from {}", have, text_of_shape(tensor.shape), text_of_shape(tensor.stride), tensor.offset));
 
         const auto numbers = static_cast<std::int64_t>(count);
-        const auto from = found->second.bytes.subspan(static_cast<std::size_t>(tensor.offset + static_cast<std::int64_t>(tensor.storage.offset)) * size);
+        const auto from =
+            found->second.bytes.subspan(static_cast<std::size_t>(tensor.offset + static_cast<std::int64_t>(tensor.storage.offset)) * size);
         if (numbers == 0 || is_c_order(tensor)) {
             out_.tensors[name] = {*type, tensor.shape, from.first(static_cast<std::size_t>(numbers) * size), found->second.owner};
             return;

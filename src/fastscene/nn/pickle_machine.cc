@@ -35,7 +35,8 @@ bool is_tensor(std::string_view name) { return name == "torch._utils._rebuild_te
 
 class Machine {
   public:
-    Machine(std::string_view bytes, std::size_t begin, std::size_t base, const std::filesystem::path& path) : bytes_(bytes), at_(begin), base_(base), path_(path) {}
+    Machine(std::string_view bytes, std::size_t begin, std::size_t base, const std::filesystem::path& path)
+        : bytes_(bytes), at_(begin), base_(base), path_(path) {}
 
     Pickle run() {
         while (true) {
@@ -182,7 +183,8 @@ class Machine {
     // ('storage', torch.FloatStorage, '0', 'cpu', count[, view])
     void persistent(const Ref& id) {
         const auto* list = id->as<Sequence>();
-        if (!list || list->items.size() < 5 || !list->items[2]->as<Text>() || list->items[2]->as<Text>()->bytes.size() > kLongestName) return push(make(Opaque{}));
+        if (!list || list->items.size() < 5 || !list->items[2]->as<Text>() || list->items[2]->as<Text>()->bytes.size() > kLongestName)
+            return push(make(Opaque{}));
         Storage storage;
         if (const auto* type = list->items[1]->as<Global>()) storage.dtype = type->name.substr(type->name.rfind('.') + 1);
         storage.key = std::string(list->items[2]->as<Text>()->bytes);
@@ -199,7 +201,8 @@ class Machine {
     void push_long(std::string_view little_endian) {
         std::int64_t out = 0;
         if (little_endian.size() > 8) return push(make(Opaque{}));
-        for (std::size_t i = 0; i < little_endian.size(); ++i) out |= static_cast<std::int64_t>(static_cast<unsigned char>(little_endian[i])) << (8 * i);
+        for (std::size_t i = 0; i < little_endian.size(); ++i)
+            out |= static_cast<std::int64_t>(static_cast<unsigned char>(little_endian[i])) << (8 * i);
         if (!little_endian.empty() && little_endian.size() < 8 && (little_endian.back() & 0x80)) out -= std::int64_t{1} << (8 * little_endian.size());
         push(make(out));
     }
@@ -209,7 +212,8 @@ class Machine {
         if (text.ends_with('L')) text.remove_suffix(1);
         std::int64_t number = 0;
         double real = 0;
-        const auto code = is_whole ? std::from_chars(text.data(), text.data() + text.size(), number).ec : std::from_chars(text.data(), text.data() + text.size(), real).ec;
+        const auto code = is_whole ? std::from_chars(text.data(), text.data() + text.size(), number).ec
+                                   : std::from_chars(text.data(), text.data() + text.size(), real).ec;
         if (code != std::errc()) return push(make(Opaque{}));
         is_whole ? push(make(number)) : push(make(real));
     }

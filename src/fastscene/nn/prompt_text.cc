@@ -43,8 +43,9 @@ icu::UnicodeString normal_form(const icu::UnicodeString& text, bool compatible) 
 }
 
 // Windows-1252 in the range 0x80..0x9f; 0 = not assigned.
-constexpr char32_t kWindows1252[32] = {0x20ac, 0, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0, 0x017d, 0,
-                                       0, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0, 0x017e, 0x0178};
+constexpr char32_t kWindows1252[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
+                                       0x2039, 0x0152, 0,      0x017d, 0,      0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
+                                       0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
 
 // ---- HTML entities -------------------------------------------------------------------------------------------------
 
@@ -71,9 +72,11 @@ Text without_entities(const Text& in) {
     for (std::size_t i = 0; i < in.size();) {
         std::string name;
         std::size_t end = i + 1;
-        while (in[i] == '&' && end < in.size() && in[end] < 128 && in[end] != ';' && name.size() <= kLongestEntity) name += static_cast<char>(in[end++]);
+        while (in[i] == '&' && end < in.size() && in[end] < 128 && in[end] != ';' && name.size() <= kLongestEntity)
+            name += static_cast<char>(in[end++]);
         std::optional<char32_t> character;
-        if (in[i] == '&' && end < in.size() && in[end] == ';') character = name.starts_with('#') ? numeric_entity(std::string_view(name).substr(1)) : html_entity(name);
+        if (in[i] == '&' && end < in.size() && in[end] == ';')
+            character = name.starts_with('#') ? numeric_entity(std::string_view(name).substr(1)) : html_entity(name);
         out += character ? *character : in[i];
         i = character ? end + 1 : i + 1;
     }

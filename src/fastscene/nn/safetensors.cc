@@ -41,12 +41,14 @@ WeightTensor tensor_of(const Json& entry, const std::string& key, const std::sha
         for (const Json& side : entry.at("shape"))
             if (!side.is_number_integer()) throw Error("{}: expected whole numbers as shape, found {}", where, entry["shape"].dump());
         for (const Json& offset : entry.at("data_offsets"))
-            if (!offset.is_number_unsigned()) throw Error("{}: expected whole numbers as data_offsets, found {}", where, entry["data_offsets"].dump());
+            if (!offset.is_number_unsigned())
+                throw Error("{}: expected whole numbers as data_offsets, found {}", where, entry["data_offsets"].dump());
         tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
         begin = entry["data_offsets"][0].get<std::uint64_t>();
         end = entry["data_offsets"][1].get<std::uint64_t>();
     } catch (const nlohmann::json::exception&) {
-        throw Error("{}: expected dtype, shape and data_offsets, found {}", where, entry.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 120));
+        throw Error("{}: expected dtype, shape and data_offsets, found {}", where,
+                    entry.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 120));
     }
     const auto bytes = bytes_of_shape(tensor.shape, tensor.type);
     const std::uint64_t payload = file->bytes().size() - base;

@@ -228,12 +228,15 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
 
     // A value that is the default of the class that wrote the file is not passed on to another class.
     const std::string written_by = f.text("_class_name", "");
-    const std::string own = sampler == Sampler::ddim ? "DDIMScheduler" : sampler == Sampler::unipc ? "UniPCMultistepScheduler" : "EulerAncestralDiscreteScheduler";
+    const std::string own = sampler == Sampler::ddim    ? "DDIMScheduler"
+                            : sampler == Sampler::unipc ? "UniPCMultistepScheduler"
+                                                        : "EulerAncestralDiscreteScheduler";
     const bool leading_class = written_by == "PNDMScheduler" || written_by == "DDIMScheduler";
     std::string spacing = f.text("timestep_spacing", "");
     if (written_by != own && !written_by.empty() && spacing == (leading_class ? "leading" : "linspace")) spacing.clear();
     if (spacing.empty()) spacing = sampler == Sampler::ddim ? "leading" : "linspace";
-    if (spacing != "linspace" && spacing != "leading" && spacing != "trailing") throw f.wrong("timestep_spacing", "\"linspace\", \"leading\" or \"trailing\"", spacing);
+    if (spacing != "linspace" && spacing != "leading" && spacing != "trailing")
+        throw f.wrong("timestep_spacing", "\"linspace\", \"leading\" or \"trailing\"", spacing);
     c.spacing = spacing == "linspace" ? Spacing::linspace : spacing == "leading" ? Spacing::leading : Spacing::trailing;
 
     c.steps_offset = static_cast<int>(f.whole("steps_offset", 0));
@@ -277,8 +280,9 @@ std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig&
     FASTSCENE_CHECK(steps >= 1);
     std::unique_ptr<Scheduler> scheduler = steps <= config.train_steps ? scheduler_of(sampler, config, steps) : nullptr;
     if (!scheduler || !goes_down(*scheduler, config))
-        throw UsageError("--panorama-steps: expected fewer than the {} of the model's schedule (\"num_train_timesteps\"), so that none repeats, found {}",
-                         config.train_steps, steps);
+        throw UsageError(
+            "--panorama-steps: expected fewer than the {} of the model's schedule (\"num_train_timesteps\"), so that none repeats, found {}",
+            config.train_steps, steps);
     return scheduler;
 }
 

@@ -28,7 +28,9 @@ class Scope {
   public:
     explicit Scope(WeightSource& source, std::string prefix = "", const Listener* listener = nullptr)
         : source_(&source), prefix_(std::move(prefix)), listener_(listener) {}
-    Scope operator/(std::string_view name) const { return Scope(*source_, prefix_.empty() ? std::string(name) : prefix_ + "." + std::string(name), listener_); }
+    Scope operator/(std::string_view name) const {
+        return Scope(*source_, prefix_.empty() ? std::string(name) : prefix_ + "." + std::string(name), listener_);
+    }
     Scope operator/(std::int64_t index) const { return *this / std::string_view(std::to_string(index)); }
 
     at::Tensor parameter(std::string_view name, at::IntArrayRef shape) const { return source_->get((*this / name).prefix_, shape); }

@@ -47,7 +47,9 @@ std::string outline(const UNetConfig& config) {
 }
 
 std::string family_of(std::int64_t text_width) {
-    return text_width == 768 ? "Stable Diffusion 1.x" : text_width == 1024 ? "Stable Diffusion 2.x" : fmt::format("a model that reads text of width {}", text_width);
+    return text_width == 768    ? "Stable Diffusion 1.x"
+           : text_width == 1024 ? "Stable Diffusion 2.x"
+                                : fmt::format("a model that reads text of width {}", text_width);
 }
 
 // Stands for weights when only names and shapes matter: holds them against the file and hands out zeros that take no memory.
@@ -70,7 +72,8 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
     unet_config = nn::unet_config(component_config(base / "unet", "UNet2DConditionModel"), (base / "unet/config.json").string());
     vae_config = nn::vae_config(component_config(base / "vae", "AutoencoderKL"), (base / "vae/config.json").string());
     tower = clip_text_tower(component_config(base / "text_encoder", "CLIPTextModel"), (base / "text_encoder/config.json").string());
-    schedule = schedule_config(config_in(base / "scheduler", "scheduler_config.json"), (base / "scheduler/scheduler_config.json").string(), with.sampler);
+    schedule =
+        schedule_config(config_in(base / "scheduler", "scheduler_config.json"), (base / "scheduler/scheduler_config.json").string(), with.sampler);
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
     unet = std::make_unique<FileWeights>(base / "unet", with.type, with.keep, "conv_in.weight");
     vae = std::make_unique<FileWeights>(base / "vae", at::kFloat, with.keep, "decoder.conv_in.weight");  // 16 bits overflow on some pictures
@@ -83,7 +86,8 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
 void SdModel::check_text() const {
     if (tower.vocabulary <= ClipTokenizer::kEnd || tower.positions < ClipTokenizer::kContext)
         throw Error("{}: expected a \"vocab_size\" from {} and \"max_position_embeddings\" from {}, found {} and {}",
-                    (base / "text_encoder/config.json").string(), ClipTokenizer::kEnd + 1, ClipTokenizer::kContext, tower.vocabulary, tower.positions);
+                    (base / "text_encoder/config.json").string(), ClipTokenizer::kEnd + 1, ClipTokenizer::kContext, tower.vocabulary,
+                    tower.positions);
 }
 
 // The shapes in the files decide, whatever the configurations say.

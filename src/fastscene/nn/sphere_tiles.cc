@@ -41,10 +41,13 @@ Tensor hat(std::int64_t size, std::int64_t ramp, bool rises, bool falls) {
 
 Tensor over_sphere(const Tensor& x, const SphereTiles& how, const std::function<Tensor(const Tensor&)>& net) {
     const std::int64_t height = x.size(2) / how.in, width = x.size(3) / how.in;
-    const std::int64_t rows = std::min(how.tile, height), columns = std::min(how.tile, width), overlap = std::min({how.overlap, rows / 2, columns / 2});
+    const std::int64_t rows = std::min(how.tile, height), columns = std::min(how.tile, width),
+                       overlap = std::min({how.overlap, rows / 2, columns / 2});
     FASTSCENE_CHECK(overlap > 0 && x.size(0) == 1);
     const auto tops = row_starts(height, rows, overlap), lefts = column_starts(width, columns, overlap);
-    const auto wrapped = [](std::int64_t from, std::int64_t count, std::int64_t around) { return at::remainder(at::arange(from, from + count, at::kLong), around); };
+    const auto wrapped = [](std::int64_t from, std::int64_t count, std::int64_t around) {
+        return at::remainder(at::arange(from, from + count, at::kLong), around);
+    };
     const Tensor across = hat(columns * how.out, overlap * how.out, true, true);
     Tensor sum, weights = at::zeros({1, 1, height * how.out, width * how.out}, at::kFloat);
     std::int64_t done = 0;
@@ -53,7 +56,9 @@ Tensor over_sphere(const Tensor& x, const SphereTiles& how, const std::function<
         const Tensor weight = (down.unsqueeze(1) * across.unsqueeze(0)).unsqueeze(0).unsqueeze(0);
         for (const std::int64_t left : lefts) {
             if (how.check_stop) how.check_stop();
-            const Tensor tile = net(x.narrow(2, top * how.in, rows * how.in).index_select(3, wrapped(left * how.in, columns * how.in, width * how.in))).to(at::kFloat);
+            const Tensor tile =
+                net(x.narrow(2, top * how.in, rows * how.in).index_select(3, wrapped(left * how.in, columns * how.in, width * how.in)))
+                    .to(at::kFloat);
             if (!sum.defined()) sum = at::zeros({1, tile.size(1), height * how.out, width * how.out}, at::kFloat);
             const Tensor where = wrapped(left * how.out, columns * how.out, width * how.out);
             sum.narrow(2, top * how.out, rows * how.out).index_add_(3, where, tile * weight);

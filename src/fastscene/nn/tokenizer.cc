@@ -158,7 +158,8 @@ void ClipTokenizer::read_merges(std::string_view lines, const fs::path& path) {
         ++number;
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (number == 1) {
-            if (line.find("#version") == std::string_view::npos) throw Error("{}:1: expected a line with \"#version\" (a list of merges), found \"{}\"", path.string(), line.substr(0, 60));
+            if (line.find("#version") == std::string_view::npos)
+                throw Error("{}:1: expected a line with \"#version\" (a list of merges), found \"{}\"", path.string(), line.substr(0, 60));
             continue;
         }
         const std::size_t space = line.find(' ');

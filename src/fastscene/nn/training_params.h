@@ -29,14 +29,16 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("rate", p.rate, Bounds{0, 1}, "Adam's rate after the warm-up.");
     v("last-rate", p.last_rate, Bounds{0, 1}, "Its rate at --steps; in between half a cosine.");
     v("warmup", p.warmup, Bounds{0, 1e6}, "Steps in which the rate grows from 0.");
-    v("average", p.average, Bounds{0, 0.999999}, "The network that is kept is a running average of the trained one; this is what stays of it each step.");
+    v("average", p.average, Bounds{0, 0.999999},
+      "The network that is kept is a running average of the trained one; this is what stays of it each step.");
     v("clip", p.clip, Bounds{0, 1e9}, "Longest gradient of a network; longer ones are shortened to it. 0 = any length.");
     v("log-steps", p.log_steps, Bounds{1, 1e6}, "Steps between rows of curves.csv.");
     v("look-steps", p.look_steps, Bounds{1, 1e9}, "Steps between looks at the held-out pictures: their figures, and a sheet.");
     v("checkpoint-minutes", p.checkpoint_minutes, Bounds{0, 1e5}, "Minutes between checkpoints.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Where it is trained; auto: CUDA if libtorch has it.");
     v("precision", p.precision, Choices{{"auto", "f32", "bf16"}}, "Of convolutions and products; auto: bf16 where the device computes with it.");
-    v("processes", p.processes, Bounds{1, 4096}, "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the mean of all gradients.");
+    v("processes", p.processes, Bounds{1, 4096},
+      "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the mean of all gradients.");
     v("process", p.process, Bounds{0, 4095}, "Which of them this is; 0 keeps the folder.");
     v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
 }

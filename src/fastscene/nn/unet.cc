@@ -99,7 +99,8 @@ Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, doub
     return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, config.eps)), config.out_channels);
 }
 
-Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text, const Tensor& picture, double strength) {
+Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text, const Tensor& picture,
+                     double strength) {
     const Tensor time = time_embedding(s / "time_embedding", t, config, latent);
     const Tensor first = conv(s / "conv_in", latent, config.channels[0]) + picture_embedding(s / "controlnet_cond_embedding", config, picture);
     const std::vector<Tensor> kept = way_down(s, config, first, time, text);

@@ -38,6 +38,7 @@ struct Residuals {
 // latent [N, 4, H, W], t a time step for all, text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
 at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text, const Residuals* add = nullptr);
 // picture [N, picture_channels, 8 H, 8 W] in [0, 1].
-Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text, const at::Tensor& picture, double strength = 1);
+Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text, const at::Tensor& picture,
+                     double strength = 1);
 
 }  // namespace fastscene::nn

@@ -10,7 +10,8 @@ namespace {
 
 Tensor attend(const Scope& s, const Tensor& x, const Tensor& context, const TransformerShape& shape) {
     const std::int64_t width = x.size(2);
-    const Tensor q = linear(s / "to_q", x, width, false), k = linear(s / "to_k", context, width, false), v = linear(s / "to_v", context, width, false);
+    const Tensor q = linear(s / "to_q", x, width, false), k = linear(s / "to_k", context, width, false),
+                 v = linear(s / "to_v", context, width, false);
     const Tensor seen = (s / "attention").out(attention(q, k, v, shape.heads, {}, shape.in_float));
     return s.out(linear(s / "to_out" / 0, seen, width));
 }

@@ -31,7 +31,8 @@ nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
     nn::RrdbConfig config;
     const auto first = file.shape_of("conv_first.weight"), dense = file.shape_of("body.0.rdb1.conv1.weight");
     if (first.size() != 4 || dense.size() != 4 || first[1] != 12)
-        throw Error("{}: expected Real-ESRGAN for twice the size (conv_first.weight of 12 channels), found {}", file.path().string(), text_of_shape(first));
+        throw Error("{}: expected Real-ESRGAN for twice the size (conv_first.weight of 12 channels), found {}", file.path().string(),
+                    text_of_shape(first));
     config.features = first[0];
     config.growth = dense[0];
     config.scale = 2;
@@ -58,7 +59,8 @@ ImageRgb8 tripled(const ImageRgb8& image) {
 }
 
 fs::path needed_folder(const fs::path& weights, const char* name) {
-    if (!fs::is_directory(weights / name)) throw Error("--panorama-upscale: expected {}/ in {}, found none (fastscene models pull diffusion360-upscale)", name, weights.string());
+    if (!fs::is_directory(weights / name))
+        throw Error("--panorama-upscale: expected {}/ in {}, found none (fastscene models pull diffusion360-upscale)", name, weights.string());
     return weights / name;
 }
 
@@ -77,7 +79,8 @@ struct Upscale360::Parts {
           control(needed_folder(weights, "sr-control"), model, 3) {
         if (s.to == "3") return;
         if (!fs::exists(weights / "RealESRGAN_x2plus.pth"))
-            throw Error("--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull diffusion360-upscale)", s.to, weights.string());
+            throw Error("--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull diffusion360-upscale)", s.to,
+                        weights.string());
         // The official file has everything inside of "params_ema".
         larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth", at::kFloat, !s.low_memory, "conv_first.weight");
         larger_config = rrdb_config(*larger);
@@ -94,13 +97,16 @@ struct Upscale360::Parts {
 ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const {
     const Scope pictures(*model.vae);
     random = at::detail::createCPUGenerator(run.seed);  // each step its own: it may be the first of a run that goes on
-    const Tensor unit = nn::unit_picture(picture), text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative, run);
+    const Tensor unit = nn::unit_picture(picture),
+                 text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative,
+                                          run);
     const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1, run), [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part);
         return at::cat({found.mean, found.log_variance}, 1);
     });
     const std::int64_t channels = model.vae_config.latent_channels;
-    const Tensor mean = both.narrow(1, 0, channels), clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) * model.vae_config.scale;
+    const Tensor mean = both.narrow(1, 0, channels),
+                 clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) * model.vae_config.scale;
     const auto scheduler = nn::make_scheduler(model.options.sampler, model.schedule, settings.steps);
     nn::RefinePanorama how;
     how.guidance = guidance;
@@ -115,7 +121,8 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
     const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent, run), [&](const Tensor& part) {
         return nn::vae_decode(pictures, model.vae_config, part);
     });
-    if (!at::isfinite(decoded).all().item<bool>()) throw Error("diffusion360: expected a larger picture, found values that are not finite; are the weights in {} whole?", model.base.string());
+    if (!at::isfinite(decoded).all().item<bool>())
+        throw Error("diffusion360: expected a larger picture, found values that are not finite; are the weights in {} whole?", model.base.string());
     progress.advance();
     return nn::picture_of_unit(decoded / 2 + 0.5);
 }
@@ -127,21 +134,26 @@ ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) c
         if (!progress) progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
         progress->advance();
     };
-    return nn::picture_of_unit(nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(*larger), larger_config, part); }));
+    return nn::picture_of_unit(
+        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(*larger), larger_config, part); }));
 }
 
 Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Settings& settings, const Run& run) {
-    if (settings.to != "3" && settings.to != "6" && settings.to != "6-refined") throw UsageError("--panorama-upscale: expected none, 3, 6 or 6-refined, found \"{}\"", settings.to);
+    if (settings.to != "3" && settings.to != "6" && settings.to != "6-refined")
+        throw UsageError("--panorama-upscale: expected none, 3, 6 or 6-refined, found \"{}\"", settings.to);
     const c10::InferenceMode inference;
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings);
     const Parts& p = *parts_;
     // A tile is painted where a panorama of 1024 x 512 was; the pictures themselves are held beside it.
     const std::int64_t pixels = 36ll * width * (width / 2);
-    const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(), p.model.text->bytes(), p.control.weights->bytes(),
-                                                p.model.unet->largest_bytes(), true}) + (settings.to == "3" ? pixels / 4 : pixels) * 40;
+    const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(), p.model.text->bytes(),
+                                                p.control.weights->bytes(), p.model.unet->largest_bytes(), true}) +
+                              (settings.to == "3" ? pixels / 4 : pixels) * 40;
     run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
-    check_memory("--panorama-upscale " + settings.to, need, fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
+    check_memory(
+        "--panorama-upscale " + settings.to, need,
+        fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
 }
 Upscale360::~Upscale360() = default;
 Upscale360::Upscale360(Upscale360&&) noexcept = default;
@@ -163,9 +175,11 @@ double times_the_painting(int width, int painting_steps, const Upscale360Setting
     constexpr double control = 1.4, coding = 3, doubling = 2, decoder = 2, overlap = 1.8;
     const double painting = painting_steps + decoder;
     const auto painted_anew = [&](int times) {
-        const std::int64_t rows = std::int64_t{times} * width / 2 / kPixelsPerLatent, half = std::min<std::int64_t>(settings.tile / kPixelsPerLatent, rows) / 2;
+        const std::int64_t rows = std::int64_t{times} * width / 2 / kPixelsPerLatent,
+                           half = std::min<std::int64_t>(settings.tile / kPixelsPerLatent, rows) / 2;
         const double tiles = static_cast<double>(std::max<std::int64_t>((rows - 1) / half, 1) * ((2 * rows + half - 1) / half));
-        const double of_painting = tiles * static_cast<double>(4 * half * half) / (static_cast<double>(width) * width / 2 / kPixelsPerLatent / kPixelsPerLatent);
+        const double of_painting =
+            tiles * static_cast<double>(4 * half * half) / (static_cast<double>(width) * width / 2 / kPixelsPerLatent / kPixelsPerLatent);
         return control * of_painting * static_cast<int>(settings.steps * settings.strength) + coding * overlap * times * times;
     };
     const double steps = painted_anew(3) + (settings.to == "3" ? 0 : doubling * 9) + (settings.to == "6-refined" ? painted_anew(6) : 0);

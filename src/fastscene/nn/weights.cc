@@ -98,8 +98,9 @@ Weights load_weights(const std::filesystem::path& path) {
     // A header's length below 2^32, then "{".
     if (text.size() > 8 && text[8] == '{') return load_safetensors(file);
     if (text.starts_with("version https://git-lfs.github.com/"))
-        throw Error("{}: expected weights, found a pointer of Git LFS that stands for them ({} bytes): fetch the file itself (git lfs pull, or download it)",
-                    path.string(), text.size());
+        throw Error(
+            "{}: expected weights, found a pointer of Git LFS that stands for them ({} bytes): fetch the file itself (git lfs pull, or download it)",
+            path.string(), text.size());
     if (text.starts_with("<!") || text.starts_with("<html"))
         throw Error("{}: expected weights, found a web page: was the download refused?", path.string());
     throw Error("{}: expected weights (.safetensors, or a file of torch.save), found {} bytes that begin otherwise", path.string(), text.size());
@@ -111,7 +112,8 @@ Weights unwrapped(Weights weights, std::string_view expected) {
     for (const char* module : {"module.", "model.", "net."})
         if (weights.has(module + name)) return weights.of_part(std::string_view(module).substr(0, std::string_view(module).size() - 1));
     // The averaged weights first, where a file holds both.
-    for (const char* dictionary : {"params_ema", "ema", "g_ema", "netG_ema", "state_dict", "model_state_dict", "params", "model", "netG", "generator", "G", "net", "weights"})
+    for (const char* dictionary :
+         {"params_ema", "ema", "g_ema", "netG_ema", "state_dict", "model_state_dict", "params", "model", "netG", "generator", "G", "net", "weights"})
         for (const char* module : {"", "module."}) {
             const std::string prefix = std::string(dictionary) + "." + module;
             if (weights.has(prefix + name)) return weights.of_part(prefix.substr(0, prefix.size() - 1));

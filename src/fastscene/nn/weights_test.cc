@@ -115,7 +115,8 @@ TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
             EXPECT_NE(std::string(e.what()).find(broken.string()), std::string::npos) << e.what();
         }
     };
-    for (const fs::path& file : {data_file("state_dict.pt"), data_file("state_dict_old_form.pth"), data_file("training_state.pt"), data_file("training_state_old_form.pth"), folder.path / "w.safetensors"}) {
+    for (const fs::path& file : {data_file("state_dict.pt"), data_file("state_dict_old_form.pth"), data_file("training_state.pt"),
+                                 data_file("training_state_old_form.pth"), folder.path / "w.safetensors"}) {
         const std::string whole = read_file(file);
         for (std::size_t size = 0; size < whole.size(); size += 1 + size / 64) {
             try_it(whole.substr(0, size));
@@ -127,7 +128,8 @@ TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
         const int before = refused;
         for (int i = 0; i < 400; ++i) {
             std::string other = whole;
-            for (int k = r.index(3); k >= 0; --k) other[static_cast<std::size_t>(r.index(static_cast<int>(other.size())))] = static_cast<char>(r.next_u32());
+            for (int k = r.index(3); k >= 0; --k)
+                other[static_cast<std::size_t>(r.index(static_cast<int>(other.size())))] = static_cast<char>(r.next_u32());
             try_it(other);
         }
         refused = before;

@@ -17,7 +17,8 @@ class Reader {
     explicit Reader(const MappedFile& file) : text_(file.text()), path_(file.path().string()) {}
     template <class T>
     T at(std::uint64_t offset) const {
-        if (offset > text_.size() || text_.size() - offset < sizeof(T)) throw Error("{}: expected a zip's directory, found the end of the file at byte {} (cut off?)", path_, text_.size());
+        if (offset > text_.size() || text_.size() - offset < sizeof(T))
+            throw Error("{}: expected a zip's directory, found the end of the file at byte {} (cut off?)", path_, text_.size());
         T value;
         std::memcpy(&value, text_.data() + offset, sizeof(T));
         return value;

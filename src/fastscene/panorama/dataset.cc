@@ -108,7 +108,8 @@ ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& 
 // Millimetres; 0 = the sky, or farther than 16 bits reach.
 Image<std::uint16_t> millimetres(const ImageF& range) {
     Image<std::uint16_t> out(range.width, range.height);
-    std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(), [](float r) { return r < 65.5f ? static_cast<std::uint16_t>(std::lround(r * 1000.f)) : std::uint16_t{0}; });
+    std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(),
+                   [](float r) { return r < 65.5f ? static_cast<std::uint16_t>(std::lround(r * 1000.f)) : std::uint16_t{0}; });
     return out;
 }
 
@@ -142,7 +143,8 @@ void make_picture(const Plan& plan, const TracedRoom& room, const std::string& p
     const Film film = random_film(dice, !plan.panorama);
     const Run quiet{dice.next_u64(), nullptr, run.stop};
     const ShotParts parts{.color = true, .range = true, .normal = true, .object = true};
-    const Shot shot = plan.panorama ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet) : room.perspective(camera.world_from_camera, camera.pinhole, parts, quiet);
+    const Shot shot = plan.panorama ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet)
+                                    : room.perspective(camera.world_from_camera, camera.pinhole, parts, quiet);
 
     ImageMask classes(request.width, request.height);
     Image<std::uint16_t> instances(request.width, request.height);
@@ -192,7 +194,8 @@ void write_index(const Plan& plan) {
 
 DatasetState make_dataset(const DatasetRequest& request, const fs::path& folder, const Run& run) {
     check_request(request);
-    const Plan plan{request, folder, run.seed, request.params.camera == "panorama" || (request.params.camera == "auto" && request.width == 2 * request.height)};
+    const Plan plan{request, folder, run.seed,
+                    request.params.camera == "panorama" || (request.params.camera == "auto" && request.width == 2 * request.height)};
     make_directories(folder / "claims");
     settle_description(plan);
 

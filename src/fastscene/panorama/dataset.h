@@ -25,11 +25,14 @@ struct DatasetParams {
 };
 template <class V>
 void visit_fields(DatasetParams& p, V&& v) {
-    v("camera", p.camera, Choices{{"auto", "panorama", "perspective"}}, "Kind of picture; auto: a panorama when WIDTH is twice HEIGHT, else a perspective view.");
-    v("film", p.film, Choices{{"varied", "clean"}}, "varied: each picture gets a lens blur, noise, tone curve and JPEG of its own; clean: lossless, none of these.");
+    v("camera", p.camera, Choices{{"auto", "panorama", "perspective"}},
+      "Kind of picture; auto: a panorama when WIDTH is twice HEIGHT, else a perspective view.");
+    v("film", p.film, Choices{{"varied", "clean"}},
+      "varied: each picture gets a lens blur, noise, tone curve and JPEG of its own; clean: lossless, none of these.");
     v("views", p.views, Bounds{1, 1000}, "Pictures of each room, from places of their own. The light of a room is gathered once for all of them.");
     v("shard", p.shard, Bounds{1, 100000}, "Pictures in a folder.");
-    v("stale-minutes", p.stale_minutes, Bounds{1, 10000}, "A room claimed by a process of another machine that has shown no sign of life for so long is made by this one.");
+    v("stale-minutes", p.stale_minutes, Bounds{1, 10000},
+      "A room claimed by a process of another machine that has shown no sign of life for so long is made by this one.");
     visit_fields(p.trace, v);
 }
 

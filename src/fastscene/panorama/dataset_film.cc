@@ -28,7 +28,8 @@ ImageColor blurred(const ImageColor& image, float sigma, bool wraps) {
             for (int i = -radius; i <= radius; ++i) across.at(x, y) += image.at(column(x + i), y) * weights[static_cast<std::size_t>(i + radius)];
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            for (int i = -radius; i <= radius; ++i) out.at(x, y) += across.at(x, std::clamp(y + i, 0, h - 1)) * weights[static_cast<std::size_t>(i + radius)];
+            for (int i = -radius; i <= radius; ++i)
+                out.at(x, y) += across.at(x, std::clamp(y + i, 0, h - 1)) * weights[static_cast<std::size_t>(i + radius)];
     return out;
 }
 

@@ -17,12 +17,15 @@ std::string_view one_of(const std::array<std::string_view, N>& words, Random& di
     return words[static_cast<std::size_t>(dice.index(static_cast<int>(N)))];
 }
 
-constexpr std::array<std::string_view, 12> kRooms{"living room", "bedroom", "kids room", "kitchen", "dining room", "bathroom", "study", "hallway", "studio loft", "laundry room", "sunroom", "attic"};
+constexpr std::array<std::string_view, 12> kRooms{"living room", "bedroom", "kids room",   "kitchen",      "dining room", "bathroom",
+                                                  "study",       "hallway", "studio loft", "laundry room", "sunroom",     "attic"};
 constexpr std::array<std::string_view, 9> kMoods{"", "", "", "cozy ", "bright ", "dark ", "cluttered ", "spacious ", "minimal "};
-constexpr std::array<std::string_view, 10> kHours{"", "", "", "in the morning", "in the evening", "at dusk", "at night", "at noon", "at night", "with the lamps on"};
+constexpr std::array<std::string_view, 10> kHours{"",        "",         "",        "in the morning", "in the evening",
+                                                  "at dusk", "at night", "at noon", "at night",       "with the lamps on"};
 constexpr std::array<std::string_view, 5> kWeathers{"", "", "sunny", "overcast", "rainy"};
-constexpr std::array<std::string_view, 24> kColors{"white", "black", "gray", "red", "blue", "green", "yellow", "orange", "pink", "purple", "brown", "beige",
-                                                   "teal", "navy", "olive", "terracotta", "cream", "sage", "mustard", "turquoise", "burgundy", "charcoal", "lavender", "ivory"};
+constexpr std::array<std::string_view, 24> kColors{"white", "black",  "gray",    "red",       "blue",     "green",    "yellow",   "orange",
+                                                   "pink",  "purple", "brown",   "beige",     "teal",     "navy",     "olive",    "terracotta",
+                                                   "cream", "sage",   "mustard", "turquoise", "burgundy", "charcoal", "lavender", "ivory"};
 constexpr std::array<std::string_view, 8> kMaterials{"wooden", "leather", "velvet", "metal", "marble", "oak", "walnut", "wicker"};
 
 std::string random_prompt(Random& dice) {
@@ -43,8 +46,9 @@ std::string random_prompt(Random& dice) {
 }
 
 // Patterns that may stand for each other on any surface; pictures, leaves and screens stay what they are.
-constexpr std::array kPlain{Pattern::plain, Pattern::plaster, Pattern::wood, Pattern::planks, Pattern::parquet, Pattern::tile, Pattern::checker, Pattern::brick, Pattern::concrete,
-                            Pattern::marble, Pattern::terrazzo, Pattern::fabric, Pattern::carpet, Pattern::leather, Pattern::stripes, Pattern::damask, Pattern::floral};
+constexpr std::array kPlain{Pattern::plain,   Pattern::plaster, Pattern::wood,     Pattern::planks, Pattern::parquet,  Pattern::tile,
+                            Pattern::checker, Pattern::brick,   Pattern::concrete, Pattern::marble, Pattern::terrazzo, Pattern::fabric,
+                            Pattern::carpet,  Pattern::leather, Pattern::stripes,  Pattern::damask, Pattern::floral};
 bool may_change(Pattern p) { return std::find(kPlain.begin(), kPlain.end(), p) != kPlain.end(); }
 
 Vec3f random_albedo(Random& dice) {

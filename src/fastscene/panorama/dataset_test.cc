@@ -86,7 +86,8 @@ TEST_F(Dataset, RangeNormalsAndClassesAgree) {
                 const auto point = [&](int px, int py) { return direction_of_pixel(px, py, size) * range.at(px, py); };
                 const Vec3f p = point(x, y), n = normalize(cross(point(x, y + 1) - p, point(x + 1, y) - p));
                 const Rgb8 c = normals.at(x, y);
-                const Vec3f m = normalize(Vec3f{static_cast<float>(c.r) - 127.5f, static_cast<float>(c.g) - 127.5f, static_cast<float>(c.b) - 127.5f});
+                const Vec3f m =
+                    normalize(Vec3f{static_cast<float>(c.r) - 127.5f, static_cast<float>(c.g) - 127.5f, static_cast<float>(c.b) - 127.5f});
                 const int k = classes.at(x, y);
                 if (k != 1 && k != 2 && k != 22) continue;
                 EXPECT_LT(dot(m, p), 0.02f * length(p)) << "normals look at the camera";

@@ -40,7 +40,9 @@ Upscale360Settings enlarging_of(const PanoramaParams& params) {
 
 double times_of(const PanoramaParams& params) { return times_the_painting(params.width, params.diffusion.steps, enlarging_of(params)); }
 
-Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) { return {source.weights, params.width, enlarging_of(params), run}; }
+Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
+    return {source.weights, params.width, enlarging_of(params), run};
+}
 
 // The photo as it was meant to be seen.
 ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo), picture_info(photo).orientation); }
@@ -114,8 +116,9 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
 
 void check_enlarging(const PaintingSource& source, const PanoramaParams& params, int width, const Run& run) {
     if (width < 256 || width % 128 != 0)
-        throw UsageError("--panorama-upscale: expected a picture whose width is a multiple of 128 from 256, found {}; --panorama-width {} reduces it first", width,
-                         std::max(256, width / 128 * 128));
+        throw UsageError(
+            "--panorama-upscale: expected a picture whose width is a multiple of 128 from 256, found {}; --panorama-width {} reduces it first", width,
+            std::max(256, width / 128 * 128));
     PanoramaParams wide = params;
     wide.width = width;
     (void)enlarger(source, wide, run);

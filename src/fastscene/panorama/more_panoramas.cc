@@ -23,7 +23,8 @@ class Entry {
         if (!json.is_object()) fail("an object with color and world_from_pano, or position", json.dump());
         static constexpr std::string_view kKnown[] = {"name", "color", "range", "world_from_pano", "position", "yaw_deg"};
         for (const auto& [key, value] : json.items())
-            if (std::find(std::begin(kKnown), std::end(kKnown), key) == std::end(kKnown)) fail("color, range, world_from_pano, position or yaw_deg", key);
+            if (std::find(std::begin(kKnown), std::end(kKnown), key) == std::end(kKnown))
+                fail("color, range, world_from_pano, position or yaw_deg", key);
     }
     fs::path file(const char* key, const fs::path& folder) const {
         if (!json_.contains(key)) return {};
@@ -100,7 +101,8 @@ Panorama in_first_orientation(const Panorama& panorama, EquirectSize size) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Vec2f at = pixel_of_direction(transpose(turn) * direction_of_pixel(x, y, size), source);
-            out.range.at(x, y) = panorama.range.at(wrap_column(static_cast<int>(at.x), source.width), std::min(static_cast<int>(at.y), source.height - 1));
+            out.range.at(x, y) =
+                panorama.range.at(wrap_column(static_cast<int>(at.x), source.width), std::min(static_cast<int>(at.y), source.height - 1));
         }
     return out;
 }

@@ -57,7 +57,8 @@ TEST_F(MoreList, WhatIsNotSoIsNamed) {
     EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 0, "1"]})").find("expected a number"), std::string::npos);
     EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 5000, 0]})").find("within a kilometre"), std::string::npos);
     EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})").find("a mirror"), std::string::npos);
-    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})").find("other lengths"), std::string::npos);
+    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})").find("other lengths"),
+              std::string::npos);
     EXPECT_NE(complaint("3").find("expected an object"), std::string::npos);
     EXPECT_THROW(read("{}"), Error);
     EXPECT_THROW(read("[]"), Error);

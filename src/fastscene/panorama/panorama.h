@@ -24,7 +24,8 @@ void visit_fields(Diffusion360Settings& p, V&& v) {
     v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: what makes a step.");
     v("precision", p.precision, Choices{{"float", "bf16"}}, "diffusion360: numbers of the denoiser; bf16 needs half the memory.");
     v("low-memory", p.low_memory, "diffusion360: weights are read layer by layer, the picture is decoded in tiles.");
-    v("upscale", p.upscale, Choices{{"none", "3", "6", "6-refined"}}, "diffusion360: the picture made so many times as wide by its super-resolution chain; slow.");
+    v("upscale", p.upscale, Choices{{"none", "3", "6", "6-refined"}},
+      "diffusion360: the picture made so many times as wide by its super-resolution chain; slow.");
     v("photo-fov-deg", p.photo_fov_deg, Bounds{20, 140}, "diffusion360: how wide the photo of --photo sees.");
     v("negative", p.negative, "diffusion360: what the picture must not be; empty: the published words.");
     v("published-seam", p.published_seam, "diffusion360: the published text path, whose left 32 columns repeat the right ones.");
@@ -43,7 +44,8 @@ void visit_fields(PanoramaParams& p, V&& v) {
     v("backend", p.backend, Choices{{"rooms", "image", "diffusion360"}}, "What makes the panorama.");
     v("width", p.width, Bounds{64, 8192}, "Width of the panorama in pixels; its height is half of it.");
     v("strict", p.strict, "Refuse a prompt with words that are not understood.");
-    v("assets", p.assets, Choices{{"none", "cc0", "all"}}, "Models of the furniture pack to use: none, public domain, or also those whose authors are named in credits.txt.");
+    v("assets", p.assets, Choices{{"none", "cc0", "all"}},
+      "Models of the furniture pack to use: none, public domain, or also those whose authors are named in credits.txt.");
     visit_fields(p.trace, v);
     visit_fields(p.diffusion, v);
 }
@@ -82,7 +84,8 @@ struct PaintingMemory {
 ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look = {},
                                    const PaintingMemory& memory = {});
 // A picture that is there already, as many times larger as params.diffusion.upscale says; of the source, the prompt and the weights count.
-ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run, const PaintingMemory& memory = {});
+ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run,
+                                   const PaintingMemory& memory = {});
 
 // Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is exposed as a film would;
 // turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or too large (> 16384), or the map does not fit.

@@ -91,15 +91,18 @@ std::vector<std::string> doubts_about_panorama(const ImageColor& color) {
 
     const int top = black_rows(image, true), bottom = black_rows(image, false);
     if (top > image.height / 64 || bottom > image.height / 64)
-        doubts.push_back(fmt::format("black borders ({} rows at the top, {} at the bottom): expected a full sphere; they will be taken for surfaces", top, bottom));
+        doubts.push_back(fmt::format("black borders ({} rows at the top, {} at the bottom): expected a full sphere; they will be taken for surfaces",
+                                     top, bottom));
     else {
         // Each row of pixels at a pole is one point of the world.
         const RowStats zenith = row_stats(image, 0), nadir = row_stats(image, image.height - 1);
         if (zenith.deviation > 0.12 || nadir.deviation > 0.12)
-            doubts.push_back(fmt::format("the {} is not one color along its row: expected an equirectangular picture (360 x 180 degrees), this may be an ordinary photo",
-                                         zenith.deviation > nadir.deviation ? "top" : "bottom"));
+            doubts.push_back(fmt::format(
+                "the {} is not one color along its row: expected an equirectangular picture (360 x 180 degrees), this may be an ordinary photo",
+                zenith.deviation > nadir.deviation ? "top" : "bottom"));
     }
-    if (seam_is_open(image)) doubts.push_back("the left and the right edge do not meet: expected a picture that closes, or is it a part of a panorama?");
+    if (seam_is_open(image))
+        doubts.push_back("the left and the right edge do not meet: expected a picture that closes, or is it a part of a panorama?");
     if (has_nadir_disc(image)) doubts.push_back("a disc straight below (a tripod or a logo?): it will be taken for the floor's texture");
     return doubts;
 }
@@ -112,7 +115,9 @@ std::vector<std::string> remarks_on_file(const std::filesystem::path& picture) {
     if (info.orientation != 1) remarks.push_back(fmt::format("EXIF orientation {}: turned upright", info.orientation));
     const ImageMask alpha = load_alpha(picture);
     const auto clear = std::count_if(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a < 128; });
-    if (clear > 0) remarks.push_back(fmt::format("{:.1f} % of it can be seen through: black was put behind", 100. * static_cast<double>(clear) / static_cast<double>(alpha.size())));
+    if (clear > 0)
+        remarks.push_back(fmt::format("{:.1f} % of it can be seen through: black was put behind",
+                                      100. * static_cast<double>(clear) / static_cast<double>(alpha.size())));
     return remarks;
 }
 

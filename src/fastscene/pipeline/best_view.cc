@@ -57,7 +57,8 @@ float best_yaw_deg(const Panorama& first, const std::vector<Vec3f>& requested) {
     for (int i = 0; i < kYaws; ++i) {
         const float yaw = 360.f * static_cast<float>(i) / kYaws;
         double sum = 0;
-        for (int d = -half_field; d <= half_field; ++d) sum += column[static_cast<std::size_t>(wrap_column(width / 2 + i * width / kYaws + d, width))];
+        for (int d = -half_field; d <= half_field; ++d)
+            sum += column[static_cast<std::size_t>(wrap_column(width / 2 + i * width / kYaws + d, width))];
         double score = mean > 0 ? sum / (mean * (2 * half_field + 1)) : 0;
         for (const Vec3f direction : requested)
             if (std::abs(std::remainder(yaw_of(direction) - yaw, 360.f)) < kInsideDeg) score += kWorthOfAPiece;

@@ -21,7 +21,9 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
         take(model, cached_model(model), source.weights);
         if (source.weights.empty())
             throw asked_for("--panorama diffusion360",
-                            source.photo.empty() ? "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/" : "--weights DIR with sr-base/ and sd-i2p/", model);
+                            source.photo.empty() ? "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/"
+                                                 : "--weights DIR with sr-base/ and sd-i2p/",
+                            model);
     }
     if (!source.picture.empty() && panorama.diffusion.upscale != "none" && source.weights.empty()) {
         take("diffusion360", cached_model("diffusion360-upscale"), source.weights);
@@ -29,7 +31,8 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     }
     if (request.last_stage == "panorama") return;
     DepthParams& depth = request.params.depth;
-    const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
+    const bool estimated =
+        depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
     if (estimated && depth.weights.empty()) take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;

@@ -42,7 +42,8 @@ std::string identity_of(const Capture& capture) {
         const Mat3d& r = p.world_from_camera.rotation;
         for (const Vec3d& v : {r.row0, r.row1, r.row2, p.world_from_camera.translation}) hash.add(v.x).add(v.y).add(v.z);
     }
-    for (const CapturePoint& p : capture.points) hash.add(p.position.x).add(p.position.y).add(p.position.z).add(p.color.r).add(p.color.g).add(p.color.b);
+    for (const CapturePoint& p : capture.points)
+        hash.add(p.position.x).add(p.position.y).add(p.position.z).add(p.color.r).add(p.color.g).add(p.color.b);
     return hash.hex();
 }
 
@@ -66,15 +67,19 @@ void claim(const RunFolder& folder, const Json& wanted, bool start_over) {
         for (const std::string& name : RunFolder::owned()) fs::remove_all(folder.root / name);
     if (fs::exists(folder.run_json())) {
         const Json recorded = read_json(folder.run_json());
-        const auto source = [](const Json& run) { return run.contains("capture") ? run.at("capture").value("source", "") : "\"" + run.value("prompt", "") + "\""; };
+        const auto source = [](const Json& run) {
+            return run.contains("capture") ? run.at("capture").value("source", "") : "\"" + run.value("prompt", "") + "\"";
+        };
         if (source(recorded) != source(wanted))
             throw UsageError("{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or --force to throw that run away",
                              folder.root.string(), source(wanted), source(recorded));
     } else {
         for (const std::string& name : RunFolder::owned())
             if (fs::exists(folder.root / name))
-                throw UsageError("{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or --force to replace what is there",
-                                 folder.root.string(), name);
+                throw UsageError(
+                    "{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or --force to replace what is "
+                    "there",
+                    folder.root.string(), name);
     }
     write_json(folder.run_json(), wanted);
 }
@@ -130,7 +135,8 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
                                          [&](const fs::path& out) { make_capture_splat(request, capture, out, run); });
     if (record.skipped) run.note("splat: already made");
     run.check_stop();
-    share_capture(folder, request.source.filename().empty() ? request.source.parent_path().filename().string() : request.source.filename().string(), run);
+    share_capture(folder, request.source.filename().empty() ? request.source.parent_path().filename().string() : request.source.filename().string(),
+                  run);
     Json report{{"capture", fs::absolute(request.source).lexically_normal().string()},
                 {"photographs", capture.photos.size()},
                 {"points", capture.points.size()},

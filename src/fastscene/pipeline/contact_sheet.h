@@ -26,7 +26,7 @@ void visit_fields(SheetParams& p, V&& v) {
 // Renders "a <style> <room>" for every pair (empty lists: all there are) into folder/<room>-<style>.png, and puts them together:
 // folder/sheet.jpg has a row a room and a column a style, folder/<room>.jpg two styles a row. Pictures that are there from the
 // same settings, seed and program are kept. Returns the sheets' paths. Throws UsageError for an unknown room or style.
-std::vector<std::filesystem::path> make_contact_sheet(const std::filesystem::path& folder, std::vector<std::string> rooms, std::vector<std::string> styles,
-                                                      const SheetParams& params, const Run& run);
+std::vector<std::filesystem::path> make_contact_sheet(const std::filesystem::path& folder, std::vector<std::string> rooms,
+                                                      std::vector<std::string> styles, const SheetParams& params, const Run& run);
 
 }  // namespace fastscene

@@ -62,8 +62,9 @@ Json check_depth(const DepthCheck& check, const Run& run) {
 }
 
 std::string depth_check_text(const Json& report) {
-    std::string text = fmt::format("{}, {} held-out places, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
-                                   report.at("pictures").get<int>(), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
+    std::string text =
+        fmt::format("{}, {} held-out places, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
+                    report.at("pictures").get<int>(), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
     for (const auto& [name, alignment] : kAlignments) {
         const Json& s = report.at(name);
         text += fmt::format("\n{:8} {:8.4f} {:8.4f} {:8.4f} {:8.4f}", name, s.at("abs_rel").get<double>(), s.at("rmse_m").get<double>(), s.at("delta1").get<double>(),

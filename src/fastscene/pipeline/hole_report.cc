@@ -17,8 +17,8 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
     if (!fs::exists(folder.depth_range()))
-        throw UsageError("{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene depth {}`", run_dir.string(),
-                         run_dir.string());
+        throw UsageError("{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene depth {}`",
+                         run_dir.string(), run_dir.string());
     const ImageF range = load_float(folder.depth_range());
     if (!truth) return hole_table(range, run);
     const SceneSource& source = recorded.request.source;

@@ -33,7 +33,8 @@ void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
 
 void add_more(const fs::path& list, Hash& hash) {
     hash.add("more").add(read_file(list));
-    for (const MorePanorama& more : read_more_panoramas(list)) hash.add(read_file(more.color)).add(more.range.empty() ? std::string() : read_file(more.range));
+    for (const MorePanorama& more : read_more_panoramas(list))
+        hash.add(read_file(more.color)).add(more.range.empty() ? std::string() : read_file(more.range));
 }
 
 // Hashes of the files that a run is made from, by their names in run.json.
@@ -111,7 +112,8 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
     depth_backend(source, params.depth);
     if (!source.more.empty()) check_more(source, params.walk);
     if (!source.weights.empty() && !source.range_map.empty())
-        throw UsageError("--range: expected together with --panorama FILE as it is, found with {}", source.is_painted() ? "--panorama diffusion360" : "--panorama-upscale");
+        throw UsageError("--range: expected together with --panorama FILE as it is, found with {}",
+                         source.is_painted() ? "--panorama diffusion360" : "--panorama-upscale");
     if (source.is_painted()) {
         check_diffusion360({source.prompt, source.weights, source.photo}, params.panorama, run);
         if (last_stage != "panorama") make_depth_estimator(params.depth);
@@ -143,7 +145,10 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
 std::string identity_of(const SceneSource& source) {
     Hash hash;
     if (source.is_painted())
-        hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.photo.empty() ? std::string() : read_file(source.photo));
+        hash.add("diffusion360")
+            .add(source.prompt)
+            .add(diffusion360_identity(source.weights, !source.photo.empty()))
+            .add(source.photo.empty() ? std::string() : read_file(source.photo));
     else if (source.picture.empty())
         hash.add("prompt").add(source.prompt);
     else
@@ -182,10 +187,12 @@ RecordedRun recorded_run(const RunFolder& folder) {
                          folder.root.string(), folder.root.string());
     const Json json = read_json(folder.run_json());
     if (json.contains("capture"))
-        throw UsageError("{}: expected a run from a prompt or a panorama, found splats of photographs: only splat, render and view go on with those", folder.root.string());
+        throw UsageError("{}: expected a run from a prompt or a panorama, found splats of photographs: only splat, render and view go on with those",
+                         folder.root.string());
     try {
         RecordedRun recorded;
-        recorded.request.source = {json.at("prompt"), json.value("picture", ""), json.value("range_map", ""), json.value("weights", ""), json.value("photo", ""), json.value("more", "")};
+        recorded.request.source = {json.at("prompt"),         json.value("picture", ""), json.value("range_map", ""),
+                                   json.value("weights", ""), json.value("photo", ""),   json.value("more", "")};
         recorded.request.quality = json.at("quality");
         recorded.request.params = params_from_json(json.at("params"), params_of_quality(recorded.request.quality));
         recorded.seed = json.at("seed");

@@ -104,9 +104,12 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
     Stream stream(folder, request, run);
-    stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
-    stream.stage("depth", fields_json(params.depth), [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });
-    stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) { make_walk(source, params.depth, folder, params.walk, out, r); });
+    stream.stage("panorama", fields_json(params.panorama),
+                 [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
+    stream.stage("depth", fields_json(params.depth),
+                 [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });
+    stream.stage("walk", fields_json(params.walk),
+                 [&](const fs::path& out, const Run& r) { make_walk(source, params.depth, folder, params.walk, out, r); });
     stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     stream.stage("splat", fields_json(params.splat), [&](const fs::path& out, const Run& r) { make_splat(folder, params.splat, out, r); });
 

@@ -15,7 +15,8 @@ void check_same_room(const TracedRoom& room, const ImageF& range, const std::fil
         for (int x = size.width / 32; x < size.width; x += std::max(1, size.width / 24)) {
             const float true_range = room.distance({}, direction_of_pixel(x, y, size)), recorded = range.at(x, y);
             ++looked;
-            other += std::isfinite(true_range) != std::isfinite(recorded) || (std::isfinite(recorded) && !(std::fabs(true_range - recorded) < 0.02f * recorded));
+            other += std::isfinite(true_range) != std::isfinite(recorded) ||
+                     (std::isfinite(recorded) && !(std::fabs(true_range - recorded) < 0.02f * recorded));
         }
     if (20 * other > looked)
         throw Error("the room behind {} is not the one its range map shows ({} of {} rays differ): it was made by another version; make it anew",

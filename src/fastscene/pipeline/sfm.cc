@@ -61,7 +61,8 @@ class Colmap {
     Colmap(const fs::path& dir, const Run& run) : dir_(dir), run_(run) {
         const auto found = find_program("colmap");
         if (!found)
-            throw Error("--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or leave the flag away (the poses are known)");
+            throw Error(
+                "--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or leave the flag away (the poses are known)");
         program_ = *found;
         make_directories(dir);
     }
@@ -102,8 +103,8 @@ void match(Colmap& colmap, const fs::path& dir, const fs::path& work, const std:
                                      "--ImageReader.single_camera", "1", "--ImageReader.camera_params", fmt::format("{},{},{},{}", c.fx, c.fy, c.cx, c.cy),
                                      "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads", threads});
     write_file(work / "pairs.txt", match_list(views));
-    colmap.run("matches_importer", {"--database_path", work / "database.db", "--match_list_path", work / "pairs.txt", "--match_type", "pairs", "--SiftMatching.use_gpu", "0",
-                                    "--SiftMatching.num_threads", std::to_string(thread_count())});
+    colmap.run("matches_importer", {"--database_path", work / "database.db", "--match_list_path", work / "pairs.txt", "--match_type", "pairs",
+                                    "--SiftMatching.use_gpu", "0", "--SiftMatching.num_threads", std::to_string(thread_count())});
 }
 
 // The mapper may leave several models; the one with most images counts.
@@ -121,10 +122,11 @@ Capture largest_model(const fs::path& dir) {
 
 Capture mapped(Colmap& colmap, const fs::path& dir, const fs::path& work) {
     make_directories(work / "models");
-    colmap.run("mapper", {"--database_path", work / "database.db", "--image_path", dir / "images", "--output_path", work / "models", "--Mapper.ba_refine_focal_length", "0",
-                          "--Mapper.ba_refine_principal_point", "0", "--Mapper.ba_refine_extra_params", "0"});
+    colmap.run("mapper", {"--database_path", work / "database.db", "--image_path", dir / "images", "--output_path", work / "models",
+                          "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point", "0", "--Mapper.ba_refine_extra_params", "0"});
     Capture best = largest_model(work / "models");
-    if (best.photos.empty()) throw Error("colmap mapper: expected a model, found none: the views share too little; leave --views-sfm away (the poses are known)");
+    if (best.photos.empty())
+        throw Error("colmap mapper: expected a model, found none: the views share too little; leave --views-sfm away (the poses are known)");
     return best;
 }
 
@@ -132,8 +134,9 @@ Capture triangulated(Colmap& colmap, const fs::path& dir, const fs::path& work, 
     make_directories(work / "known");
     make_directories(work / "points");
     save_views_model(work / "known", {known.views, {}});
-    colmap.run("point_triangulator", {"--database_path", work / "database.db", "--image_path", dir / "images", "--input_path", work / "known", "--output_path", work / "points",
-                                      "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point", "0", "--Mapper.ba_refine_extra_params", "0"});
+    colmap.run("point_triangulator", {"--database_path", work / "database.db", "--image_path", dir / "images", "--input_path", work / "known",
+                                      "--output_path", work / "points", "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point",
+                                      "0", "--Mapper.ba_refine_extra_params", "0"});
     return load_colmap_model(work / "points");
 }
 
@@ -156,7 +159,9 @@ void measure(const ViewSet& known, SfmResult& result) {
             // From the sine: the cosine of small angles loses them to rounding.
             const Mat3f turn = transpose(a.rotation) * b.rotation;
             const Vec3f axis{turn.row2.y - turn.row1.z, turn.row0.z - turn.row2.x, turn.row1.x - turn.row0.y};
-            error.rotation_deg = std::atan2(static_cast<double>(length(axis)) / 2, (static_cast<double>(turn.row0.x + turn.row1.y + turn.row2.z) - 1) / 2) * 180 / std::numbers::pi;
+            error.rotation_deg =
+                std::atan2(static_cast<double>(length(axis)) / 2, (static_cast<double>(turn.row0.x + turn.row1.y + turn.row2.z) - 1) / 2) * 180 /
+                std::numbers::pi;
             positions.push_back(error.position_m);
             rotations.push_back(error.rotation_deg);
         }
@@ -182,7 +187,8 @@ Similarity known_from_found(const std::vector<View>& known, const std::vector<Ph
     }
     double both = 0, square = 0;
     for (const Pair& p : pairs) {
-        const Vec3d a = to_double(p.known->world_from_camera.translation) - known_middle, b = turn * p.found->world_from_camera.translation - found_middle;
+        const Vec3d a = to_double(p.known->world_from_camera.translation) - known_middle,
+                    b = turn * p.found->world_from_camera.translation - found_middle;
         both += dot(a, b), square += dot(b, b);
     }
     const double scale = both > 1e-12 && square > 1e-12 ? both / square : 1;

@@ -24,8 +24,10 @@ Command splat_transform() {
     const fs::path checkout = fs::path(source_dir()) / "web/node_modules/@playcanvas/splat-transform/bin/cli.mjs";
     const auto node = find_program("node");
     if (node && fs::exists(checkout)) return {*node, {checkout.string()}};
-    throw Error("SOG is written and read by the program splat-transform, which is not here: `npm install -g @playcanvas/splat-transform` (Node 18 or later), "
-                "or `npm ci --ignore-scripts` in {}/web; or use .spz, .glb or .compressed.ply", source_dir());
+    throw Error(
+        "SOG is written and read by the program splat-transform, which is not here: `npm install -g @playcanvas/splat-transform` (Node 18 or later), "
+        "or `npm ci --ignore-scripts` in {}/web; or use .spz, .glb or .compressed.ply",
+        source_dir());
 }
 
 // A folder that goes with the object.
@@ -87,15 +89,19 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
         loaded = load_splats(file);
     }
     if (loaded.cleaned.dropped)
-        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and are left out", file.string(), loaded.cleaned.dropped));
-    if (loaded.cleaned.repaired) run.note(fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired", file.string(), loaded.cleaned.repaired));
+        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and are left out", file.string(),
+                             loaded.cleaned.dropped));
+    if (loaded.cleaned.repaired)
+        run.note(
+            fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired", file.string(), loaded.cleaned.repaired));
     return loaded;
 }
 
 void save_scene(const fs::path& path, const Splats& splats, const SplatWriting& writing, const Run& run) {
     if (!is_splat_file_name(path)) throw UsageError("{}: expected a name that ends in {}", path.string(), kSplatFileNames);
     if (!is_sog(path)) return save_splats(path, splats, *splat_format_of_name(path), writing);
-    if (splats.antialias) run.warn(fmt::format("{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright", path.string()));
+    if (splats.antialias)
+        run.warn(fmt::format("{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright", path.string()));
     const ScratchFolder scratch;
     save_splat_ply(scratch.path() / "scene.ply", splats, PlyBands::present);
     translate(scratch.path() / "scene.ply", scratch.path() / "scene.sog", path, scratch, run);

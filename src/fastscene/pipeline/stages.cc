@@ -103,7 +103,8 @@ void save_more_panoramas(const fs::path& list, EquirectSize size, const fs::path
 }
 
 // The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's.
-Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder, const ImageF& first_range, const fs::path& out, const Run& run) {
+Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder, const ImageF& first_range, const fs::path& out,
+                      const Run& run) {
     make_directories(out);
     const Panorama first{load_color(folder.panorama_color()), first_range, {}, {}};
     const std::vector<Viewpoint> viewpoints = load_viewpoints(folder.more_panoramas() / "poses.json");
@@ -216,7 +217,8 @@ std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
     return more;
 }
 
-void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out, const Run& run) {
+void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out,
+               const Run& run) {
     RangeEstimator estimate;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image")
         estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(depth))](const ImageColor& color, const Run& r) {
@@ -269,7 +271,8 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
     const SfmReport& r = found.report;
     run.note(fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; position off by {:.4f} m (median), rotation by {:.3f} degrees; views/sfm.txt has all",
                          r.registered, r.views, r.points, r.seconds, r.position_median_m, r.rotation_median_deg));
-    if (r.registered < r.views) run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them", r.views - r.registered, r.views));
+    if (r.registered < r.views)
+        run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them", r.views - r.registered, r.views));
 }
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {

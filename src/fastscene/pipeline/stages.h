@@ -27,13 +27,14 @@ struct SceneSource {
 
 // Each writes the files of its stage into `out` (run_folder.h has their names).
 void make_panorama(const SceneSource& source, const PanoramaParams& params, const std::filesystem::path& out, const Run& run);
-void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder, const std::filesystem::path& out,
-                const Run& run);
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder,
+                const std::filesystem::path& out, const Run& run);
 // What tells the range of such a source: "auto" resolved as far as the source says. Throws UsageError for a backend that the
 // source has nothing for.
 std::string depth_backend(const SceneSource& source, const DepthParams& params);
 // The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how.
-void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const std::filesystem::path& out, const Run& run);
+void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
+               const std::filesystem::path& out, const Run& run);
 void make_views(const RunFolder& folder, const ViewsParams& params, const std::filesystem::path& out, const Run& run);
 void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
 

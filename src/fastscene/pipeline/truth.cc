@@ -46,7 +46,8 @@ struct RunTruth::Impl {
             room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
             // An estimated range says nothing of the room.
             const SceneParams& params = recorded.request.params;
-            if (depth_backend(recorded.request.source, params.depth) == "exact") check_same_room(*room, load_float(folder.depth_range()), folder.root);
+            if (depth_backend(recorded.request.source, params.depth) == "exact")
+                check_same_room(*room, load_float(folder.depth_range()), folder.root);
             lit_samples = samples;
         }
         return *room;

@@ -44,7 +44,8 @@ float distance_to_triangle(Vec3f p, const Triangle& t) {
         const float l = dot(d, d), s = l > 0 ? std::clamp(dot(to, d) / l, 0.f, 1.f) : 0.f;
         return length(to - d * s);
     };
-    if (area > 0 && dot(cross(t[1] - t[0], p - t[0]), n) >= 0 && dot(cross(t[2] - t[1], p - t[1]), n) >= 0 && dot(cross(t[0] - t[2], p - t[2]), n) >= 0)
+    if (area > 0 && dot(cross(t[1] - t[0], p - t[0]), n) >= 0 && dot(cross(t[2] - t[1], p - t[1]), n) >= 0 &&
+        dot(cross(t[0] - t[2], p - t[2]), n) >= 0)
         return std::abs(dot(p - t[0], n)) / std::sqrt(area);
     return std::min({edge(t[0], t[1]), edge(t[1], t[2]), edge(t[2], t[0])});
 }
@@ -77,7 +78,9 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
         for (const Vec3f p : t) box.add(p);
         // A hand wider than needed for counting, so that sides near by limit the depth.
         constexpr float kBeside = 0.05f;
-        if (box.low.x < part.high.x + kBeside && box.high.x > part.low.x - kBeside && box.low.z < part.high.z + kBeside && box.high.z > part.low.z - kBeside) column.push_back(t);
+        if (box.low.x < part.high.x + kBeside && box.high.x > part.low.x - kBeside && box.low.z < part.high.z + kBeside &&
+            box.high.z > part.low.z - kBeside)
+            column.push_back(t);
     }
     if (column.empty()) return;
     Crossing deepest{a.object, b.object, {}, 0.f};
@@ -94,7 +97,9 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     for (const Triangle& t : a.triangles) {
         Box box;
         for (const Vec3f p : t) box.add(p);
-        if (common(box, part).low.x > common(box, part).high.x || box.low.y > part.high.y || box.high.y < part.low.y || box.low.z > part.high.z || box.high.z < part.low.z) continue;
+        if (common(box, part).low.x > common(box, part).high.x || box.low.y > part.high.y || box.high.y < part.low.y || box.low.z > part.high.z ||
+            box.high.z < part.low.z)
+            continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3f from = t[k], along = t[(k + 1) % 3] - from;
             const int steps = std::clamp(static_cast<int>(length(along) / kStep), 1, 400);
@@ -128,7 +133,8 @@ std::vector<Body> bodies_of(const Room& room) {
             body->of_shell = true;
         }
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-            body->triangles.push_back({mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]], mesh.positions[mesh.triangles[t + 2]]});
+            body->triangles.push_back(
+                {mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]], mesh.positions[mesh.triangles[t + 2]]});
             for (const Vec3f p : body->triangles.back()) body->box.add(p);
         }
     }

@@ -56,7 +56,9 @@ TEST(Crossings, NothingReachesIntoAnotherOver60Rooms) {
         const std::vector<Crossing> found = room_crossings(room);
         crossed += !found.empty();
         const auto name = [&](int object) { return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].klass; };
-        for (const Crossing& c : found) list += "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " + name(c.into) + " " + std::to_string(c.depth_m);
+        for (const Crossing& c : found)
+            list +=
+                "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " + name(c.into) + " " + std::to_string(c.depth_m);
     }
     EXPECT_EQ(crossed, 0) << list;
 }

@@ -83,7 +83,8 @@ void bottles(Kit& k) {
         Material m = k.dice.chance(0.5f) ? glass() : plain("stoneware", k.accent(), 0.35f);
         if (m.transmission > 0) m.color_a = m.color_b = lerp(k.accent(), {0.3f, 0.4f, 0.3f}, 0.5f), m.transmission = 0.5f;
         const int mat = i == 0 ? k.main(m) : k.material(m);
-        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.dice.uniform(-0.03f, 0.03f)}, k.dice.uniform(0.028f, 0.038f), k.dice.uniform(0.18f, 0.31f));
+        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.dice.uniform(-0.03f, 0.03f)}, k.dice.uniform(0.028f, 0.038f),
+                  k.dice.uniform(0.18f, 0.31f));
     }
     on_surface(k);
 }
@@ -180,7 +181,8 @@ void toiletries(Kit& k) {
     on_surface(k);
 }
 void kettle(Kit& k) {
-    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.2f)), dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
+    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.2f)),
+              dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
     const std::array<Vec2f, 7> p{Vec2f{0.08f, 0}, {0.092f, 0.015f}, {0.09f, 0.07f}, {0.068f, 0.15f}, {0.05f, 0.175f}, {0.014f, 0.185f}, {0.f, 0.2f}};
     k.add(shapes::lathe(shapes::curve(p, 3), 26, true), body);
     k.rod(body, {-0.06f, 0.09f, 0}, {-0.125f, 0.15f, 0}, 0.018f, 0.01f);
@@ -193,7 +195,8 @@ void kettle(Kit& k) {
     on_surface(k);
 }
 void toaster(Kit& k) {
-    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.25f)), dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
+    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.25f)),
+              dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
     k.board(dark, {}, {0.27f, 0.02f, 0.16f}, 0.005f);
     k.board(body, {0, 0.018f, 0}, {0.28f, 0.17f, 0.17f}, 0.035f);
     for (const float z : {-0.035f, 0.035f}) k.board(dark, {0, 0.1885f, z}, {0.19f, 0.001f, 0.024f}, 0.0003f);
@@ -275,13 +278,20 @@ void toy_blocks(Kit& k) {
         const int row = i < 3 ? 0 : i < 5 ? 1 : 2;
         Mesh m = shapes::box({0.07f, 0.07f, 0.07f}, 0.006f);
         shapes::turn(m, {0, 1, 0}, k.dice.uniform(-20, 20));
-        k.add(std::move(m), mat, {0.085f * (static_cast<float>(row == 0 ? i : row == 1 ? i - 3 : 0) + 0.5f * static_cast<float>(row)), 0.035f + 0.07f * static_cast<float>(row), 0});
+        k.add(std::move(m), mat,
+              {0.085f * (static_cast<float>(row == 0   ? i
+                                            : row == 1 ? i - 3
+                                                       : 0) +
+                         0.5f * static_cast<float>(row)),
+               0.035f + 0.07f * static_cast<float>(row), 0});
     }
     on_surface(k);
 }
 void alarm_clock(Kit& k) {
-    const int body = k.main(k.style.metal), face = k.material(plain("dial", {0.76f, 0.74f, 0.68f}, 0.4f)), dark = k.material(plain("hands", {0.04f, 0.04f, 0.04f}, 0.4f));
-    Mesh drum = shapes::prism(shapes::circle(0.05f, 32), -0.02f, 0.02f, 0.006f), dial = shapes::prism(shapes::circle(0.043f, 32), 0.f, 0.003f, 0.001f);
+    const int body = k.main(k.style.metal), face = k.material(plain("dial", {0.76f, 0.74f, 0.68f}, 0.4f)),
+              dark = k.material(plain("hands", {0.04f, 0.04f, 0.04f}, 0.4f));
+    Mesh drum = shapes::prism(shapes::circle(0.05f, 32), -0.02f, 0.02f, 0.006f),
+         dial = shapes::prism(shapes::circle(0.043f, 32), 0.f, 0.003f, 0.001f);
     shapes::turn(drum, {1, 0, 0}, 90);
     shapes::turn(dial, {1, 0, 0}, 90);
     k.add(std::move(drum), body, {0, 0.065f, 0});

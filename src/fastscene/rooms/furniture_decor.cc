@@ -59,17 +59,21 @@ void plant_of(Kit& k, int kind, float size) {
         k.rod(bark, {0, y - 0.03f, 0}, crown, 0.022f * size, 0.014f * size, 10);
         for (int b = 0; b < 9; ++b) {
             const float a = 2.39996f * static_cast<float>(b), rise = 0.1f + 0.06f * static_cast<float>(b % 5);
-            const Vec3f from = lerp(Vec3f{0, y, 0}, crown, 0.55f + 0.05f * static_cast<float>(b)), to = from + around(a) * (0.3f * size) + Vec3f{0, rise * 1.3f * size, 0};
+            const Vec3f from = lerp(Vec3f{0, y, 0}, crown, 0.55f + 0.05f * static_cast<float>(b)),
+                        to = from + around(a) * (0.3f * size) + Vec3f{0, rise * 1.3f * size, 0};
             k.rod(bark, from, to, 0.009f * size, 0.004f * size, 6);
             for (int i = 0; i < 12; ++i) {
                 const float t = 0.3f + 0.06f * static_cast<float>(i), la = a + k.dice.uniform(-1.6f, 1.6f);
-                k.add(blade(lerp(from, to, t), around(la), size * k.dice.uniform(0.13f, 0.2f), size * 0.085f, k.dice.uniform(0.1f, 0.9f), 0.8f, 0.8f), green);
+                k.add(blade(lerp(from, to, t), around(la), size * k.dice.uniform(0.13f, 0.2f), size * 0.085f, k.dice.uniform(0.1f, 0.9f), 0.8f, 0.8f),
+                      green);
             }
         }
     } else {  // upright swords
         for (int i = 0; i < 16; ++i) {
             const float a = 2.39996f * static_cast<float>(i), r = 0.02f + 0.0065f * static_cast<float>(i);
-            k.add(blade(around(a) * (r * size) + Vec3f{0, y - 0.02f, 0}, around(a), size * 0.16f, size * 0.065f, k.dice.uniform(3.2f, 5.6f), 0.2f, 1.4f), green);
+            k.add(blade(around(a) * (r * size) + Vec3f{0, y - 0.02f, 0}, around(a), size * 0.16f, size * 0.065f, k.dice.uniform(3.2f, 5.6f), 0.2f,
+                        1.4f),
+                  green);
         }
     }
 }
@@ -88,7 +92,8 @@ void vase_of(Kit& k, float size, bool stems) {
     k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
     k.piece.mount = Mount::surface;
     if (!stems) return;
-    const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)), plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
+    const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
+              plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
     for (int i = 0; i < 7; ++i) {
         const float a = 2.39996f * static_cast<float>(i), lean = k.dice.uniform(0.05f, 0.16f) * size, h = k.dice.uniform(0.55f, 0.75f) * size;
         const Vec3f tip = around(a) * lean + Vec3f{0, h, 0};
@@ -105,7 +110,10 @@ void picture(Kit& k) {
     const bool wide = k.dice.chance(0.4f);
     const Vec3f s = k.wanted(wide ? Vec3f{0.9f, 0.62f, 0.025f} : Vec3f{0.55f, 0.75f, 0.025f});
     const int pick = k.dice.index(3);
-    const int frame = k.material(pick == 0 ? k.style.metal : pick == 1 ? k.style.wood : k.style.wood2), mat_board = k.material(plain("passe-partout", {0.76f, 0.75f, 0.71f}, 0.9f));
+    const int frame = k.material(pick == 0   ? k.style.metal
+                                 : pick == 1 ? k.style.wood
+                                             : k.style.wood2),
+              mat_board = k.material(plain("passe-partout", {0.76f, 0.75f, 0.71f}, 0.9f));
     const float f = k.style.mouldings == Mouldings::rich ? 0.04f : 0.02f, pass = 0.09f * std::min(s.x, s.y);
     const float w = s.x - 2 * f - 2 * pass, h = s.y - 2 * f - 2 * pass;
     Material m = plain("art", k.style.palette[0], 0.6f);
@@ -138,11 +146,13 @@ void rug(Kit& k) {
     const int first = k.style.mouldings == Mouldings::rich ? 4 : k.style.name == "scandinavian" ? 8 : 0, range = first == 0 ? 12 : 4;
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
     // Round where nothing else is asked for, in some rooms that like it.
-    const bool round = !k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f);
+    const bool round =
+        !k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f);
     const float d = std::min(s.x, s.z) * 1.15f;
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     const int pile = k.main(m);
-    Mesh r = round ? shapes::prism(shapes::circle(0.5f * d, 48), 0.f, 0.012f, 0.004f) : shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
+    Mesh r = round ? shapes::prism(shapes::circle(0.5f * d, 48), 0.f, 0.012f, 0.004f)
+                   : shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
     // Metres from the rug's middle; y carries half its depth (negative: it is round), which the border follows.
     for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x, round ? -0.5f * d : 0.5f * s.z, r.positions[i].z};
     k.add(std::move(r), pile);
@@ -169,7 +179,8 @@ void curtain(Kit& k) {
         k.add(shapes::sheet(96, 18, [=](float u, float v) {
             const float drape = 1.f - v, wave = std::sin(kTau * folds * u + 0.9f * shapes::wobble({u * 4.f, v * 1.5f, 1.f}, seed));
             const float spread = 0.92f + 0.08f * drape;
-            return Vec3f{sx * (0.5f * s.x - 0.02f) - sx * w * (sx > 0 ? 1.f - u : u) * spread, h * v + 0.006f, 0.06f + (0.026f + 0.016f * drape) * wave + 0.006f * shapes::wobble({u * 9.f, v * 3.f, 4.f}, seed)};
+            return Vec3f{sx * (0.5f * s.x - 0.02f) - sx * w * (sx > 0 ? 1.f - u : u) * spread, h * v + 0.006f,
+                         0.06f + (0.026f + 0.016f * drape) * wave + 0.006f * shapes::wobble({u * 9.f, v * 3.f, 4.f}, seed)};
         }), cloth);
     }
     k.rod(metal, {-0.5f * s.x, s.y - 0.015f, 0.06f}, {0.5f * s.x, s.y - 0.015f, 0.06f}, 0.012f, -1, 16);
@@ -191,7 +202,8 @@ void book_stack(Kit& k) {
     float y = 0.f;
     const int paper = k.material(plain("paper", {0.72f, 0.68f, 0.58f}, 0.9f));
     for (int i = 0; i < count; ++i) {
-        const float t = k.dice.uniform(0.018f, 0.038f), w = 0.24f - 0.018f * static_cast<float>(i), d = 0.17f - 0.012f * static_cast<float>(i), yaw = k.dice.uniform(-14, 14);
+        const float t = k.dice.uniform(0.018f, 0.038f), w = 0.24f - 0.018f * static_cast<float>(i), d = 0.17f - 0.012f * static_cast<float>(i),
+                    yaw = k.dice.uniform(-14, 14);
         Material c = plain("book cover", k.accent(), 0.5f);
         const int cover = i == 0 ? k.main(c) : k.material(c);
         const auto put = [&](Vec3f size, Vec3f at, int mat) {
@@ -219,7 +231,8 @@ void bowl(Kit& k) {
     k.piece.mount = Mount::surface;
 }
 void candle(Kit& k) {
-    const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f)), metal = k.material(k.style.metal), flame = k.material(glow("flame", {16.f, 8.f, 2.2f}));
+    const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f)), metal = k.material(k.style.metal),
+              flame = k.material(glow("flame", {16.f, 8.f, 2.2f}));
     const float xs[] = {-0.07f, 0.f, 0.06f}, hs[] = {0.11f, 0.17f, 0.08f}, zs[] = {0.02f, -0.02f, 0.04f};
     k.add(shapes::prism(shapes::rounded_rectangle(0.26f, 0.14f, 0.05f), 0.f, 0.012f), metal);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -229,7 +242,8 @@ void candle(Kit& k) {
     k.piece.mount = Mount::surface;
 }
 void clock_piece(Kit& k) {
-    const int rim = k.main(k.style.metal), face = k.material(plain("dial", {0.76f, 0.74f, 0.69f}, 0.6f)), dark = k.material(plain("clock hands", {0.035f, 0.035f, 0.035f}, 0.5f));
+    const int rim = k.main(k.style.metal), face = k.material(plain("dial", {0.76f, 0.74f, 0.69f}, 0.6f)),
+              dark = k.material(plain("clock hands", {0.035f, 0.035f, 0.035f}, 0.5f));
     const auto flat = [&](Mesh m, int mat, Vec3f at) { k.add(std::move(shapes::turn(m, {1, 0, 0}, 90)), mat, at); };
     flat(shapes::prism(shapes::circle(0.18f, 48), 0.f, 0.02f), face, {0, 0.2f, 0});
     flat(shapes::ring(0.185f, 0.03f, 48), rim, {0, 0.2f, 0.015f});
@@ -276,7 +290,8 @@ void piano(Kit& k) {
 void guitar(Kit& k) {
     Material spruce = *material_named("pine");
     spruce.roughness = 0.25f;
-    const int body = k.main(spruce), dark = k.material(*material_named("mahogany")), black = k.material(plain("ebony", {0.033f, 0.031f, 0.03f}, 0.4f)), chrome = k.material(steel());
+    const int body = k.main(spruce), dark = k.material(*material_named("mahogany")),
+              black = k.material(plain("ebony", {0.033f, 0.031f, 0.03f}, 0.4f)), chrome = k.material(steel());
     Piece inner;  // the instrument stands upright in a small stand, leaning back
     std::vector<Vec2f> o;
     for (int i = 0; i < 64; ++i) {
@@ -323,20 +338,25 @@ void aquarium(Kit& k) {
     const int wood = k.main(k.style.wood), metal = k.material(k.style.metal), sand = k.material(plain("sand", {0.5f, 0.42f, 0.28f}, 0.95f));
     Material water = glass();
     water.color_a = water.color_b = {0.55f, 0.75f, 0.78f};
-    const int tank = k.material(water), light = k.material(glow("aquarium light", {4.f, 5.5f, 6.5f})), green = k.material(foliage(k, {0.08f, 0.22f, 0.08f}, 0.1f));
+    const int tank = k.material(water), light = k.material(glow("aquarium light", {4.f, 5.5f, 6.5f})),
+              green = k.material(foliage(k, {0.08f, 0.22f, 0.08f}, 0.1f));
     k.board(wood, {0, 0, 0}, {1.0f, 0.72f, 0.42f}, 0.005f);
     fronts(k, wood, metal, -0.49f, 0.49f, 0.02f, 0.7f, 0.21f, 2, 1);
     k.board(tank, {0, 0.73f, 0}, {0.96f, 0.5f, 0.38f}, 0.003f);
     k.board(sand, {0, 0.735f, 0}, {0.94f, 0.05f, 0.36f}, 0.01f);
     k.board(wood, {0, 1.23f, 0}, {1.0f, 0.06f, 0.42f}, 0.006f);
     k.board(light, {0, 1.21f, 0}, {0.8f, 0.012f, 0.1f}, 0.002f);
-    for (int i = 0; i < 14; ++i) k.add(blade({k.dice.uniform(-0.4f, 0.4f), 0.78f, k.dice.uniform(-0.12f, 0.12f)}, around(k.dice.uniform(0, kTau)), 0.08f, 0.02f, k.dice.uniform(2.f, 4.f), 0.3f, 1.1f), green);
+    for (int i = 0; i < 14; ++i)
+        k.add(blade({k.dice.uniform(-0.4f, 0.4f), 0.78f, k.dice.uniform(-0.12f, 0.12f)}, around(k.dice.uniform(0, kTau)), 0.08f, 0.02f,
+                    k.dice.uniform(2.f, 4.f), 0.3f, 1.1f),
+              green);
     for (int i = 0; i < 6; ++i) k.add(shapes::ball({k.dice.uniform(-0.36f, 0.36f), k.dice.uniform(0.86f, 1.12f), k.dice.uniform(-0.1f, 0.12f)}, {0.035f, 0.016f, 0.008f}, 12), k.material(plain("fish", i % 2 ? Vec3f{0.7f, 0.25f, 0.04f} : k.accent(), 0.3f)));
     k.piece.against_wall = true;
     k.piece.clearance_front_m = 0.6f;
 }
 void rocking_horse(Kit& k) {
-    const int wood = k.main(k.style.wood2), hair = k.material(plain("mane", {0.25f, 0.15f, 0.08f}, 0.9f)), saddle = k.material(tinted(k.style.leather, k.accent()));
+    const int wood = k.main(k.style.wood2), hair = k.material(plain("mane", {0.25f, 0.15f, 0.08f}, 0.9f)),
+              saddle = k.material(tinted(k.style.leather, k.accent()));
     for (const float sz : {-1.f, 1.f}) {
         std::vector<Vec3f> rocker;
         for (int i = 0; i <= 16; ++i) {
@@ -350,7 +370,8 @@ void rocking_horse(Kit& k) {
     k.rod(wood, {0.2f, 0.48f, 0}, {0.36f, 0.76f, 0}, 0.085f, 0.055f, 18);
     k.rod(wood, {0.33f, 0.76f, 0}, {0.5f, 0.66f, 0}, 0.065f, 0.04f, 18);
     for (const float sz : {-1.f, 1.f}) k.rod(wood, {0.33f, 0.8f, sz * 0.035f}, {0.32f, 0.86f, sz * 0.04f}, 0.018f, 0.006f, 8);
-    for (int i = 0; i < 6; ++i) k.add(shapes::ball({0.17f + 0.028f * static_cast<float>(i), 0.57f + 0.045f * static_cast<float>(i), 0}, {0.04f, 0.05f, 0.03f}, 10), hair);
+    for (int i = 0; i < 6; ++i)
+        k.add(shapes::ball({0.17f + 0.028f * static_cast<float>(i), 0.57f + 0.045f * static_cast<float>(i), 0}, {0.04f, 0.05f, 0.03f}, 10), hair);
     k.rod(hair, {-0.28f, 0.5f, 0}, {-0.4f, 0.28f, 0}, 0.035f, 0.015f);
     k.add(shapes::ball({-0.02f, 0.56f, 0}, {0.13f, 0.06f, 0.11f}, 18), saddle);
     k.rod(wood, {0.33f, 0.72f, -0.13f}, {0.33f, 0.72f, 0.13f}, 0.012f);
@@ -361,13 +382,19 @@ void coat_rack(Kit& k) {
     const std::array<Vec2f, 4> foot{Vec2f{0.17f, 0}, {0.17f, 0.02f}, {0.04f, 0.045f}, {0.025f, 0.07f}};
     k.add(shapes::lathe(foot, 32), wood);
     k.rod(wood, {0, 0.04f, 0}, {0, 1.75f, 0}, 0.02f, 0.016f);
-    for (int i = 0; i < 6; ++i) k.rod(wood, {0, 1.5f + 0.03f * static_cast<float>(i), 0}, around(1.0472f * static_cast<float>(i)) * 0.19f + Vec3f{0, 1.62f + 0.03f * static_cast<float>(i), 0}, 0.01f, 0.012f);
+    for (int i = 0; i < 6; ++i)
+        k.rod(wood, {0, 1.5f + 0.03f * static_cast<float>(i), 0},
+              around(1.0472f * static_cast<float>(i)) * 0.19f + Vec3f{0, 1.62f + 0.03f * static_cast<float>(i), 0}, 0.01f, 0.012f);
     const int coat = k.material(tinted(k.style.fabric2, k.accent()));
     const std::uint32_t seed = k.seed();
-    k.add(shapes::slab(32, 16, 0.02f, [=](float u, float v) {
-        const float a = (u - 0.5f) * 4.4f, h = 1.6f - 0.95f * (1.f - v), r = (0.05f + 0.13f * std::sqrt(1.f - v)) * (1.f + 0.12f * std::sin(a * 7.f) * (1.f - v) + 0.08f * shapes::wobble({a * 2, v * 4, 0}, seed));
-        return Vec3f{0.1f - r * std::sin(a) * 0.9f, h, 0.06f + r * std::cos(a)};
-    }), coat);
+    k.add(shapes::slab(32, 16, 0.02f,
+                       [=](float u, float v) {
+                           const float a = (u - 0.5f) * 4.4f, h = 1.6f - 0.95f * (1.f - v),
+                                       r = (0.05f + 0.13f * std::sqrt(1.f - v)) *
+                                           (1.f + 0.12f * std::sin(a * 7.f) * (1.f - v) + 0.08f * shapes::wobble({a * 2, v * 4, 0}, seed));
+                           return Vec3f{0.1f - r * std::sin(a) * 0.9f, h, 0.06f + r * std::cos(a)};
+                       }),
+          coat);
 }
 void cat(Kit& k) {
     const Vec3f coats[] = {{0.35f, 0.18f, 0.07f}, {0.06f, 0.055f, 0.05f}, {0.5f, 0.48f, 0.44f}};

@@ -27,7 +27,8 @@ void tap(Kit& k, int chrome, Vec3f at, float h) {
 }
 void kitchen_counter(Kit& k) {
     const Vec3f s = k.wanted({2.8f, 2.2f, 0.62f});
-    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), chrome = k.material(steel()), dark = k.material(plain("black glass", {0.032f, 0.032f, 0.035f}, 0.08f));
+    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), chrome = k.material(steel()),
+              dark = k.material(plain("black glass", {0.032f, 0.032f, 0.035f}, 0.08f));
     Material splash = k.style.mouldings == Mouldings::none ? *material_named("marble") : *material_named("tiles");
     if (k.style.mouldings != Mouldings::none) splash.pattern = Pattern::subway, splash.scale_m = 0.15f;
     const int tiles = k.material(splash);
@@ -46,9 +47,12 @@ void kitchen_counter(Kit& k) {
             k.rod(chrome, {cx - 0.38f * uw, 0.66f, fz + 0.045f}, {cx + 0.38f * uw, 0.66f, fz + 0.045f}, 0.008f);
             for (const float e : {-0.34f, 0.34f}) k.rod(chrome, {cx + e * uw, 0.66f, fz + 0.01f}, {cx + e * uw, 0.66f, fz + 0.045f}, 0.006f);
             k.board(chrome, {cx, 0.71f, fz + 0.008f}, {uw - 0.01f, 0.13f, 0.02f}, 0.004f);
-            for (int j = -2; j <= 2; ++j) k.rod(dark, {cx + 0.09f * static_cast<float>(j), 0.775f, fz + 0.015f}, {cx + 0.09f * static_cast<float>(j), 0.775f, fz + 0.04f}, 0.018f, 0.015f, 16);
+            for (int j = -2; j <= 2; ++j)
+                k.rod(dark, {cx + 0.09f * static_cast<float>(j), 0.775f, fz + 0.015f}, {cx + 0.09f * static_cast<float>(j), 0.775f, fz + 0.04f},
+                      0.018f, 0.015f, 16);
             k.board(dark, {cx, 0.9f, 0.01f}, {uw - 0.04f, 0.006f, 0.5f}, 0.002f);
-            for (int j = 0; j < 4; ++j) k.add(shapes::ring(0.08f, 0.004f, 24), chrome, {cx + (j % 2 ? 0.13f : -0.13f), 0.906f, 0.01f + (j / 2 ? 0.12f : -0.12f)});
+            for (int j = 0; j < 4; ++j)
+                k.add(shapes::ring(0.08f, 0.004f, 24), chrome, {cx + (j % 2 ? 0.13f : -0.13f), 0.906f, 0.01f + (j / 2 ? 0.12f : -0.12f)});
             const std::array<Vec2f, 3> pot{Vec2f{0.095f, 0}, {0.1f, 0.01f}, {0.1f, 0.11f}};
             k.add(shapes::vessel(pot, 0.004f, 28), chrome, {cx - 0.13f, 0.906f, -0.11f});
             // The hood: a chimney over a slanted body.
@@ -73,7 +77,8 @@ void kitchen_counter(Kit& k) {
 }
 void kitchen_island(Kit& k) {
     const Vec3f s = k.wanted({1.6f, 0.92f, 0.85f});
-    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), dark = k.material(plain("plinth", {0.04f, 0.04f, 0.04f}, 0.6f));
+    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal),
+              dark = k.material(plain("plinth", {0.04f, 0.04f, 0.04f}, 0.6f));
     k.board(dark, {0, 0, 0}, {s.x - 0.16f, 0.1f, s.z - 0.2f});
     k.board(front, {0, 0.1f, 0}, {s.x - 0.08f, s.y - 0.14f, s.z - 0.12f});
     k.board(top, {0, s.y - 0.04f, 0}, {s.x, 0.04f, s.z}, 0.006f);
@@ -92,7 +97,8 @@ void fridge(Kit& k) {
     k.piece.against_wall = true;
 }
 void washing_machine(Kit& k) {
-    const int body = k.main(plain("white enamel", {0.76f, 0.76f, 0.75f}, 0.25f)), chrome = k.material(steel()), dark = k.material(plain("door glass", {0.04f, 0.045f, 0.05f}, 0.08f));
+    const int body = k.main(plain("white enamel", {0.76f, 0.76f, 0.75f}, 0.25f)), chrome = k.material(steel()),
+              dark = k.material(plain("door glass", {0.04f, 0.045f, 0.05f}, 0.08f));
     k.board(body, {0, 0, 0}, {0.6f, 0.85f, 0.58f}, 0.012f);
     Mesh rim = shapes::ring(0.17f, 0.05f, 36);
     shapes::turn(rim, {1, 0, 0}, 90);
@@ -152,7 +158,8 @@ void bathtub(Kit& k) {
     for (const bool inside : {false, true}) {
         const auto hub = static_cast<std::uint32_t>(m.positions.size()), ring = inside ? static_cast<std::uint32_t>(skin.size() - 1) * n : 0u;
         m.positions.push_back({0, inside ? skin.back().y - 0.005f : 0.f, 0});
-        for (std::uint32_t i = 0; i < n; ++i) m.triangles.insert(m.triangles.end(), {hub, inside ? ring + (i + 1) % n : ring + i, inside ? ring + i : ring + (i + 1) % n});
+        for (std::uint32_t i = 0; i < n; ++i)
+            m.triangles.insert(m.triangles.end(), {hub, inside ? ring + (i + 1) % n : ring + i, inside ? ring + i : ring + (i + 1) % n});
     }
     m.normals.assign(m.positions.size(), {0, 1, 0});
     shapes::smooth_normals(m);
@@ -184,7 +191,8 @@ void shower(Kit& k) {
 }
 void washbasin(Kit& k) {
     const Vec3f s = k.wanted({0.9f, 0.86f, 0.5f});
-    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), white = k.material(porcelain()), chrome = k.material(steel());
+    const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), white = k.material(porcelain()),
+              chrome = k.material(steel());
     legs(k, metal, 0.5f * s.x - 0.06f, 0.5f * s.z - 0.06f, 0.3f, 0.04f);
     k.board(front, {0, 0.28f, -0.015f}, {s.x - 0.02f, 0.4f, s.z - 0.05f});
     fronts(k, front, metal, -0.5f * s.x + 0.015f, 0.5f * s.x - 0.015f, 0.285f, 0.675f, 0.5f * s.z - 0.04f, 2, 1);
@@ -205,7 +213,8 @@ void mirror(Kit& k) {
     m.mirror = 1.f;
     const int silver = k.material(m);
     const float f = k.style.mouldings == Mouldings::rich ? 0.06f : 0.025f;
-    const auto o = shapes::rounded_rectangle(s.x - f, s.y - f, k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper ? 0.49f * std::min(s.x, s.y) : 0.8f * f, 10);
+    const auto o = shapes::rounded_rectangle(
+        s.x - f, s.y - f, k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper ? 0.49f * std::min(s.x, s.y) : 0.8f * f, 10);
     Mesh pane = shapes::prism(o, 0.004f, 0.012f, 0.002f);
     shapes::turn(pane, {1, 0, 0}, 90);
     k.add(std::move(pane), silver, {0, 0.5f * s.y, 0});
@@ -224,7 +233,9 @@ void towel_rail(Kit& k) {
     k.add(shapes::slab(24, 24, 0.008f, [=](float u, float v) {
         const float x = (u - 0.5f) * 0.42f, run = (v - 0.45f) * 1.05f, over = std::min(std::fabs(run), 0.03f);
         const float side = run < 0 ? 1.f : -1.f, hang = std::max(0.f, std::fabs(run) - 0.03f);
-        return Vec3f{x, 0.518f - 0.2f * over - hang, 0.07f + side * (0.55f * over + 0.01f * hang) + 0.007f * std::min(1.f, 6.f * hang) * (std::sin(x * 26.f) + shapes::wobble({x * 9, v * 3, 0}, seed))};
+        return Vec3f{x, 0.518f - 0.2f * over - hang,
+                     0.07f + side * (0.55f * over + 0.01f * hang) +
+                         0.007f * std::min(1.f, 6.f * hang) * (std::sin(x * 26.f) + shapes::wobble({x * 9, v * 3, 0}, seed))};
     }), cloth);
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 0.8f;
@@ -238,7 +249,8 @@ void radiator(Kit& k) {
 }
 void fireplace(Kit& k) {
     Material stone = k.style.mouldings == Mouldings::none ? k.style.accent_wall : *material_named("marble");
-    const int body = k.main(stone), soot = k.material(plain("soot", {0.035f, 0.032f, 0.03f}, 0.95f)), top = k.material(k.style.mouldings == Mouldings::rich ? stone : k.style.wood);
+    const int body = k.main(stone), soot = k.material(plain("soot", {0.035f, 0.032f, 0.03f}, 0.95f)),
+              top = k.material(k.style.mouldings == Mouldings::rich ? stone : k.style.wood);
     Material wood = plain("log", {0.2f, 0.12f, 0.07f}, 0.9f);
     wood.pattern = Pattern::bark;
     wood.scale_m = 0.05f;
@@ -249,7 +261,9 @@ void fireplace(Kit& k) {
     k.board(soot, {0, 0.03f, -0.16f}, {0.842f, 0.7f, 0.04f});
     k.board(body, {0, 0, 0.08f}, {1.5f, 0.035f, 0.56f}, 0.006f);
     k.board(top, {0, 1.02f, 0.02f}, {1.54f, 0.055f, 0.42f}, 0.008f);
-    for (int i = 0; i < 3; ++i) k.rod(log, {-0.24f, 0.075f + (i == 2 ? 0.075f : 0.f), 0.f + 0.1f * static_cast<float>(i % 2)}, {0.24f, 0.08f + (i == 2 ? 0.08f : 0.f), 0.03f + 0.07f * static_cast<float>(i % 2)}, 0.04f, 0.036f, 12);
+    for (int i = 0; i < 3; ++i)
+        k.rod(log, {-0.24f, 0.075f + (i == 2 ? 0.075f : 0.f), 0.f + 0.1f * static_cast<float>(i % 2)},
+              {0.24f, 0.08f + (i == 2 ? 0.08f : 0.f), 0.03f + 0.07f * static_cast<float>(i % 2)}, 0.04f, 0.036f, 12);
     for (int i = 0; i < 7; ++i) {
         const float h = k.dice.uniform(0.08f, 0.2f), x = -0.18f + 0.06f * static_cast<float>(i);
         const std::array<Vec2f, 5> p{Vec2f{0, 0}, {0.03f, 0.25f * h}, {0.022f, 0.55f * h}, {0.008f, 0.85f * h}, {0, h}};

@@ -20,7 +20,8 @@ void feet(Kit& k, int wood, float width, float depth, float high, float lean = 0
 void buttons(Kit& k, int cloth, float x0, float x1, float y0, float y1, float z, float step) {
     int row = 0;
     for (float y = y0; y <= y1; y += 0.7f * step, ++row)
-        for (float x = x0 + (row % 2 ? 0.5f * step : 0.f); x <= x1 + 1e-4f; x += step) k.add(shapes::ball({x, y, z}, {0.014f, 0.014f, 0.008f}, 8), cloth);
+        for (float x = x0 + (row % 2 ? 0.5f * step : 0.f); x <= x1 + 1e-4f; x += step)
+            k.add(shapes::ball({x, y, z}, {0.014f, 0.014f, 0.008f}, 8), cloth);
 }
 
 }  // namespace
@@ -36,7 +37,8 @@ void frame_sofa(Kit& k, float width, int seats) {
         k.board(wood, {x, seat - 0.07f, 0}, {0.035f, 0.07f, depth - 0.16f}, 0.006f);
     }
     for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f}) k.board(wood, {0, seat - 0.07f, z}, {width - 0.1f, 0.07f, 0.035f}, 0.006f);
-    for (int i = 0; i < 3; ++i) k.board(wood, {0, seat + 0.1f + 0.14f * static_cast<float>(i), -0.5f * depth + 0.05f}, {width - 0.1f, 0.05f, 0.02f}, 0.005f);
+    for (int i = 0; i < 3; ++i)
+        k.board(wood, {0, seat + 0.1f + 0.14f * static_cast<float>(i), -0.5f * depth + 0.05f}, {width - 0.1f, 0.05f, 0.02f}, 0.005f);
     k.board(wood, {0, seat - 0.02f, 0}, {width - 0.12f, 0.02f, depth - 0.14f}, 0.004f);
     const float inside = width - 0.14f, w = inside / static_cast<float>(seats);
     for (int i = 0; i < seats; ++i) {
@@ -85,7 +87,8 @@ void chesterfield(Kit& k, float width, int seats) {
 // A back of upright padded channels that bends round into the arms.
 void channel_seat(Kit& k, float width, int channels) {
     const int cloth = k.main(k.style.fabric), foot = k.material(k.style.metal);
-    const float depth = width > 1.3f ? 0.9f : 0.8f, seat = 0.43f, top = width > 1.3f ? 0.8f : 0.78f, rx = 0.5f * width - 0.08f, rz = depth - 0.2f, z0 = -0.5f * depth + 0.1f;
+    const float depth = width > 1.3f ? 0.9f : 0.8f, seat = 0.43f, top = width > 1.3f ? 0.8f : 0.78f, rx = 0.5f * width - 0.08f, rz = depth - 0.2f,
+                z0 = -0.5f * depth + 0.1f;
     // A plinth and the seat on it.
     k.soft(cloth, {0, 0.06f, 0.02f}, {width - 0.14f, seat - 0.2f, depth - 0.12f}, {0.05f, 0.006f, 0.001f, 10});
     k.board(foot, {0, 0, 0.02f}, {width - 0.3f, 0.07f, depth - 0.28f}, 0.01f);
@@ -167,10 +170,13 @@ void rattan_chair(Kit& k) {
     }
     k.add(shapes::prism(shapes::circle(0.36f, 36), 0.35f, 0.39f, 0.01f), cane);
     // The back rises from the arms to the middle.
-    k.add(shapes::slab(24, 8, 0.02f, [](float u, float v) {
-        const float a = 0.62f + (2 * kPi - 1.24f) * u, back = 0.5f - 0.5f * std::cos(a), high = 0.2f + 0.42f * back * back, r = 0.36f + 0.07f * v * (0.4f + back);
-        return Vec3f{r * std::sin(a), 0.38f + high * v, r * std::cos(a)};
-    }), cane);
+    k.add(shapes::slab(24, 8, 0.02f,
+                       [](float u, float v) {
+                           const float a = 0.62f + (2 * kPi - 1.24f) * u, back = 0.5f - 0.5f * std::cos(a), high = 0.2f + 0.42f * back * back,
+                                       r = 0.36f + 0.07f * v * (0.4f + back);
+                           return Vec3f{r * std::sin(a), 0.38f + high * v, r * std::cos(a)};
+                       }),
+          cane);
     k.soft(cloth, {0, 0.385f, 0.02f}, {0.54f, 0.12f, 0.54f}, {0.055f, 0.03f, 0.003f, 12});
     Mesh cushion = shapes::pillow({0.4f, 0.38f, 0.14f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -20);

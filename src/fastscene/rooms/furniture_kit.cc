@@ -194,7 +194,8 @@ void settle(Kit& k) {
     grow();
     Vec3f scale{1, 1, 1};
     if (!k.sized)
-        for (std::size_t a = 0; a < 3; ++a) scale[a] = k.request.size_m[a] > 0.f ? k.request.size_m[a] / (b.high[a] - b.low[a]) : k.request.size_factor;
+        for (std::size_t a = 0; a < 3; ++a)
+            scale[a] = k.request.size_m[a] > 0.f ? k.request.size_m[a] / (b.high[a] - b.low[a]) : k.request.size_factor;
     Vec3f origin = (b.low + b.high) * 0.5f;
     origin.y = p.mount == Mount::ceiling ? b.high.y : b.low.y;
     if (p.mount == Mount::wall) origin.z = b.low.z;
@@ -203,7 +204,8 @@ void settle(Kit& k) {
         for (Vec3f& n : m.normals) n = normalize(Vec3f{n.x / scale.x, n.y / scale.y, n.z / scale.z});
     }
     for (Surface& s : p.surfaces) s = {(s.center - origin) * scale, {s.half.x * scale.x, s.half.y * scale.z}};
-    std::stable_sort(p.surfaces.begin(), p.surfaces.end(), [](const Surface& a, const Surface& c) { return a.half.x * a.half.y > c.half.x * c.half.y; });
+    std::stable_sort(p.surfaces.begin(), p.surfaces.end(),
+                     [](const Surface& a, const Surface& c) { return a.half.x * a.half.y > c.half.x * c.half.y; });
     p.size_m = (b.high - b.low) * scale;
 }
 
@@ -237,7 +239,8 @@ namespace fastscene {
 
 Piece make_piece(const PieceRequest& request) {
     if (request.style == nullptr) throw Error("piece '{}': expected a style, found none", request.klass);
-    if (!(request.size_factor >= 0.25f && request.size_factor <= 4.f)) throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.klass, request.size_factor);
+    if (!(request.size_factor >= 0.25f && request.size_factor <= 4.f))
+        throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.klass, request.size_factor);
     if (request.pack && request.model) return request.pack->piece(*request.model, request);
     for (const furniture::Entry& e : furniture::catalogue()) {
         if (e.klass != request.klass) continue;

@@ -47,7 +47,9 @@ struct Kit {
         how.seed = seed();
         add(shapes::soft_box(size, how), material_index, base_center + Vec3f{0, 0.5f * size.y, 0});
     }
-    void rod(int material_index, Vec3f a, Vec3f b, float ra, float rb = -1.f, int sides = 10) { add(shapes::rod(a, b, ra, rb < 0 ? ra : rb, sides), material_index); }
+    void rod(int material_index, Vec3f a, Vec3f b, float ra, float rb = -1.f, int sides = 10) {
+        add(shapes::rod(a, b, ra, rb < 0 ? ra : rb, sides), material_index);
+    }
     void top(float y, float cx, float cz, float half_x, float half_z) { piece.surfaces.push_back({{cx, y, cz}, {half_x, half_z}}); }
     // Small things of the style on a top.
     Vec3f accent() { return style.palette[static_cast<std::size_t>(dice.index(static_cast<int>(style.palette.size())))]; }

@@ -137,7 +137,8 @@ void ceiling_lamp(Kit& k) {
     k.piece.mount = Mount::ceiling;
 }
 void chandelier(Kit& k) {
-    const int metal = lamp_metal(k), wax = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)), flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
+    const int metal = lamp_metal(k), wax = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)),
+              flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
     k.add(shapes::prism(shapes::circle(0.06f, 24), -0.03f, 0.f), metal);
     k.rod(metal, {0, -0.55f, 0}, {0, -0.02f, 0}, 0.007f);
     const std::array<Vec2f, 9> p{Vec2f{0, -0.9f}, {0.02f, -0.88f}, {0.03f, -0.85f}, {0.015f, -0.81f}, {0.05f, -0.75f}, {0.055f, -0.7f}, {0.02f, -0.63f}, {0.03f, -0.58f}, {0.008f, -0.52f}};

@@ -27,7 +27,13 @@ void couch(Kit& k, float width, int seats, int pillows) {
     const SofaType type = k.style.sofa;
     const bool slim = type == SofaType::slim, rolled = type == SofaType::rolled;
     const int cloth = k.main(k.style.fabric), foot = k.material(slim ? k.style.wood : k.style.wood2);
-    const float depth = slim ? 0.82f : 0.93f, seat_y = 0.43f, arm = slim ? 0.07f : rolled ? 0.17f : 0.2f, back_y = slim ? 0.8f : rolled ? 0.9f : 0.84f;
+    const float depth = slim ? 0.82f : 0.93f, seat_y = 0.43f,
+                arm = slim     ? 0.07f
+                      : rolled ? 0.17f
+                               : 0.2f,
+                back_y = slim     ? 0.8f
+                         : rolled ? 0.9f
+                                  : 0.84f;
     const float leg = slim ? 0.17f : rolled ? 0.09f : 0.05f, inside = width - 2 * arm, arm_y = slim ? 0.6f : 0.63f;
     const float z0 = -0.5f * depth;
     // Legs, base, back.
@@ -67,7 +73,10 @@ void couch(Kit& k, float width, int seats, int pillows) {
     for (int i = 0; i < pillows; ++i) {
         const int mat = accent_cloth(k);
         const float s = k.dice.uniform(0.4f, 0.47f), sx = i % 2 == 0 ? -1.f : 1.f;
-        put_pillow(k, mat, {sx * (0.5f * inside - 0.24f - 0.22f * static_cast<float>(i / 2)), seat_y + 0.005f, z0 + back_t + 0.27f + 0.05f * static_cast<float>(i / 2)}, {s, s, 0.16f}, 20, -sx * 18.f + k.dice.uniform(-8, 8));
+        put_pillow(k, mat,
+                   {sx * (0.5f * inside - 0.24f - 0.22f * static_cast<float>(i / 2)), seat_y + 0.005f,
+                    z0 + back_t + 0.27f + 0.05f * static_cast<float>(i / 2)},
+                   {s, s, 0.16f}, 20, -sx * 18.f + k.dice.uniform(-8, 8));
     }
     if (rolled) k.rod(cloth, {-0.5f * inside, back_y - 0.05f, z0 + 0.09f}, {0.5f * inside, back_y - 0.05f, z0 + 0.09f}, 0.075f, -1, 20);
     k.piece.clearance_front_m = 0.5f;
@@ -146,7 +155,8 @@ void pouf(Kit& k) {
     std::array<Vec2f, 9> p{};
     for (std::size_t i = 0; i < p.size(); ++i) {
         const float t = 3.14159f * static_cast<float>(i) / 8.f;
-        p[i] = {i == 0 || i == 8 ? 0.f : 0.27f * std::pow(std::sin(t), 0.55f), 0.2f - 0.2f * std::copysign(std::pow(std::fabs(std::cos(t)), 0.8f), std::cos(t))};
+        p[i] = {i == 0 || i == 8 ? 0.f : 0.27f * std::pow(std::sin(t), 0.55f),
+                0.2f - 0.2f * std::copysign(std::pow(std::fabs(std::cos(t)), 0.8f), std::cos(t))};
     }
     k.add(shapes::lathe(p, 32, true), cloth);
     k.top(0.4f, 0, 0, 0.12f, 0.12f);
@@ -155,7 +165,8 @@ void pouf(Kit& k) {
 void chair(Kit& k) {
     const LegType type = k.style.legs;
     const bool metal = type == LegType::metal_frame, wooden = type == LegType::square || type == LegType::turned;
-    const int body = k.main(wooden || !metal ? k.style.wood : k.style.leather), pad = k.material(k.style.fabric2), frame = metal ? k.material(k.style.metal) : body;
+    const int body = k.main(wooden || !metal ? k.style.wood : k.style.leather), pad = k.material(k.style.fabric2),
+              frame = metal ? k.material(k.style.metal) : body;
     const float y = 0.46f;
     legs(k, frame, 0.19f, 0.19f, y - 0.02f, 0.036f);
     if (metal) {
@@ -211,7 +222,8 @@ void bench(Kit& k) {
     k.piece.clearance_front_m = 0.4f;
 }
 void office_chair(Kit& k) {
-    const int cloth = k.main(k.style.leather), dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f)), chrome = k.material(steel());
+    const int cloth = k.main(k.style.leather), dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f)),
+              chrome = k.material(steel());
     for (int i = 0; i < 5; ++i) {
         const float a = 1.2566f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
         k.rod(chrome, {0.03f * c, 0.11f, 0.03f * s}, {0.29f * c, 0.075f, 0.29f * s}, 0.022f, 0.014f);
@@ -242,7 +254,9 @@ Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, f
         const float bend = std::min(over / 0.1f, 1.f), hang = std::max(0.f, over - 0.1f * 0.6f);
         const float ripple = shapes::wobble({arc * 3.f, 2.f, z * 3.1f}, seed) + 0.5f * shapes::wobble({arc * 7.f, 5.f, z * 7.5f}, seed + 1) + 0.22f * shapes::wobble({arc * 15.f, 8.f, z * 15.f}, seed + 2);
         const float wave = std::sin(z * 15.f + 2.f * shapes::wobble({z * 2.f, sx, 0}, seed + 3));
-        float x = std::fabs(arc) < hx - 0.05f ? arc : sx * (hx - 0.05f + 0.05f * std::sin(1.5708f * bend) + 0.025f * hang / std::max(drop, 0.01f) * (1.f + wave));
+        float x = std::fabs(arc) < hx - 0.05f
+                      ? arc
+                      : sx * (hx - 0.05f + 0.05f * std::sin(1.5708f * bend) + 0.025f * hang / std::max(drop, 0.01f) * (1.f + wave));
         float y = mattress.y + lift + thick - 0.05f * (1.f - std::cos(1.5708f * bend)) - hang + fold * (1.f + 0.6f * ripple) * (1.f - 0.7f * bend);
         // The foot end hangs too.
         const float past = z - 0.5f * mattress.z;
@@ -262,7 +276,8 @@ void bed_of(Kit& k, float width) {
     Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
     quilt.name = "duvet";
     quilt.pattern = Pattern::fabric;
-    const int duvet = k.main(quilt), linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood), head = cloth_head ? k.material(k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
+    const int duvet = k.main(quilt), linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood),
+              head = cloth_head ? k.material(k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) k.rod(wood, {sx * (0.5f * width - 0.07f), 0, sz * (0.5f * length - 0.09f)}, {sx * (0.5f * width - 0.08f), 0.17f, sz * (0.5f * length - 0.1f)}, 0.02f, 0.03f, 12);
     k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
@@ -278,7 +293,8 @@ void bed_of(Kit& k, float width) {
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < row; ++i) {
             const float x = row == 1 ? 0.f : (static_cast<float>(i) - 0.5f) * 0.5f * width;
-            put_pillow(k, j == 0 ? linen : duvet, {x + k.dice.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)}, {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j), k.dice.uniform(-4, 4));
+            put_pillow(k, j == 0 ? linen : duvet, {x + k.dice.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)},
+                       {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j), k.dice.uniform(-4, 4));
         }
     put_pillow(k, throw_cloth, {k.dice.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f}, 38.f, k.dice.uniform(-10, 10));
     k.piece.clearance_front_m = 0.5f;
@@ -298,8 +314,10 @@ void crib(Kit& k) {
             k.board(wood, {s * hx, y, 0}, {0.03f, 0.04f, 2 * hz}, 0.006f);
         }
     for (const float s : {-1.f, 1.f}) {
-        for (int i = -6; i <= 6; ++i) k.rod(wood, {0.092f * static_cast<float>(i), 0.28f, s * hz}, {0.092f * static_cast<float>(i), 0.87f, s * hz}, 0.009f, -1, 8);
-        for (int i = -3; i <= 3; ++i) k.rod(wood, {s * hx, 0.28f, 0.092f * static_cast<float>(i)}, {s * hx, 0.87f, 0.092f * static_cast<float>(i)}, 0.009f, -1, 8);
+        for (int i = -6; i <= 6; ++i)
+            k.rod(wood, {0.092f * static_cast<float>(i), 0.28f, s * hz}, {0.092f * static_cast<float>(i), 0.87f, s * hz}, 0.009f, -1, 8);
+        for (int i = -3; i <= 3; ++i)
+            k.rod(wood, {s * hx, 0.28f, 0.092f * static_cast<float>(i)}, {s * hx, 0.87f, 0.092f * static_cast<float>(i)}, 0.009f, -1, 8);
     }
     k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 8});
     k.soft(cloth, {0.2f, 0.4f, 0}, {0.7f, 0.05f, 0.6f}, {0.02f, 0.015f, 0.006f, 14});

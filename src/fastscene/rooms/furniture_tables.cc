@@ -8,7 +8,9 @@
 namespace fastscene::furniture {
 namespace {
 
-int leg_material(Kit& k, int wood) { return k.style.legs == LegType::metal_frame || k.style.legs == LegType::hairpin ? k.material(k.style.metal) : wood; }
+int leg_material(Kit& k, int wood) {
+    return k.style.legs == LegType::metal_frame || k.style.legs == LegType::hairpin ? k.material(k.style.metal) : wood;
+}
 
 // A rectangular table: top, apron, legs. size.y is the height of the top.
 void plain_table(Kit& k, Vec3f s, float thick) {
@@ -32,7 +34,8 @@ void round_table(Kit& k, float d, float y, float thick) {
     } else {
         for (int i = 0; i < 3; ++i) {
             const float a = 2.0944f * static_cast<float>(i) + 0.5f;
-            k.rod(leg, {0.42f * d * std::cos(a), 0, 0.42f * d * std::sin(a)}, {0.3f * d * std::cos(a), y - thick + 0.002f, 0.3f * d * std::sin(a)}, 0.012f, 0.02f);
+            k.rod(leg, {0.42f * d * std::cos(a), 0, 0.42f * d * std::sin(a)}, {0.3f * d * std::cos(a), y - thick + 0.002f, 0.3f * d * std::sin(a)},
+                  0.012f, 0.02f);
         }
     }
     k.top(y, 0, 0, 0.33f * d, 0.33f * d);
@@ -65,7 +68,8 @@ void drum_table(Kit& k, float d, float y) {
     k.add(shapes::prism(shapes::circle(0.42f * d, 40), 0.02f, y - 0.03f, 0.004f), wood);
     for (int i = 0; i < 32; ++i) {
         const float a = 0.19635f * static_cast<float>(i);
-        k.rod(wood, {0.42f * d * std::cos(a), 0.02f, 0.42f * d * std::sin(a)}, {0.42f * d * std::cos(a), y - 0.03f, 0.42f * d * std::sin(a)}, 0.022f, -1, 8);
+        k.rod(wood, {0.42f * d * std::cos(a), 0.02f, 0.42f * d * std::sin(a)}, {0.42f * d * std::cos(a), y - 0.03f, 0.42f * d * std::sin(a)}, 0.022f,
+              -1, 8);
     }
     k.add(shapes::prism(shapes::circle(0.5f * d, 48), y - 0.03f, y, 0.006f), wood);
     k.add(shapes::prism(shapes::circle(0.46f * d, 40), 0.f, 0.022f, 0.004f), metal);
@@ -84,7 +88,8 @@ void twin_table(Kit& k, Vec3f s) {
         k.add(shapes::prism(shapes::circle(0.5f * d, 44), y - 0.025f, y, 0.006f), mat, {x, 0, z});
         for (int i = 0; i < 3; ++i) {
             const float a = 2.0944f * static_cast<float>(i) + x;
-            k.rod(mat, {x + 0.4f * d * std::cos(a), 0, z + 0.4f * d * std::sin(a)}, {x + 0.28f * d * std::cos(a), y - 0.02f, z + 0.28f * d * std::sin(a)}, 0.011f, 0.018f);
+            k.rod(mat, {x + 0.4f * d * std::cos(a), 0, z + 0.4f * d * std::sin(a)},
+                  {x + 0.28f * d * std::cos(a), y - 0.02f, z + 0.28f * d * std::sin(a)}, 0.011f, 0.018f);
         }
     };
     low(wood, -0.2f * s.x, 0.02f, 0.66f * s.z * 1.1f, s.y);
@@ -103,7 +108,8 @@ void coffee_table(Kit& k) {
         default: break;
     }
     plain_table(k, s, 0.035f);
-    if (k.style.legs == LegType::square || k.style.legs == LegType::metal_frame) k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
+    if (k.style.legs == LegType::square || k.style.legs == LegType::metal_frame)
+        k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
 }
 void side_table(Kit& k) { round_table(k, 0.45f, 0.53f, 0.022f); }
 void dining_table(Kit& k) {
@@ -124,7 +130,8 @@ void desk(Kit& k) {
     plain_table(k, s, 0.03f);
     k.piece.surfaces.clear();
     k.board(k.piece.main_material, {0.5f * s.x - 0.3f, s.y - 0.17f, 0.02f}, {0.38f, 0.14f, s.z - 0.2f});
-    const int metal = k.material(k.style.metal), dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f)), alu = k.material(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f));
+    const int metal = k.material(k.style.metal), dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f)),
+              alu = k.material(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f));
     Material scr = plain("laptop screen", {0.1f, 0.16f, 0.24f}, 0.2f);
     scr.pattern = Pattern::screen;
     scr.emission = {0.5f, 0.7f, 0.95f};
@@ -183,7 +190,8 @@ void slatted_chest(Kit& k, Vec3f s, float leg, float clearance) {
         if (i == count / 2) continue;
         Mesh m = shapes::box({0.02f, s.y - leg - 0.07f, 0.016f}, 0.003f);
         shapes::lay_grain(m, {0.1f * static_cast<float>(i), 0, 0});
-        shapes::append(slats, shapes::move(m, {(static_cast<float>(i) + 0.5f) / static_cast<float>(count) * (s.x - 0.06f) - 0.5f * s.x + 0.03f, 0.5f * (s.y + leg), 0.5f * s.z - 0.02f}));
+        shapes::append(slats, shapes::move(m, {(static_cast<float>(i) + 0.5f) / static_cast<float>(count) * (s.x - 0.06f) - 0.5f * s.x + 0.03f,
+                                               0.5f * (s.y + leg), 0.5f * s.z - 0.02f}));
     }
     k.add(std::move(slats), wood);
     k.top(s.y, 0, 0, 0.46f * s.x, 0.42f * s.z);
@@ -246,7 +254,8 @@ void fill_shelf(Kit& k, float x0, float x1, float y, float room_y, float z_back,
             x += w + 0.02f;
         } else {
             Piece p = k.small(what == 6 ? "vase_small" : what == 7 ? "book_stack" : what == 8 ? "bowl" : "plant_small");
-            if (p.size_m.x < left && p.size_m.y < room_y - 0.02f && p.size_m.z < depth + 0.02f) k.merge(p, {x + 0.5f * p.size_m.x, y, z_back + 0.5f * depth});
+            if (p.size_m.x < left && p.size_m.y < room_y - 0.02f && p.size_m.z < depth + 0.02f)
+                k.merge(p, {x + 0.5f * p.size_m.x, y, z_back + 0.5f * depth});
             x += std::min(left, p.size_m.x + k.dice.uniform(0.02f, 0.1f));
         }
     }
@@ -303,8 +312,12 @@ void toy_box(Kit& k) {
     const Vec3f s{0.8f, 0.42f, 0.45f};
     carcass(k, wood, s, 0.0f);
     k.board(wood, {0, 0, 0.5f * s.z - 0.011f}, {s.x - 0.044f, s.y - 0.02f, 0.02f});
-    for (int i = 0; i < 3; ++i) k.add(shapes::ball({-0.2f + 0.2f * static_cast<float>(i), 0.42f + 0.06f, 0.02f * static_cast<float>(i)}, {0.07f, 0.07f, 0.07f}, 16), k.material(plain("toy ball", k.accent(), 0.4f)));
-    for (int i = 0; i < 4; ++i) k.board(k.material(plain("toy block", k.accent(), 0.5f)), {-0.26f + 0.17f * static_cast<float>(i), 0.14f, 0.5f * s.z}, {0.09f, 0.09f, 0.012f}, 0.004f);
+    for (int i = 0; i < 3; ++i)
+        k.add(shapes::ball({-0.2f + 0.2f * static_cast<float>(i), 0.42f + 0.06f, 0.02f * static_cast<float>(i)}, {0.07f, 0.07f, 0.07f}, 16),
+              k.material(plain("toy ball", k.accent(), 0.4f)));
+    for (int i = 0; i < 4; ++i)
+        k.board(k.material(plain("toy block", k.accent(), 0.5f)), {-0.26f + 0.17f * static_cast<float>(i), 0.14f, 0.5f * s.z}, {0.09f, 0.09f, 0.012f},
+                0.004f);
     k.piece.against_wall = true;
 }
 

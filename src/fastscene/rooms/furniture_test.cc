@@ -30,7 +30,8 @@ std::size_t check_piece(const Piece& p) {
         EXPECT_EQ(m.positions.size(), m.coords.size());
         bool sound = m.triangles.size() % 3 == 0;
         for (std::size_t i = 0; i < m.positions.size(); ++i)
-            sound = sound && std::isfinite(dot(m.positions[i], m.positions[i])) && std::isfinite(dot(m.coords[i], m.coords[i])) && std::fabs(length(m.normals[i]) - 1.f) < 1e-3f;
+            sound = sound && std::isfinite(dot(m.positions[i], m.positions[i])) && std::isfinite(dot(m.coords[i], m.coords[i])) &&
+                    std::fabs(length(m.normals[i]) - 1.f) < 1e-3f;
         for (const std::uint32_t i : m.triangles) sound = sound && i < m.positions.size();
         EXPECT_TRUE(sound) << p.materials[static_cast<std::size_t>(m.material)].name;
         if (!sound) return 0;
@@ -131,7 +132,8 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
 }
 
 TEST(Style, ColorsAreRealAlbedos) {
-    for (const std::string name : {"red", "sage", "sage green", "terracotta", "dark blue", "light gray", "navy-blue", "Walnut", "olive green", "white", "black"}) {
+    for (const std::string name :
+         {"red", "sage", "sage green", "terracotta", "dark blue", "light gray", "navy-blue", "Walnut", "olive green", "white", "black"}) {
         const auto c = color_named(name);
         ASSERT_TRUE(c.has_value()) << name;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -37,7 +37,8 @@ bool Layout::blocks_opening(const Footprint& box, float height) const {
         const WallFace face = plan_.wall(o.wall);
         if (o.kind == Opening::Kind::window && height > o.y0 - kSillThickness) {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);
-            if (overlap(box, {flat(middle), {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2}, yaw_of(face.inward), o.y0 - kSillThickness, o.y0})) return true;
+            if (overlap(box, {flat(middle), {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2}, yaw_of(face.inward), o.y0 - kSillThickness, o.y0}))
+                return true;
         }
         const bool door = o.kind != Opening::Kind::window;
         // What is on a desk may reach a little above the sill.
@@ -46,7 +47,8 @@ bool Layout::blocks_opening(const Footprint& box, float height) const {
         const float deep = door ? 0.85f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
-        Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 + (door ? kBesideDoor : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
+        Footprint zone{
+            flat(middle), {(o.u1 - o.u0) / 2 + (door ? kBesideDoor : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
         if (!door) zone.y0 = o.y0 + kAboveSill;
         if (overlap(box, zone)) return true;
     }
@@ -91,11 +93,13 @@ std::optional<int> Layout::keep(Placed placed, const PromptObject& from) {
 
 // What a room of its kind needs does not leave, nor does what carries something that was asked for.
 bool Layout::may_leave(std::size_t index) const {
-    static constexpr std::array<const char*, 10> kNeeded{"bed", "bed_single", "sofa", "dining_table", "desk", "toilet", "washbasin", "bathtub", "kitchen_counter", "washing_machine"};
+    static constexpr std::array<const char*, 10> kNeeded{"bed",    "bed_single", "sofa",    "dining_table",    "desk",
+                                                         "toilet", "washbasin",  "bathtub", "kitchen_counter", "washing_machine"};
     const Placed& p = placed_[index];
     if (!p.wish.klass.empty() || p.on >= 0 || p.flat || p.piece.mount != Mount::floor || p.piece.klass == "curtain") return false;
     if (std::find(kNeeded.begin(), kNeeded.end(), p.piece.klass) != kNeeded.end()) return false;
-    return std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return other.on == static_cast<int>(index) && !other.wish.klass.empty(); });
+    return std::none_of(placed_.begin(), placed_.end(),
+                        [&](const Placed& other) { return other.on == static_cast<int>(index) && !other.wish.klass.empty(); });
 }
 
 void Layout::remove(std::size_t index) {
@@ -157,7 +161,8 @@ float Layout::as_asked(const Placed& placed, const PromptObject& wish) const {
 }
 
 std::string Layout::why_not(const std::string& klass) const {
-    if (std::binary_search(piece_classes().begin(), piece_classes().end(), klass) || (spec_.pack && spec_.pack->choose(klass, 0)) || stand_in(klass)) return {};
+    if (std::binary_search(piece_classes().begin(), piece_classes().end(), klass) || (spec_.pack && spec_.pack->choose(klass, 0)) || stand_in(klass))
+        return {};
     if (spec_.pack && spec_.pack->only_with_attribution(klass)) return "there is only a model whose author must be named: --assets all uses it";
     return spec_.pack ? "there is no model of it" : "there is no built-in model of it, and no furniture pack (sweethome3d-furniture) is in use";
 }

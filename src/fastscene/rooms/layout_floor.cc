@@ -25,7 +25,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     const auto gap_at = [&](const WallFace& face, float u) {
         const bool at_sill = std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
             const float left = face.from + u - size.x / 2, right = left + size.x;
-            return o.kind == Opening::Kind::window && o.wall == face.wall && size.y > o.y0 - kSillThickness && right > o.u0 - kSillBeside && left < o.u1 + kSillBeside;
+            return o.kind == Opening::Kind::window && o.wall == face.wall && size.y > o.y0 - kSillThickness && right > o.u0 - kSillBeside &&
+                   left < o.u1 + kSillBeside;
         });
         return at_sill ? std::max(gap, kSillReach + 0.005f) : gap;
     };
@@ -40,9 +41,11 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                 p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u));
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, clearance)) continue;
-                if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y)) continue;
+                if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
+                    continue;
                 if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
-                        return o.wall == face.wall && o.kind == Opening::Kind::window && face.from + u + size.x / 2 > o.u0 && face.from + u - size.x / 2 < o.u1;
+                        return o.wall == face.wall && o.kind == Opening::Kind::window && face.from + u + size.x / 2 > o.u0 &&
+                               face.from + u - size.x / 2 < o.u1;
                     }))
                     continue;
                 const float off = std::abs(u - face.length / 2) / (face.length / 2), edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
@@ -53,7 +56,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                 if (wish.apart_pull > 0) {
                     float apart = 2.f;
                     for (const Placed& other : placed_)
-                        if (other.on < 0 && !other.flat && !other.overhead) apart = std::min(apart, distance_to(footprint_of(other), flat(p.position)));
+                        if (other.on < 0 && !other.flat && !other.overhead)
+                            apart = std::min(apart, distance_to(footprint_of(other), flat(p.position)));
                     score += wish.apart_pull * apart;
                 }
                 if (face.wall == 2) score -= 0.25f;  // the wall with the door is the last choice
@@ -167,7 +171,8 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
         p.piece = make_piece(r);
         const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
         // A chair is pushed in by a third of its depth, where the table lets it.
-        const Vec3f out = normalize(right * (seat.yaw == kPi || seat.yaw == 0 ? 0.f : seat.x) + front * (seat.yaw == kPi || seat.yaw == 0 ? seat.z : 0.f));
+        const Vec3f out =
+            normalize(right * (seat.yaw == kPi || seat.yaw == 0 ? 0.f : seat.x) + front * (seat.yaw == kPi || seat.yaw == 0 ? seat.z : 0.f));
         p.yaw = a.yaw + seat.yaw;
         for (const float pull : {0.02f, 0.12f}) {
             p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);
@@ -192,7 +197,8 @@ std::optional<int> Layout::under(int anchor, const PieceRequest& request, float 
     p.position.y = 0;
     // Into the room, not into the wall.
     Footprint f = footprint_of(p);
-    const float over_x = std::abs(f.center.x) + extent(f, {1, 0}) - plan_.width / 2 + 0.12f, over_z = std::abs(f.center.y) + extent(f, {0, 1}) - plan_.depth / 2 + 0.12f;
+    const float over_x = std::abs(f.center.x) + extent(f, {1, 0}) - plan_.width / 2 + 0.12f,
+                over_z = std::abs(f.center.y) + extent(f, {0, 1}) - plan_.depth / 2 + 0.12f;
     if (over_x > 0) p.position.x -= std::copysign(over_x, p.position.x);
     if (over_z > 0) p.position.z -= std::copysign(over_z, p.position.z);
     if (!plan_.holds(footprint_of(p))) return {};

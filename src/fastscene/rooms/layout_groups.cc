@@ -13,7 +13,13 @@ using WallWish = Layout::WallWish;
 
 bool is_piece(std::string_view klass) { return std::binary_search(piece_classes().begin(), piece_classes().end(), klass); }
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 36> kSmall{"table_lamp", "vase", "vase_small", "book_stack", "bowl", "candle", "plant_small", "picture", "mirror", "tv", "clock", "rug", "cushion", "guitar", "cat", "alarm_clock", "bottles", "cup", "cutting_board", "globe", "kettle", "laptop", "magazines", "photo_frame", "picture_ledge", "place_setting", "pot", "sculpture", "storage_box", "teddy_bear", "toaster", "toiletries", "towel_stack", "toy_blocks", "tray", "utensils"};
+    static constexpr std::array<std::string_view, 36> kSmall{
+        "table_lamp",    "vase",          "vase_small",  "book_stack",  "bowl",        "candle",
+        "plant_small",   "picture",       "mirror",      "tv",          "clock",       "rug",
+        "cushion",       "guitar",        "cat",         "alarm_clock", "bottles",     "cup",
+        "cutting_board", "globe",         "kettle",      "laptop",      "magazines",   "photo_frame",
+        "picture_ledge", "place_setting", "pot",         "sculpture",   "storage_box", "teddy_bear",
+        "toaster",       "toiletries",    "towel_stack", "toy_blocks",  "tray",        "utensils"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 
@@ -243,7 +249,8 @@ class Furnisher {
         // What the sofa looks at.
         const int opposite = wall_opposite(*sofa);
         if (wishes_.has("fireplace") || (!wishes_.has("tv") && chance(0.18f))) {
-            if (const auto fire = wall("fireplace", 1, {.wall = opposite, .center_pull = 1.5f, .clear_of_windows = true})) above(*fire, chance(0.5f) ? "mirror" : "picture", 0.7f);
+            if (const auto fire = wall("fireplace", 1, {.wall = opposite, .center_pull = 1.5f, .clear_of_windows = true}))
+                above(*fire, chance(0.5f) ? "mirror" : "picture", 0.7f);
         } else if (!wishes_.forbids("tv")) {
             if (const auto stand = wall("tv_stand", 0.85f, {.wall = opposite, .center_pull = 1.5f, .window_pull = -2, .clear_of_windows = true})) {
                 if (!top(*stand, "tv", 0.9f)) above(*stand, "tv", 0.8f);
@@ -257,7 +264,8 @@ class Furnisher {
                 if (const auto index = l_.angled_towards(focus, r, o)) return index;
                 return l_.against_wall(r, {}, o);
             });
-        if (table) put("ottoman", 0.3f, [&](const PieceRequest& r, const PromptObject& o) { return l_.beside(*table, r, chance(0.5f) ? 1 : -1, 0.2f, o); });
+        if (table)
+            put("ottoman", 0.3f, [&](const PieceRequest& r, const PromptObject& o) { return l_.beside(*table, r, chance(0.5f) ? 1 : -1, 0.2f, o); });
         if (main[0] == 's' && wishes_.has("loveseat")) wall("loveseat", 1);
     }
     void living() {
@@ -311,7 +319,8 @@ class Furnisher {
         }
         wall("fridge", 0.95f, {.center_pull = -0.5f, .window_pull = -1, .corner = true});
         if (wishes_.has("kitchen_island"))
-            if (const auto island = put("kitchen_island", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); })) seats_at(*island);
+            if (const auto island = put("kitchen_island", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); }))
+                seats_at(*island);
         if (!l_.find("kitchen_island") || wishes_.has("dining_table")) eating_place(4);
         wall("sideboard", 0.4f, {.window_pull = -0.5f});
         put("shelf", 0.6f, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
@@ -381,7 +390,8 @@ class Furnisher {
         if (!l_.find("sofa") && !l_.find("loveseat")) {
             const auto table = put("coffee_table", 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
             const Vec2f middle = table ? flat(l_.placed()[static_cast<std::size_t>(*table)].position) : Vec2f{0, 0};
-            for (int i = 0; i < 3; ++i) put("armchair", i < 2 ? 1.f : 0.5f, [&](const PieceRequest& r, const PromptObject& o) { return l_.angled_towards(middle, r, o); });
+            for (int i = 0; i < 3; ++i)
+                put("armchair", i < 2 ? 1.f : 0.5f, [&](const PieceRequest& r, const PromptObject& o) { return l_.angled_towards(middle, r, o); });
             if (table) {
                 rug(*table, 0.9f, 2.4f, 1.7f, 0);
                 top(*table, "book_stack", 0.8f);
@@ -489,7 +499,8 @@ class Furnisher {
                 if (stands_on_others(wish) != small) return false;
                 if (wish.klass == "cushion" && on_a_seat(wish)) return true;
                 if (const std::string why = l_.why_not(wish.klass); !why.empty()) l_.spec().not_placed.push_back(wish.words + ": " + why);
-                else if (!anywhere(wish) && !l_.give_way([&] { return anywhere(wish).has_value(); })) l_.spec().not_placed.push_back(wish.words + ": no free place for it");
+                else if (!anywhere(wish) && !l_.give_way([&] { return anywhere(wish).has_value(); }))
+                    l_.spec().not_placed.push_back(wish.words + ": no free place for it");
                 return true;
             });
         }
@@ -509,7 +520,9 @@ class Furnisher {
 
         if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !wishes_.forbids("ceiling_lamp")) {
             const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
-            const auto lamp = put(grand ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, {0, 0.2f}, o); });
+            const auto lamp = put(grand ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
+                return l_.hanging(r, {0, 0.2f}, o);
+            });
             (void)lamp;
         }
         const int plants = static_cast<int>(std::lround(l_.plan().style.plants * 3.f));

@@ -17,12 +17,15 @@ Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 // To the right of someone who looks at a thing with this front.
 Vec2f right_of_viewer(Vec2f front) { return {-front.y, front.x}; }
 
-bool is_opening(const Opening& o, const std::string& klass) { return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window" : klass == "door" || klass == "doorway"; }
+bool is_opening(const Opening& o, const std::string& klass) {
+    return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window" : klass == "door" || klass == "doorway";
+}
 
 std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass, const Placed& piece) {
     std::vector<Place> out;
     for (std::size_t i = 0; i < placed.size(); ++i)
-        if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass)) out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i)});
+        if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass))
+            out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i)});
     for (const Opening& o : plan.openings) {
         if (!is_opening(o, klass)) continue;
         const WallFace face = plan.wall(o.wall);
@@ -38,7 +41,8 @@ float gap(const Footprint& a, const Footprint& b) {
     for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
         const Vec2f front = heading_of(one->yaw), right{front.y, -front.x};
         for (const float i : {-1.f, 0.f, 1.f})
-            for (const float j : {-1.f, 0.f, 1.f}) least = std::min(least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
+            for (const float j : {-1.f, 0.f, 1.f})
+                least = std::min(least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
     }
     return least;
 }

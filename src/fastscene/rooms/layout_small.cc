@@ -36,7 +36,8 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
             p.yaw = a.yaw + (p.piece.size_m.x > 0.3f ? 0.f : dice_.uniform(-0.3f, 0.3f));
             if (!plan_.holds(footprint_of(p))) continue;
             bool free = true;
-            for (const Placed& other : placed_) free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
+            for (const Placed& other : placed_)
+                free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
             if (free && leaves_way(p)) return keep(p, from);
         }
     }
@@ -81,7 +82,8 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
         if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
         if (request.klass != "cat" && request.klass != "cushion" && std::find(kSeats.begin(), kSeats.end(), p.piece.klass) != kSeats.end()) continue;
         // Three bowls in a row are a shop.
-        const auto alike = std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
+        const auto alike =
+            std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
         if (from.klass.empty() && alike > (request.klass == "candle" || request.klass == "book_stack" ? 1 : 0)) continue;
         if (const auto index = on_top(i, request, from)) return index;
     }
@@ -115,7 +117,9 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         std::optional<float> wanted_u;
         if (above) {
             const Placed& a = placed_[static_cast<std::size_t>(*above)];
-            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f || std::abs(dot(a.position - face.origin, face.inward) - a.piece.size_m.z / 2) > 0.2f) continue;
+            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f ||
+                std::abs(dot(a.position - face.origin, face.inward) - a.piece.size_m.z / 2) > 0.2f)
+                continue;
             wanted_u = dot(a.position - face.origin, face.along);
             y = std::max(y, a.piece.size_m.y + 0.15f);
         }
@@ -128,12 +132,14 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             bool free = plan_.holds(footprint_of(p));
             for (const Placed& other : placed_) free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f));
             if (!free) continue;
-            float score = wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (face.wall == 2 ? 0.4f : 0.f);
+            float score =
+                wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (face.wall == 2 ? 0.4f : 0.f);
             if (!wanted_u) {
                 // Where the wall is barest.
                 float bare = 2.f;
                 for (const Placed& other : placed_)
-                    if (!other.flat && !other.overhead && footprint_of(other).y1 > 1.2f) bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
+                    if (!other.flat && !other.overhead && footprint_of(other).y1 > 1.2f)
+                        bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
                 score += 0.8f * bare;
             }
             if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;

@@ -70,7 +70,8 @@ TEST(Layout, PiecesWithABackStandAtAWallAndLookIntoTheRoom) {
         for (const char* text : {"a living room", "a bedroom", "a study", "a kitchen", "a bathroom"}) {
             const Furnished f = furnished(text, seed);
             for (const Placed& p : f.placed) {
-                for (const char* klass : {"bed", "wardrobe", "bookshelf", "tv_stand", "fireplace", "fridge", "kitchen_counter", "washbasin", "picture", "mirror"}) {
+                for (const char* klass :
+                     {"bed", "wardrobe", "bookshelf", "tv_stand", "fireplace", "fridge", "kitchen_counter", "washbasin", "picture", "mirror"}) {
                     if (p.piece.klass != klass || (p.piece.mount != Mount::wall && p.piece.mount != Mount::floor)) continue;
                     const Footprint box = footprint_of(p);
                     const Vec2f front{std::sin(p.yaw), std::cos(p.yaw)}, back = box.center - front * box.half.y;
@@ -106,7 +107,8 @@ TEST(Layout, RelationsHold) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const Furnished f = furnished("a bedroom with a desk under the window and a lamp on the desk", seed);
         for (const Placed& p : f.placed) {
-            if (p.piece.klass == "table_lamp" && !p.wish.klass.empty()) on += p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == "desk";
+            if (p.piece.klass == "table_lamp" && !p.wish.klass.empty())
+                on += p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == "desk";
             if (p.piece.klass != "desk") continue;
             for (const Opening& o : f.plan.openings) {
                 if (o.kind != Opening::Kind::window) continue;
@@ -150,7 +152,8 @@ TEST(Layout, NothingHangsBeforeAWindow) {
                     const Vec3f at = p.position - face.origin;
                     const float u = dot(at, face.along);
                     if (std::abs(dot(at, face.inward)) > 0.1f || p.on >= 0) continue;
-                    EXPECT_FALSE(u + box.half.x > o.u0 && u - box.half.x < o.u1 && box.y0 < o.y1 && box.y1 > o.y0) << room << ", seed " << seed << ": " << p.piece.klass;
+                    EXPECT_FALSE(u + box.half.x > o.u0 && u - box.half.x < o.u1 && box.y0 < o.y1 && box.y1 > o.y0)
+                        << room << ", seed " << seed << ": " << p.piece.klass;
                 }
             }
         }
@@ -192,15 +195,20 @@ void expect_there_or_reported(const Furnished& f, const std::string& klass) {
     for (const PromptObject& wish : f.spec.objects) {
         if (wish.klass != klass) continue;
         const auto there = std::count_if(f.placed.begin(), f.placed.end(), [&](const Placed& p) { return p.wish.klass == klass; }) +
-                           std::count_if(f.plan.openings.begin(), f.plan.openings.end(), [&](const Opening& o) { return o.requested && (o.kind == Opening::Kind::door ? "door" : "window") == klass; });
-        const auto reported = std::count_if(f.spec.not_placed.begin(), f.spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
+                           std::count_if(f.plan.openings.begin(), f.plan.openings.end(), [&](const Opening& o) {
+                               return o.requested && (o.kind == Opening::Kind::door ? "door" : "window") == klass;
+                           });
+        const auto reported =
+            std::count_if(f.spec.not_placed.begin(), f.spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
         EXPECT_EQ(there + reported, wish.count) << f.spec.text << ": " << klass;
     }
 }
 
 TEST(Layout, AWayLeadsFromTheDoorToTheCameraEvenInACrowd) {
-    for (const char* text : {"a small bedroom with a bed, a wardrobe, a dresser, a desk and two armchairs", "a living room with 12 pianos", "a living room with ten armchairs and six bookshelves",
-                             "a small kitchen with a kitchen island, six stools and a dining table", "a tiny bathroom with a bathtub, a shower and a washing machine", "a boho sunroom with ten plants"})
+    for (const char* text :
+         {"a small bedroom with a bed, a wardrobe, a dresser, a desk and two armchairs", "a living room with 12 pianos",
+          "a living room with ten armchairs and six bookshelves", "a small kitchen with a kitchen island, six stools and a dining table",
+          "a tiny bathroom with a bathtub, a shower and a washing machine", "a boho sunroom with ten plants"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Furnished f = furnished(text, seed);
             Ways ways(f.plan);
@@ -210,7 +218,9 @@ TEST(Layout, AWayLeadsFromTheDoorToTheCameraEvenInACrowd) {
             float nearest = std::min(f.plan.width / 2 - std::abs(f.camera.x), f.plan.depth / 2 - std::abs(f.camera.z));
             for (const Placed& p : f.placed) {
                 const Footprint box = footprint_of(p);
-                if (!p.flat) nearest = std::min(nearest, std::hypot(distance_to(box, {f.camera.x, f.camera.z}), std::max({0.f, box.y0 - f.camera.y, f.camera.y - box.y1})));
+                if (!p.flat)
+                    nearest = std::min(
+                        nearest, std::hypot(distance_to(box, {f.camera.x, f.camera.z}), std::max({0.f, box.y0 - f.camera.y, f.camera.y - box.y1})));
             }
             EXPECT_GE(nearest, 0.45f) << text << ", seed " << seed;
         }
@@ -247,7 +257,8 @@ TEST(Ways, AWallOfPiecesClosesThem) {
 }
 
 TEST(Layout, OpeningsAreCountedAndKeepApart) {
-    for (const char* text : {"a study with two doors", "a living room with six windows", "a living room with four large windows", "a small bathroom with four large windows"})
+    for (const char* text : {"a study with two doors", "a living room with six windows", "a living room with four large windows",
+                             "a small bathroom with four large windows"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Furnished f = furnished(text, seed);
             expect_there_or_reported(f, "window");
@@ -264,7 +275,8 @@ TEST(Layout, OpeningsAreCountedAndKeepApart) {
 
 TEST(Layout, ASunroomIsFurnished) {
     for (const std::string& style : styles())
-        for (const std::uint64_t seed : {1u, 2u, 11u, 12u}) EXPECT_GE(furnished("a " + style + " sunroom", seed).placed.size(), 10u) << style << ", seed " << seed;
+        for (const std::uint64_t seed : {1u, 2u, 11u, 12u})
+            EXPECT_GE(furnished("a " + style + " sunroom", seed).placed.size(), 10u) << style << ", seed " << seed;
 }
 
 TEST(Layout, FaultsAreFound) {

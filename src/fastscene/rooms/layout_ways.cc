@@ -18,7 +18,8 @@ constexpr float kStepOver = 1.2f;         // what hangs higher is walked under (
 
 }  // namespace
 
-Ways::Ways(const Plan& plan) : plan_(&plan), columns_(std::max(1, static_cast<int>(plan.width / kCell))), rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
+Ways::Ways(const Plan& plan)
+    : plan_(&plan), columns_(std::max(1, static_cast<int>(plan.width / kCell))), rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i) {
             const Vec2f p = center(i, j);
@@ -48,7 +49,8 @@ Vec2f Ways::center(int i, int j) const {
 }
 
 int Ways::cell_near(Vec2f p) const {
-    const int i = std::clamp(static_cast<int>((p.x + plan_->width / 2) / kCell), 0, columns_ - 1), j = std::clamp(static_cast<int>((p.y + plan_->depth / 2) / kCell), 0, rows_ - 1);
+    const int i = std::clamp(static_cast<int>((p.x + plan_->width / 2) / kCell), 0, columns_ - 1),
+              j = std::clamp(static_cast<int>((p.y + plan_->depth / 2) / kCell), 0, rows_ - 1);
     return j * columns_ + i;
 }
 

@@ -123,7 +123,9 @@ const Choice* choice_of(std::string_view klass) {
     return at == choices().end() ? nullptr : &*at;
 }
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) { return std::find(list.begin(), list.end(), word) != list.end(); }
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
 bool has_word(std::string_view klass, std::string_view word) { return klass.find(word) != std::string_view::npos; }
 
 }  // namespace
@@ -144,15 +146,22 @@ std::vector<std::string> catalogue_classes(const std::string& klass) {
 
 bool fits_a_room(const PackModel& model) {
     constexpr float kLargest = 2.7f, kTallest = 2.35f;
-    return !model.opening && model.size_m.x <= kLargest && model.size_m.z <= kLargest && (model.size_m.y <= kTallest || has_word(model.klass, "staircase"));
+    return !model.opening && model.size_m.x <= kLargest && model.size_m.z <= kLargest &&
+           (model.size_m.y <= kTallest || has_word(model.klass, "staircase"));
 }
 
 Mount mount_of(const PackModel& m) {
     const float top = m.elevation_m + m.size_m.y;
-    if (m.elevation_m > 1.4f && (m.category == "Lights" || has_word(m.klass, "ceiling") || has_word(m.klass, "hanging") || has_word(m.klass, "chandelier")) && top > 2.1f && !has_word(m.klass, "wall")) return Mount::ceiling;
+    if (m.elevation_m > 1.4f &&
+        (m.category == "Lights" || has_word(m.klass, "ceiling") || has_word(m.klass, "hanging") || has_word(m.klass, "chandelier")) && top > 2.1f &&
+        !has_word(m.klass, "wall"))
+        return Mount::ceiling;
     if (m.elevation_m > 0.09f && !is_one_of(m.klass, {"towel", "toilet_brush"})) return Mount::wall;
     // Small, but it stands on the floor.
-    if (m.category == "Characters" || is_one_of(m.klass, {"dustbin", "slippers", "bootie", "sneakers", "basketball", "soccer_ball", "briefcase", "potty", "extinguisher", "umbrella", "cat", "dog", "bulldog", "siamese_cat", "suitcase", "toilet_brush", "doormat", "woman_shoes", "mocassin", "rock", "gift", "scooter", "skateboard", "electronic_scale"}))
+    if (m.category == "Characters" ||
+        is_one_of(m.klass, {"dustbin",      "slippers",    "bootie",   "sneakers", "basketball", "soccer_ball", "briefcase",  "potty",
+                            "extinguisher", "umbrella",    "cat",      "dog",      "bulldog",    "siamese_cat", "suitcase",   "toilet_brush",
+                            "doormat",      "woman_shoes", "mocassin", "rock",     "gift",       "scooter",     "skateboard", "electronic_scale"}))
         return Mount::floor;
     const float wide = std::max(m.size_m.x, m.size_m.z);
     return wide < 0.52f && m.size_m.y < 0.6f ? Mount::surface : Mount::floor;

@@ -26,7 +26,8 @@ ImageRgb8 halved(const ImageRgb8& image) {
         for (int x = 0; x < out.width; ++x) {
             Vec3f sum{};
             for (const int j : {0, 1})
-                for (const int i : {0, 1}) sum += linear_from_srgb8(image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
+                for (const int i : {0, 1})
+                    sum += linear_from_srgb8(image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
             out.at(x, y) = srgb8_from_linear(sum / 4.f);
         }
     return out;
@@ -79,13 +80,16 @@ float metres_per_uv(const ObjGroup& g, const std::vector<Vec3f>& positions) {
 float area_of(const Mesh& m) {
     double sum = 0;
     for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3)
-        sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
+        sum += length(
+            cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
     return static_cast<float>(sum / 2);
 }
 
 bool is_table_like(const PackModel& model) {
-    for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel", "oven", "drawers", "dresser", "workbench", "trunck", "trunk", "fridge", "box"})
-        if (model.klass.find(word) != std::string::npos && model.klass.find("lamp") == std::string::npos && model.klass.find("pool") == std::string::npos && model.klass.find("football") == std::string::npos &&
+    for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel", "oven", "drawers", "dresser",
+                             "workbench", "trunck", "trunk", "fridge", "box"})
+        if (model.klass.find(word) != std::string::npos && model.klass.find("lamp") == std::string::npos &&
+            model.klass.find("pool") == std::string::npos && model.klass.find("football") == std::string::npos &&
             model.klass.find("tennis") == std::string::npos)
             return true;
     return false;

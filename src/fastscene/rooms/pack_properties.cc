@@ -34,7 +34,8 @@ std::string decoded(std::string_view raw) {
         }
         unsigned code = 0;
         std::size_t digits = 0;
-        while (digits < 4 && i + 1 < raw.size() && hex_digit(raw[i + 1]) >= 0) code = code * 16 + static_cast<unsigned>(hex_digit(raw[++i])), ++digits;
+        while (digits < 4 && i + 1 < raw.size() && hex_digit(raw[i + 1]) >= 0)
+            code = code * 16 + static_cast<unsigned>(hex_digit(raw[++i])), ++digits;
         if (digits == 4 && !(code >= 0xd800 && code < 0xe000)) append_utf8(out, code);  // half of a pair has no name we could say
     }
     return out;
@@ -53,7 +54,8 @@ std::map<std::string, std::string> read_properties(const std::string& text) {
     const auto finish = [&] {
         const std::string_view whole = trimmed(line);
         if (!whole.empty() && whole.front() != '#' && whole.front() != '!')
-            if (const auto at = whole.find('='); at != std::string_view::npos) out[decoded(trimmed(whole.substr(0, at)))] = decoded(trimmed(whole.substr(at + 1)));
+            if (const auto at = whole.find('='); at != std::string_view::npos)
+                out[decoded(trimmed(whole.substr(0, at)))] = decoded(trimmed(whole.substr(at + 1)));
         line.clear();
     };
     std::string_view rest = text;

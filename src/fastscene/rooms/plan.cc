@@ -34,12 +34,14 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded = false) {
         // Wood comes as boards on floors and walls; bare grain is for furniture.
         const bool herringbone = m.pattern == Pattern::herringbone || m.pattern == Pattern::parquet;
         m = *material;
-        if (boarded && m.pattern == Pattern::wood) m.pattern = herringbone ? Pattern::herringbone : Pattern::planks, m.scale_m = herringbone ? 0.08f : 0.12f;
+        if (boarded && m.pattern == Pattern::wood)
+            m.pattern = herringbone ? Pattern::herringbone : Pattern::planks, m.scale_m = herringbone ? 0.08f : 0.12f;
     }
     if (!(m.scale_m > 0.f)) m.scale_m = scale;
     if (const auto color = wish.color.empty() ? std::nullopt : color_named(wish.color)) {
         // The pattern's other colors keep their relation to the main one.
-        const float ratio_b = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a)), ratio_c = luminance(m.color_c) / std::max(0.02f, luminance(m.color_a));
+        const float ratio_b = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a)),
+                    ratio_c = luminance(m.color_c) / std::max(0.02f, luminance(m.color_a));
         m.color_a = *color;
         m.color_b = *color * std::clamp(ratio_b, 0.6f, 1.4f);
         m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
@@ -53,7 +55,8 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded = false) {
 // Words such as "oak" and "walnut" are woods before they are colors.
 void apply_floor_wish(Material& m, PromptObject wish) {
     if (wish.material.empty() || wish.material == "wood")
-        if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood) wish.material = wish.color;
+        if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood)
+            wish.material = wish.color;
     apply_wish(m, wish, true);
 }
 
@@ -65,7 +68,8 @@ constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kBesideDoor = kDoorMarg
 void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
-    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.light == "bright";
+    const bool large =
+        (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
     int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || spec.room == "loft" ? 3 : dice.chance(0.45f) ? 2 : 1;
     if (spec.room == "hallway" && !wish) count = 1;
@@ -86,7 +90,10 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
             continue;
         }
         const bool bay = plan.bay && window.wall == 0;
-        const float width = bay ? length - 0.3f : std::min(length - 0.6f, large ? dice.uniform(2.2f, 3.0f) : small ? dice.uniform(0.7f, 0.9f) : dice.uniform(1.3f, 1.8f));
+        const float width = bay ? length - 0.3f
+                                : std::min(length - 0.6f, large   ? dice.uniform(2.2f, 3.0f)
+                                                          : small ? dice.uniform(0.7f, 0.9f)
+                                                                  : dice.uniform(1.3f, 1.8f));
         window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         window.y1 = std::min(plan.height - 0.25f, large ? 2.45f : 2.2f);
@@ -139,7 +146,9 @@ float room_for_wishes(const PromptSpec& spec) {
 }  // namespace
 
 bool is_shell(std::string_view klass) {
-    static constexpr std::array<std::string_view, 15> kShell{"window", "bay_window", "skylight", "door", "doorway", "wall", "floor", "ceiling", "beams", "sloped_ceiling", "alcove", "wainscoting", "moulding", "column", "mezzanine"};
+    static constexpr std::array<std::string_view, 15> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
+                                                             "wall",   "floor",       "ceiling",  "beams",  "sloped_ceiling",
+                                                             "alcove", "wainscoting", "moulding", "column", "mezzanine"};
     return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
 }
 
@@ -189,7 +198,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     if (spec.room == "kids" || spec.mood == "colorful") {
         plan.accent = true;
         plan.style.accent_wall = plan.style.wall;
-        plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
+        plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c =
+            lerp(plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
     }
 
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
@@ -200,7 +210,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.klass == "wall") {
             // "a brick wall" is one wall; "white walls" are all.
             const bool one = wish.words == "wall" || wish.words == "accent wall";
-            const bool accent = one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
+            const bool accent =
+                one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
             if (!accent && wish.material.empty()) plan.accent = false;
             apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish, true);
             if (accent || wish.material == "brick") plan.accent = true;

@@ -77,7 +77,9 @@ float Plan::ceiling_at(Vec2f p) const {
 }
 
 bool Plan::holds(const Footprint& box) const {
-    if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f && std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f && box.y0 > -0.01f)) return false;
+    if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f && std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f &&
+          box.y0 > -0.01f))
+        return false;
     for (const Vec2f corner : corners_of(box))
         if (!(box.y1 < ceiling_at(corner) + 0.01f)) return false;
     for (const Block& b : blocks) {
@@ -95,7 +97,10 @@ float Plan::wall_distance(Vec2f p) const {
 
 float Plan::air_around(Vec3f p) const {
     float near = std::min({wall_distance({p.x, p.z}), p.y, height - p.y});
-    if (knee > 0) near = std::min(near, (ceiling_at({p.x, p.z}) < height ? ceiling_at({p.x, p.z}) - p.y : knee + (width / 2 - std::abs(p.x)) * (height - knee) / slope_run - p.y) * slope_run / std::hypot(slope_run, height - knee));
+    if (knee > 0)
+        near = std::min(near, (ceiling_at({p.x, p.z}) < height ? ceiling_at({p.x, p.z}) - p.y
+                                                               : knee + (width / 2 - std::abs(p.x)) * (height - knee) / slope_run - p.y) *
+                                  slope_run / std::hypot(slope_run, height - knee));
     return near;
 }
 

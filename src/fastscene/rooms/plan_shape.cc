@@ -152,7 +152,8 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.openings.push_back(back);
         for (const int side : {0, dice.chance(0.5f) ? 1 : 3}) {
             const float length = p.wall(side).length, window = std::min(length - 1.f, dice.uniform(1.3f, 1.9f));
-            p.openings.push_back({Opening::Kind::window, side, (length - window) / 2, (length + window) / 2, 0.85f, std::min(p.height - 0.25f, 2.25f), false, ""});
+            p.openings.push_back(
+                {Opening::Kind::window, side, (length - window) / 2, (length + window) / 2, 0.85f, std::min(p.height - 0.25f, 2.25f), false, ""});
         }
         plan.openings.push_back(o);
         plan.next = std::move(next);
@@ -181,7 +182,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         float roll = dice.uniform();
         if (asked_bay || asked_alcove) roll = 2.f;
         if (wish_for(spec, "bay_window", true)) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
-        const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)), niche = dice.uniform(0.45f, 0.55f);
+        const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
+                    niche = dice.uniform(0.45f, 0.55f);
         if (roll < habit.breast) add_breast(plan, dice);
         else if ((roll -= habit.breast) < habit.corner) add_corner(plan, dice);
         else if ((roll -= habit.corner) < habit.bay || asked_bay) add_recess(plan, wide, recess), plan.bay = true;
@@ -194,7 +196,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = is_one_of(spec.room, {"living", "dining", "study", "hallway"}) && dice.chance(0.6f);
-    plan.panelling = decide(spec, "wainscoting", old && !is_one_of(spec.room, {"bathroom", "laundry", "kitchen", "sunroom", "loft"}) ? 0.6f : 0.f, dice);
+    plan.panelling =
+        decide(spec, "wainscoting", old && !is_one_of(spec.room, {"bathroom", "laundry", "kitchen", "sunroom", "loft"}) ? 0.6f : 0.f, dice);
 }
 
 void open_plan(PromptSpec& spec, Plan& plan, Random& dice) {

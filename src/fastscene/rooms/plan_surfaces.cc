@@ -44,7 +44,10 @@ constexpr Tiles kTiles[] = {
 
 void cover(Material& m, Pattern pattern, const char* a, const char* b, float scale) {
     const Vec3f first = *color_named(a), second = *color_named(b);
-    m = *material_named(pattern == Pattern::marble ? "marble" : pattern == Pattern::terrazzo ? "terrazzo" : pattern == Pattern::concrete ? "concrete" : "tile");
+    m = *material_named(pattern == Pattern::marble     ? "marble"
+                        : pattern == Pattern::terrazzo ? "terrazzo"
+                        : pattern == Pattern::concrete ? "concrete"
+                                                       : "tile");
     m.pattern = pattern;
     m.color_a = first;
     m.color_b = second;
@@ -59,7 +62,8 @@ void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice) {
     if (!spec.colors.empty() || spec.mood == "airy" || spec.light == "bright") return;
     for (const Paints& paints : kPaints)
         if (plan.style.name == paints.style)
-            if (const auto color = color_named(paints.colors[static_cast<std::size_t>(dice.index(static_cast<int>(paints.colors.size())))])) plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = *color;
+            if (const auto color = color_named(paints.colors[static_cast<std::size_t>(dice.index(static_cast<int>(paints.colors.size())))]))
+                plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = *color;
 }
 
 void tile_wet_room(Plan& plan, Random& dice) {

@@ -44,7 +44,8 @@ void collect(const Matches& matches, PromptSpec& spec) {
 }  // namespace
 
 bool PromptSpec::names_a_room() const {
-    return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() || !weather.empty() || !mood.empty() || !light.empty() || !clutter.empty();
+    return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() || !weather.empty() || !mood.empty() ||
+           !light.empty() || !clutter.empty();
 }
 
 std::vector<PromptWord> PromptSpec::words_with(PromptWord::Fate fate) const {
@@ -122,7 +123,8 @@ Json to_json(const PromptSpec& spec) {
     for (const PromptObject& o : spec.objects)
         objects.push_back({{"class", o.klass}, {"words", o.words}, {"count", o.count}, {"placed", o.placed}, {"color", o.color}, {"color2", o.color2}, {"material", o.material}, {"pattern", o.pattern},
                            {"size", o.size}, {"style", o.style}, {"relation", o.relation}, {"relation_to", o.relation_to}, {"relation_and", o.relation_and}, {"forbidden", o.forbidden}});
-    Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(), not_understood = Json::array(), assumed = Json::array();
+    Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(), not_understood = Json::array(),
+         assumed = Json::array();
     for (const PromptWord& w : spec.words) {
         if (const std::string reason = why_not(spec, w); !reason.empty()) not_placed.push_back(entry(w, "reason", reason));
         else if (w.fate == PromptWord::Fate::understood) understood.push_back(entry(w, "meaning", w.meaning));

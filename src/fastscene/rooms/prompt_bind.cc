@@ -9,22 +9,33 @@ namespace {
 
 // Words for brightness that are shades of color before a noun ("dark wooden floor", "light curtains").
 bool is_shade(const Match& m) {
-    return (m.is(WordKind::light) || m.is(WordKind::mood)) && (m.words == "dark" || m.words == "bright" || m.words == "light" || m.words == "dim" || m.words == "dunkel" || m.words == "hell" || m.words == "sombre" || m.words == "clair" || m.words == "claire" || m.words == "oscuro" || m.words == "scuro");
+    return (m.is(WordKind::light) || m.is(WordKind::mood)) &&
+           (m.words == "dark" || m.words == "bright" || m.words == "light" || m.words == "dim" || m.words == "dunkel" || m.words == "hell" ||
+            m.words == "sombre" || m.words == "clair" || m.words == "claire" || m.words == "oscuro" || m.words == "scuro");
 }
-bool is_and(const Match& m) { return m.is(WordKind::function) && (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" || m.words == "e" || m.words == "or"); }
+bool is_and(const Match& m) {
+    return m.is(WordKind::function) &&
+           (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" || m.words == "e" || m.words == "or");
+}
 // What may stand between an article and its noun.
-bool modifies(const Match& m) { return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || is_shade(m) || (!m.word && !m.comma); }
+bool modifies(const Match& m) {
+    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || is_shade(m) || (!m.word && !m.comma);
+}
 bool is_article(const Match& m) { return m.is(WordKind::count) && m.word->meaning == "1"; }
 
 // "in", "of", "painted in" … lead an adjective that follows its noun.
 bool leads_back(const Match& m) {
-    static constexpr std::array<std::string_view, 34> kLeads{"in", "of", "with", "painted", "painted in", "made of", "made from", "made out of", "upholstered in", "covered with", "covered in", "finished in", "clad in", "done in", "is", "are", "built from", "crafted from",
-        "carved from", "decorated in", "from", "wrapped in", "lined with", "dressed in", "aus", "mit", "en", "de", "di", "con", "in the", "decorated with", "as", "was"};
+    static constexpr std::array<std::string_view, 34> kLeads{
+        "in",           "of",           "with",        "painted",    "painted in",     "made of",    "made from", "made out of", "upholstered in",
+        "covered with", "covered in",   "finished in", "clad in",    "done in",        "is",         "are",       "built from",  "crafted from",
+        "carved from",  "decorated in", "from",        "wrapped in", "lined with",     "dressed in", "aus",       "mit",         "en",
+        "de",           "di",           "con",         "in the",     "decorated with", "as",         "was"};
     return m.is(WordKind::function) && std::find(kLeads.begin(), kLeads.end(), m.words) != kLeads.end();
 }
 
 bool is_brown(std::string_view material) {
-    static constexpr std::array<std::string_view, 12> kBrown{"wood", "oak", "walnut", "pine", "leather", "planks", "parquet", "rattan", "teak", "mahogany", "maple", "birch"};
+    static constexpr std::array<std::string_view, 12> kBrown{"wood",    "oak",    "walnut", "pine",     "leather", "planks",
+                                                             "parquet", "rattan", "teak",   "mahogany", "maple",   "birch"};
     return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
 }
 
@@ -98,7 +109,9 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
 bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     if (connector == 0 || connector + 1 >= r.m.size()) return false;
     const Match &left = r.m[connector - 1], &right = r.m[connector + 1];
-    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left) || !left.word) || right.is(WordKind::count) || right.is(WordKind::function)) return false;
+    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left) || !left.word) || right.is(WordKind::count) ||
+        right.is(WordKind::function))
+        return false;
     if (left.comma) return false;
     // "with white linen, blue walls": a material ends its own phrase.
     if (left.is(WordKind::material) && !right.is(WordKind::material) && connector + 1 != noun) return false;
@@ -106,7 +119,8 @@ bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     // "in red and blue curtains": what "in" leads belongs to the noun before.
     std::size_t k = connector;
     while (k > 0 && (is_adjective(r.m[k - 1]) || r.m[k - 1].is(WordKind::nuance) || is_shade(r.m[k - 1]))) --k;
-    if (k > 0 && leads_back(r.m[k - 1]) && r.m[k - 1].words != "with" && r.m[k - 1].words != "mit" && r.m[k - 1].words != "avec" && r.m[k - 1].words != "con") {
+    if (k > 0 && leads_back(r.m[k - 1]) && r.m[k - 1].words != "with" && r.m[k - 1].words != "mit" && r.m[k - 1].words != "avec" &&
+        r.m[k - 1].words != "con") {
         for (std::size_t j = k - 1; j-- > 0;)
             if (is_noun(r.m[j])) return false;
             else if (r.m[j].comma || r.m[j].is(WordKind::room)) break;
@@ -163,8 +177,8 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         const Match& before = r.m[i - 1];
         if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
         if (leads_back(before)) led = true;
-        else if (!(is_adjective(before) || before.is(WordKind::nuance) || before.is(WordKind::style) || is_shade(before) || is_and(before) || is_article(before) || before.is_function("the") ||
-                   (before.comma && !led && i < at && is_adjective(r.m[i]))))
+        else if (!(is_adjective(before) || before.is(WordKind::nuance) || before.is(WordKind::style) || is_shade(before) || is_and(before) ||
+                   is_article(before) || before.is_function("the") || (before.comma && !led && i < at && is_adjective(r.m[i]))))
             return {};
         --i;
     }

@@ -113,7 +113,11 @@ void read_one(Reading& r, std::size_t i) {
             if (!m.listed) r.tell_near(i, "part of a piece: as the piece has it");
             break;
         case WordKind::nuance: read_nuance(r, i); break;
-        case WordKind::filler: r.tell(i, m.word->meaning == "picture" ? "speaks of the picture, not of the room" : m.word->meaning == "address" ? "addressed to the program" : "the room as such"); break;
+        case WordKind::filler:
+            r.tell(i, m.word->meaning == "picture"   ? "speaks of the picture, not of the room"
+                      : m.word->meaning == "address" ? "addressed to the program"
+                                                     : "the room as such");
+            break;
         case WordKind::object:
         case WordKind::structure:
         case WordKind::relation:

@@ -80,7 +80,9 @@ Matches match(const std::vector<std::string>& tokens, Language language, const F
                     const auto word = look_up(t, language);
                     return word && word->kind == WordKind::room;
                 });
-                matches.push_back({.words = term, .word = of_owner && of_owner->kind == WordKind::room && !room_follows ? *of_owner : Word{WordKind::nuance, "owner"}});
+                matches.push_back(
+                    {.words = term,
+                     .word = of_owner && of_owner->kind == WordKind::room && !room_follows ? *of_owner : Word{WordKind::nuance, "owner"}});
                 ++i;
                 found = true;
                 break;

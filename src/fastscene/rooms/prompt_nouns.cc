@@ -10,7 +10,8 @@ namespace {
 // Whether "the" or its like stands before it, with nothing but adjectives between.
 bool is_definite(const Matches& m, std::size_t i) {
     for (std::size_t k = i; k-- > 0;) {
-        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") || m[k].is_function("this") || m[k].is_function("that")) return true;
+        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") || m[k].is_function("this") || m[k].is_function("that"))
+            return true;
         if (!is_adjective(m[k]) && !m[k].is(WordKind::nuance)) return false;
     }
     return false;
@@ -34,13 +35,17 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 12> kNeverMore{"kitchen_counter", "curtain", "towel_rail", "toy_box", "beams", "wall", "floor", "ceiling", "cushion_set", "shower", "wainscoting", "moulding"};
+    static constexpr std::array<std::string_view, 12> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
+                                                                 "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding"};
     const std::string& klass = m.word->meaning;
     if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
         const auto forms = base_forms(m.words, language);
         return !forms.empty() && (m.words.back() == 's' || m.words.back() == 'n' || m.words.back() == 'i' || m.words.back() == 'e') &&
-               std::any_of(forms.begin(), forms.end(), [&](const std::string& f) { const auto w = look_up(f, language); return w && w->meaning == klass; });
+               std::any_of(forms.begin(), forms.end(), [&](const std::string& f) {
+                   const auto w = look_up(f, language);
+                   return w && w->meaning == klass;
+               });
     }
     if (m.words.ends_with("drawers") || klass == "glass_cup" || m.words.ends_with("stairs")) return false;
     for (const std::string& single : base_forms(m.words))
@@ -65,7 +70,8 @@ void mark_negated(Matches& m) {
             negated = true;
             continue;
         }
-        if (m[i].is_function("with") || m[i].is_function("but") || m[i].is_function("mit") || m[i].is_function("avec") || m[i].is_function("con")) negated = false;
+        if (m[i].is_function("with") || m[i].is_function("but") || m[i].is_function("mit") || m[i].is_function("avec") || m[i].is_function("con"))
+            negated = false;
         // "no tv and a piano": what has its own article is wanted.
         if (negated && m[i].is_function("and") && i + 1 < m.size() && m[i + 1].is(WordKind::count)) negated = false;
         m[i].negated = negated;
@@ -80,10 +86,13 @@ void name_tables(Matches& m) {
     if (room == "dining" || room == "kitchen") meaning = "dining_table";
     if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
     for (std::size_t i = 0; i < m.size(); ++i) {
-        if (!m[i].word || (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo")) continue;
+        if (!m[i].word ||
+            (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo"))
+            continue;
         const bool round = i > 0 && m[i - 1].words == "round";
         bool chairs = false;  // who names chairs with it means to eat at it
-        for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k) chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
+        for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
+            chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
         const std::string here = round ? "dining_table_round" : chairs ? "dining_table" : meaning;
         if (!here.empty()) m[i].word = Word{WordKind::object, here};
     }
@@ -97,7 +106,8 @@ void heed_the_room(Matches& m) {
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word) continue;
         const std::string& w = m[i].words;
-        if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "faucet" || w == "tap" || w == "counter" || w == "countertop")) m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
+        if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "faucet" || w == "tap" || w == "counter" || w == "countertop"))
+            m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
         if ((w == "vanity" || w == "vanities") && !room.empty() && room != "bathroom") m[i].word = Word{WordKind::object, "dresser", false};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {
@@ -108,7 +118,8 @@ void heed_the_room(Matches& m) {
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {
-            const bool bed = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning.starts_with("bed"); });
+            const bool bed =
+                std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning.starts_with("bed"); });
             if (!bed) m[i].word = Word{WordKind::object, "bed", false};
         }
     }
@@ -119,7 +130,10 @@ void name_kinds(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
         if (!m[i].is(WordKind::object) || !m[i + 1].is(WordKind::object)) continue;
         const std::vector<std::string> single = base_forms(m[i].words);
-        const bool plural = std::any_of(single.begin(), single.end(), [&](const std::string& s) { const auto w = look_up(s); return w && w->meaning == m[i].word->meaning; });
+        const bool plural = std::any_of(single.begin(), single.end(), [&](const std::string& s) {
+            const auto w = look_up(s);
+            return w && w->meaning == m[i].word->meaning;
+        });
         if (!plural) m[i].word = Word{WordKind::nuance, m[i].word->meaning == m[i + 1].word->meaning ? "kind" : "motif"};
     }
 }
@@ -135,7 +149,8 @@ void name_colors(Matches& m) {
 // "light" is a lamp with an article before and no noun behind, a shade of color before a noun, else a feeling of the room.
 void name_lights(Matches& m) {
     for (std::size_t i = 0; i < m.size(); ++i)
-        if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 && (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") && (i + 1 >= m.size() || !(is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
+        if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 && (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") &&
+            (i + 1 >= m.size() || !(is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
             m[i].word = Word{WordKind::object, "ceiling_lamp", false};
 }
 
@@ -179,7 +194,8 @@ void find_nouns(Reading& r) {
             }
         // A kitchen has one run of units: stove, sink and worktop are parts of it.
         if (m.word->meaning == "kitchen_counter") {
-            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
+            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(),
+                                           [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
                 continue;
@@ -187,7 +203,8 @@ void find_nouns(Reading& r) {
         }
         // "walls … on the wall", "a window … by the window": a part of the shell that was spoken of.
         if (m.is(WordKind::structure) && (is_definite(r.m, i) || (i > 0 && r.m[i - 1].is(WordKind::relation)))) {
-            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
+            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(),
+                                           [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
                 continue;

@@ -21,7 +21,9 @@ std::optional<std::size_t> noun_before(const Reading& r, std::size_t at) {
 std::optional<std::size_t> noun_after(const Reading& r, std::size_t at) {
     for (std::size_t k = at + 1; k < r.m.size() && k <= at + kReach; ++k) {
         if (has_object(r.m[k]) && !r.m[k].is(WordKind::material)) return k;
-        if (r.m[k].is(WordKind::relation) || r.m[k].is(WordKind::room) || (ends_clause(r.m[k]) && !(k > at + 1 && k + 1 < r.m.size() && is_adjective(r.m[k + 1])))) return {};
+        if (r.m[k].is(WordKind::relation) || r.m[k].is(WordKind::room) ||
+            (ends_clause(r.m[k]) && !(k > at + 1 && k + 1 < r.m.size() && is_adjective(r.m[k + 1]))))
+            return {};
     }
     return {};
 }
@@ -43,7 +45,8 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
     std::optional<std::size_t> last;
     for (std::size_t k = subject; k-- > 0;) {
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
-        const bool place = std::any_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(k), [&](const Match& m) { return m.relation && m.target == static_cast<int>(k); });
+        const bool place = std::any_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(k),
+                                       [&](const Match& m) { return m.relation && m.target == static_cast<int>(k); });
         if (place && !several) continue;
         if (several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) return k;
         if (!last) last = k;
@@ -56,7 +59,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     PromptObject& object = r.object_of(subject);
     const bool placed = where.has_value() && r.m[*where].object != r.m[subject].object;
     const std::size_t target = placed ? *where : subject;
-    if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" && relation != "right of") return r.tell_near(at, "where: stands at no piece that was named");
+    if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" && relation != "right of")
+        return r.tell_near(at, "where: stands at no piece that was named");
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     object.relation = relation;
     std::string to;
@@ -68,8 +72,12 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             // "between the bed and the door"; "between two windows" has one class twice.
             const auto second = noun_after(r, target);
             const auto pronoun = at + 1 < r.m.size() && r.m[at + 1].is_function("them") ? meant_by(r, target, false) : std::nullopt;
-            const bool joined = second && *second <= target + 5 && std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(target), r.m.begin() + static_cast<std::ptrdiff_t>(*second), [](const Match& m) { return m.is_function("and"); });
-            object.relation_and = pronoun && r.object_of(target).count == 1 ? r.object_of(*pronoun).klass : joined && *second != subject ? r.object_of(*second).klass : object.relation_to;
+            const bool joined = second && *second <= target + 5 &&
+                                std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(target), r.m.begin() + static_cast<std::ptrdiff_t>(*second),
+                                            [](const Match& m) { return m.is_function("and"); });
+            object.relation_and = pronoun && r.object_of(target).count == 1 ? r.object_of(*pronoun).klass
+                                  : joined && *second != subject            ? r.object_of(*second).klass
+                                                                            : object.relation_to;
         }
     }
     r.tell(at, object.klass + " " + relation + to, object.id);

@@ -123,7 +123,8 @@ TEST(Prompt, Relations) {
     EXPECT_EQ(object_of(spec, "table_lamp")->relation, "on");
     EXPECT_EQ(object_of(spec, "table_lamp")->relation_to, "desk");
     EXPECT_EQ(object_of(spec, "plant")->relation, "in the corner");
-    EXPECT_EQ(std::count_if(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return o.klass == "desk"; }), 1) << "the desk is one desk";
+    EXPECT_EQ(std::count_if(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return o.klass == "desk"; }), 1)
+        << "the desk is one desk";
     EXPECT_EQ(object_of(spec, "desk")->relation_to, "window");
     const PromptSpec under = read("a desk under the window");
     EXPECT_EQ(object_of(under, "desk")->relation, "under");
@@ -151,7 +152,8 @@ TEST(Prompt, WhatTheWindowsShow) {
 }
 
 TEST(Prompt, EveryStyleAndRoomIsSayable) {
-    for (const std::string style : {"modern", "scandinavian", "japandi", "industrial", "classic", "boho", "rustic", "mid-century", "mediterranean", "art deco"})
+    for (const std::string style :
+         {"modern", "scandinavian", "japandi", "industrial", "classic", "boho", "rustic", "mid-century", "mediterranean", "art deco"})
         for (const std::string& room : room_types()) {
             const PromptSpec spec = understand_prompt("a " + style + " " + room_title(room), true);
             EXPECT_EQ(spec.style, style);

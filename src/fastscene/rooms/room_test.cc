@@ -37,7 +37,8 @@ float distance_to_triangle(Vec3f a, Vec3f b, Vec3f c) {
         const float l = dot(d, d), t = l > 0 ? std::clamp(-dot(p, d) / l, 0.f, 1.f) : 0.f;
         return length(p + d * t);
     };
-    if (area > 0 && dot(cross(b - a, -a), n) >= 0 && dot(cross(c - b, -b), n) >= 0 && dot(cross(a - c, -c), n) >= 0) return std::abs(dot(a, n)) / std::sqrt(area);
+    if (area > 0 && dot(cross(b - a, -a), n) >= 0 && dot(cross(c - b, -b), n) >= 0 && dot(cross(a - c, -c), n) >= 0)
+        return std::abs(dot(a, n)) / std::sqrt(area);
     return std::min({edge(a, b), edge(b, c), edge(c, a)});
 }
 
@@ -60,7 +61,8 @@ bool through(const Portal& portal, Vec3f d) {
 std::vector<Vec3f> directions(int count) {
     std::vector<Vec3f> out;
     for (int i = 0; i < count; ++i) {  // a spiral of even density
-        const float y = 1 - 2 * (static_cast<float>(i) + 0.5f) / static_cast<float>(count), r = std::sqrt(1 - y * y), a = 2.3999632f * static_cast<float>(i);
+        const float y = 1 - 2 * (static_cast<float>(i) + 0.5f) / static_cast<float>(count), r = std::sqrt(1 - y * y),
+                    a = 2.3999632f * static_cast<float>(i);
         out.push_back({r * std::cos(a), y, r * std::sin(a)});
     }
     return out;
@@ -94,8 +96,8 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
     bool sound = true;
     int nearest_object = -1, outside = -2;
     for (const Mesh& m : room.meshes) {
-        sound = sound && m.material >= 0 && static_cast<std::size_t>(m.material) < room.materials.size() && m.object < static_cast<int>(room.objects.size()) &&
-                m.normals.size() == m.positions.size() && m.coords.size() == m.positions.size();
+        sound = sound && m.material >= 0 && static_cast<std::size_t>(m.material) < room.materials.size() &&
+                m.object < static_cast<int>(room.objects.size()) && m.normals.size() == m.positions.size() && m.coords.size() == m.positions.size();
         for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
             const float far = distance_to_triangle(m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]]);
             if (far < nearest) nearest = far, nearest_object = m.object;
@@ -115,7 +117,8 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
     floor = room.max_corner.y;
     EXPECT_GT(floor, 1.2f);
     EXPECT_LT(floor, 1.8f);
-    EXPECT_GE(nearest, 0.45f) << "of the camera: " << (nearest_object < 0 ? "the shell" : room.objects[static_cast<std::size_t>(nearest_object)].name);
+    EXPECT_GE(nearest, 0.45f) << "of the camera: "
+                              << (nearest_object < 0 ? "the shell" : room.objects[static_cast<std::size_t>(nearest_object)].name);
     EXPECT_EQ(leaks(room, rays), 0) << "rays leave through a gap of the shell";
     for (const Portal& p : room.portals) {
         const Vec3f middle = p.corner + (p.edge_u + p.edge_v) * 0.5f;
@@ -158,8 +161,10 @@ TEST(Room, WhatIsAskedForIsThereOrReported) {
             const Room room = room_of(text, seed, &spec, false);
             for (const PromptObject& wish : spec.objects) {
                 if (wish.forbidden || wish.klass == "wall" || wish.klass == "floor") continue;
-                const auto there = std::count_if(room.objects.begin(), room.objects.end(), [&](const RoomObject& o) { return o.klass == wish.klass && o.requested; });
-                const auto reported = std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
+                const auto there = std::count_if(room.objects.begin(), room.objects.end(),
+                                                 [&](const RoomObject& o) { return o.klass == wish.klass && o.requested; });
+                const auto reported =
+                    std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
                 EXPECT_GE(there + reported, wish.count) << wish.klass;
                 if (wish.color.empty()) continue;
                 for (const RoomObject& o : room.objects) EXPECT_TRUE(o.klass != wish.klass || !o.requested || o.color == wish.color) << o.name;
@@ -169,8 +174,10 @@ TEST(Room, WhatIsAskedForIsThereOrReported) {
 
 TEST(Room, AReasonableWishIsNeverRefused) {
     // One or two pieces in a room of their own kind must always find their place.
-    for (const char* text : {"a living room with a sofa and an armchair", "a bedroom with a bed and a wardrobe", "a study with a desk and a bookshelf", "a bathroom with a bathtub and a toilet",
-                             "a dining room with a dining table and four chairs", "a kitchen with a fridge", "a kids room with a toy box", "a living room with a fireplace", "a bedroom with two plants"})
+    for (const char* text :
+         {"a living room with a sofa and an armchair", "a bedroom with a bed and a wardrobe", "a study with a desk and a bookshelf",
+          "a bathroom with a bathtub and a toilet", "a dining room with a dining table and four chairs", "a kitchen with a fridge",
+          "a kids room with a toy box", "a living room with a fireplace", "a bedroom with two plants"})
         for (std::uint64_t seed = 0; seed < 4; ++seed) {
             PromptSpec spec;
             room_of(text, seed, &spec);
@@ -183,7 +190,9 @@ TEST(Room, LampsAreLitWhereTheLightIsDim) {
         PromptSpec spec;
         const Room room = room_of(text, 1, &spec);
         EXPECT_TRUE(spec.time == "dusk" || spec.time == "night") << text;
-        EXPECT_TRUE(std::any_of(room.materials.begin(), room.materials.end(), [](const Material& m) { return m.pattern != Pattern::screen && luminance(m.emission) > 0.5f; })) << text;
+        EXPECT_TRUE(std::any_of(room.materials.begin(), room.materials.end(), [](const Material& m) {
+            return m.pattern != Pattern::screen && luminance(m.emission) > 0.5f;
+        })) << text;
     }
 }
 
@@ -191,13 +200,17 @@ TEST(Room, ForbiddenThingsAreAbsent) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const Room room = room_of("a living room with a sofa, no curtains, no tv, no rug, no plants, no windows", seed);
         EXPECT_TRUE(room.portals.empty());
-        for (const RoomObject& o : room.objects) EXPECT_TRUE(o.klass != "curtain" && o.klass != "tv" && o.klass != "rug" && o.klass != "plant" && o.klass != "window") << o.klass;
+        for (const RoomObject& o : room.objects)
+            EXPECT_TRUE(o.klass != "curtain" && o.klass != "tv" && o.klass != "rug" && o.klass != "plant" && o.klass != "window") << o.klass;
     }
 }
 
 TEST(Room, WindowsAskedForAreThere) {
     for (const int count : {1, 2, 3, 4})
-        EXPECT_EQ(static_cast<int>(room_of(std::string("a living room with ") + (count == 1 ? "one window" : std::to_string(count) + " windows"), 5).portals.size()), count);
+        EXPECT_EQ(
+            static_cast<int>(
+                room_of(std::string("a living room with ") + (count == 1 ? "one window" : std::to_string(count) + " windows"), 5).portals.size()),
+            count);
 }
 
 TEST(Room, SameSeedSameRoomOtherSeedOtherRoom) {

@@ -43,7 +43,10 @@ Sky::View outlook_of(PromptSpec& spec, const std::string& style, Random& dice) {
     const float draw = dice.uniform();
     if (spec.outlook.empty()) {
         const bool urban = style == "industrial" || style == "modern" || style == "art deco" || spec.room == "loft";
-        const char* wild = style == "mediterranean" ? "sea" : style == "rustic" ? "mountains" : style == "scandinavian" || style == "japandi" ? "forest" : "city";
+        const char* wild = style == "mediterranean"                        ? "sea"
+                           : style == "rustic"                             ? "mountains"
+                           : style == "scandinavian" || style == "japandi" ? "forest"
+                                                                           : "city";
         spec.outlook = urban ? (draw < 0.75f ? "city" : "garden") : draw < 0.45f ? wild : "garden";
         spec.assumed.push_back("outlook: " + spec.outlook);
     }
@@ -80,7 +83,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
             out = -plan.wall(o.wall).inward;
             break;
         }
-    const float elevation = (light->sun_elevation_deg + dice.uniform(-4, 4)) * kPi / 180, aside = dice.uniform(0.35f, 0.75f) * (dice.chance(0.5f) ? 1.f : -1.f);
+    const float elevation = (light->sun_elevation_deg + dice.uniform(-4, 4)) * kPi / 180,
+                aside = dice.uniform(0.35f, 0.75f) * (dice.chance(0.5f) ? 1.f : -1.f);
     const Vec3f side = cross(Vec3f{0, 1, 0}, out);
     const Vec3f level = out * std::cos(aside) + side * std::sin(aside);
     sky.sun_dir = world_from_room * normalize(level * std::cos(elevation) + Vec3f{0, std::sin(elevation), 0});
@@ -132,7 +136,8 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 
 // Looks at the piece that names the room, else along the room's longer side.
 Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
-    for (const char* klass : {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
+    for (const char* klass :
+         {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
         for (const Placed& p : room.placed) {
             if (p.piece.klass != klass) continue;
             const Vec3f to = p.position - camera;
@@ -162,7 +167,8 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
         ++spec.objects[static_cast<std::size_t>(placed.wish.id)].placed;
         if (const auto there = stands_as_asked(room.plan, room.placed, placed, placed.wish); there && !*there)
             for (PromptWord& word : spec.words)
-                if (word.object == placed.wish.id && word.relation) word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
+                if (word.object == placed.wish.id && word.relation)
+                    word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
         if (placed.piece.klass == placed.wish.klass) continue;
         for (PromptWord& word : spec.words)
             if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
@@ -172,7 +178,9 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
     }
     for (PromptObject& object : spec.objects)
         if (is_shell(object.klass) && !object.forbidden)
-            object.placed = object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
+            object.placed =
+                object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(),
+                                                              [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
 }
 
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw) {

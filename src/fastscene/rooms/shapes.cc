@@ -12,8 +12,9 @@ namespace {
 constexpr float kPi = 3.14159265f;
 
 float cell(int x, int y, int z, std::uint32_t seed) {
-    const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 42) ^ (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 21) ^
-                     static_cast<std::uint32_t>(z) ^ (static_cast<std::uint64_t>(seed) << 32);
+    const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 42) ^
+                     (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 21) ^ static_cast<std::uint32_t>(z) ^
+                     (static_cast<std::uint64_t>(seed) << 32);
     return static_cast<float>(mix64(key) >> 40) * 0x1p-23f - 1.f;
 }
 
@@ -86,7 +87,8 @@ void drop_slivers(Mesh& m) {
         const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
         // Relative to the edges: with fused multiply-add the cross product of equal edges is small, not zero.
         const float longest = std::max(dot(b - a, b - a), std::max(dot(c - a, c - a), dot(c - b, c - b)));
-        if (length(cross(b - a, c - a)) > 1e-5f * longest) kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t), m.triangles.begin() + static_cast<long>(t) + 3);
+        if (length(cross(b - a, c - a)) > 1e-5f * longest)
+            kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t), m.triangles.begin() + static_cast<long>(t) + 3);
     }
     m.triangles = std::move(kept);
 }
@@ -204,7 +206,8 @@ Mesh pillow(Vec3f size, std::uint32_t seed, int steps) {
                 // The rim draws in between the corners, and the cloth puckers towards it.
                 const float in_x = 1.f - 0.07f * (1.f - b * b), in_y = 1.f - 0.07f * (1.f - a * a);
                 const Vec3f base{0.5f * size.x * a * in_x, 0.5f * size.y * (1.f + b * in_y), 0.f};
-                const float crease = 1.f + 0.1f * wobble(base * 11.f + Vec3f{0, 0, static_cast<float>(side)}, seed) + 0.05f * wobble(base * 28.f, seed + 3);
+                const float crease =
+                    1.f + 0.1f * wobble(base * 11.f + Vec3f{0, 0, static_cast<float>(side)}, seed) + 0.05f * wobble(base * 28.f, seed + 3);
                 const float z = 0.46f * size.z * body * crease;
                 vertex(m, base + Vec3f{0, 0, side ? -z : z}, {0, 0, 1});
             }
@@ -260,7 +263,8 @@ std::vector<Vec2f> curve(std::span<const Vec2f> points, int steps) {
         const Vec2f p0 = points[i > 0 ? i - 1 : 0], p1 = points[i], p2 = points[i + 1], p3 = points[std::min(i + 2, last)];
         for (int k = 0; k < steps; ++k) {
             const float t = static_cast<float>(k) / static_cast<float>(steps);
-            out.push_back((p1 * 2.f + (p2 - p0) * t + (p0 * 2.f - p1 * 5.f + p2 * 4.f - p3) * (t * t) + (p1 * 3.f - p0 - p2 * 3.f + p3) * (t * t * t)) * 0.5f);
+            out.push_back(
+                (p1 * 2.f + (p2 - p0) * t + (p0 * 2.f - p1 * 5.f + p2 * 4.f - p3) * (t * t) + (p1 * 3.f - p0 - p2 * 3.f + p3) * (t * t * t)) * 0.5f);
         }
     }
     out.push_back(points[last]);
@@ -426,7 +430,8 @@ std::vector<Vec2f> circle(float radius, int steps) {
 Mesh sheet(int columns, int rows, const std::function<Vec3f(float, float)>& point) {
     Mesh m;
     for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i) vertex(m, point(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows)), {0, 1, 0});
+        for (int i = 0; i <= columns; ++i)
+            vertex(m, point(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows)), {0, 1, 0});
     const auto w = static_cast<std::uint32_t>(columns + 1);
     for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j)
         for (std::uint32_t i = 0; i + 1 < w; ++i) {

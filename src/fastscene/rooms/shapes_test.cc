@@ -13,7 +13,9 @@ namespace {
 // A closed skin meets every edge (by place) as often in one direction as in the other.
 bool is_closed(const Mesh& m) {
     using Place = std::tuple<long, long, long>;
-    const auto place = [&](std::uint32_t i) { return Place{std::lround(m.positions[i].x * 2e4f), std::lround(m.positions[i].y * 2e4f), std::lround(m.positions[i].z * 2e4f)}; };
+    const auto place = [&](std::uint32_t i) {
+        return Place{std::lround(m.positions[i].x * 2e4f), std::lround(m.positions[i].y * 2e4f), std::lround(m.positions[i].z * 2e4f)};
+    };
     std::map<std::pair<Place, Place>, int> balance;
     for (std::size_t t = 0; t < m.triangles.size(); t += 3)
         for (std::size_t k = 0; k < 3; ++k) {

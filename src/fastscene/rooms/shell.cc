@@ -50,7 +50,8 @@ void merge(Room& room, Room part, const Rigid& room_from_part) {
         object.world_from_object = room_from_part * object.world_from_object;
         room.objects.push_back(std::move(object));
     }
-    for (const Portal& p : part.portals) room.portals.push_back({room_from_part * p.corner, room_from_part.rotation * p.edge_u, room_from_part.rotation * p.edge_v});
+    for (const Portal& p : part.portals)
+        room.portals.push_back({room_from_part * p.corner, room_from_part.rotation * p.edge_u, room_from_part.rotation * p.edge_v});
 }
 
 }  // namespace
@@ -75,7 +76,8 @@ std::vector<std::pair<float, float>> between_openings(const Plan& plan, const Wa
 
 void build_shell(const Plan& plan, Room& room) {
     const Style& style = plan.style;
-    const Materials m{add_material(room, style.wall), add_material(room, style.accent_wall), add_material(room, style.trim), add_material(room, style.floor), add_material(room, style.ceiling)};
+    const Materials m{add_material(room, style.wall), add_material(room, style.accent_wall), add_material(room, style.trim),
+                      add_material(room, style.floor), add_material(room, style.ceiling)};
     const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness, near = plan.joined ? plan.depth / 2 : d;
     room.meshes.push_back(box_mesh({-w, -0.2f, -near}, {w, 0, d}, m.floor, -1));
     const float flat_half = plan.knee > 0 ? plan.width / 2 - plan.slope_run + 0.05f : w;

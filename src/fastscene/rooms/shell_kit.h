@@ -18,7 +18,8 @@ class WallBuilder {
     void box(float u0, float u1, float y0, float y1, float w0, float w1, int material, int object = -1) const {
         if (!(u1 > u0 && y1 > y0 && w1 > w0)) return;
         const Vec3f a = face_.point(u0, y0) + face_.inward * w0, b = face_.point(u1, y1) + face_.inward * w1;
-        room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}, {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material, object));
+        room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+                                        {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material, object));
     }
 
   private:

@@ -84,15 +84,18 @@ void build_beams(const Plan& plan, Room& room) {
 void build_coffers(const Plan& plan, Room& room, int trim) {
     constexpr float kDeep = 0.12f, kWide = 0.16f;
     const float w = plan.width / 2, d = plan.depth / 2;
-    const int columns = std::max(2, static_cast<int>(std::lround(plan.width / 1.25f))), rows = std::max(2, static_cast<int>(std::lround(plan.depth / 1.25f)));
+    const int columns = std::max(2, static_cast<int>(std::lround(plan.width / 1.25f))),
+              rows = std::max(2, static_cast<int>(std::lround(plan.depth / 1.25f)));
     for (int i = 0; i <= columns; ++i) {
         const float x = -w + plan.width * static_cast<float>(i) / static_cast<float>(columns);
-        room.meshes.push_back(box_mesh({std::max(-w, x - kWide / 2), plan.height - kDeep, -d}, {std::min(w, x + kWide / 2), plan.height, d}, trim, -1));
+        room.meshes.push_back(
+            box_mesh({std::max(-w, x - kWide / 2), plan.height - kDeep, -d}, {std::min(w, x + kWide / 2), plan.height, d}, trim, -1));
     }
     for (int i = 0; i <= rows; ++i) {
         const float z = -d + plan.depth * static_cast<float>(i) / static_cast<float>(rows);
         // A hair lower than the others, so that no two faces lie in one plane.
-        room.meshes.push_back(box_mesh({-w, plan.height - kDeep - 0.002f, std::max(-d, z - kWide / 2)}, {w, plan.height, std::min(d, z + kWide / 2)}, trim, -1));
+        room.meshes.push_back(
+            box_mesh({-w, plan.height - kDeep - 0.002f, std::max(-d, z - kWide / 2)}, {w, plan.height, std::min(d, z + kWide / 2)}, trim, -1));
     }
 }
 

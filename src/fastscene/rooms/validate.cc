@@ -45,7 +45,8 @@ class Checker {
             const Placed& below = placed_[static_cast<std::size_t>(p.on)];
             const bool on_top = std::any_of(below.piece.surfaces.begin(), below.piece.surfaces.end(),
                                             [&](const Surface& s) { return std::abs(below.position.y + s.center.y - p.position.y) < kTolerance; });
-            if (!on_top || distance_to(footprint_of(below), footprint_of(p).center) > 0.f) add("unsupported", name(i) + " floats above " + name(static_cast<std::size_t>(p.on)));
+            if (!on_top || distance_to(footprint_of(below), footprint_of(p).center) > 0.f)
+                add("unsupported", name(i) + " floats above " + name(static_cast<std::size_t>(p.on)));
             return;
         }
         switch (p.piece.mount) {
@@ -54,7 +55,8 @@ class Checker {
                 break;
             case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;
             case Mount::ceiling:
-                if (std::abs(p.position.y - plan_.ceiling_at(flat(p.position))) > 0.3f) add("unsupported", name(i) + " does not hang from the ceiling");
+                if (std::abs(p.position.y - plan_.ceiling_at(flat(p.position))) > 0.3f)
+                    add("unsupported", name(i) + " does not hang from the ceiling");
                 break;
             case Mount::wall: {
                 const Vec3f back{std::sin(p.yaw), 0, std::cos(p.yaw)};
@@ -62,7 +64,8 @@ class Checker {
                 for (const WallFace& face : plan_.faces()) {
                     const Vec3f to = p.position - face.origin;
                     const float u = dot(to, face.along), off = dot(to, face.inward);
-                    at_wall = at_wall || (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f && u > -kTolerance && u < face.length + kTolerance);
+                    at_wall = at_wall ||
+                              (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f && u > -kTolerance && u < face.length + kTolerance);
                 }
                 if (!at_wall) add("unsupported", name(i) + " hangs on no wall");
             }
@@ -72,7 +75,8 @@ class Checker {
     void apart(std::size_t i, std::size_t k) {
         const Placed &a = placed_[i], &b = placed_[k];
         if (b.flat || b.on == static_cast<int>(i) || a.on == static_cast<int>(k)) return;
-        if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2))) add("overlap", name(i) + " and " + name(k) + " stand in each other");
+        if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2)))
+            add("overlap", name(i) + " and " + name(k) + " stand in each other");
     }
 
     void openings(std::size_t i) {

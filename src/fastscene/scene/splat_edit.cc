@@ -75,7 +75,8 @@ Splats chosen(const Splats& splats, const std::vector<std::uint32_t>& indices) {
         out.rotation[k] = splats.rotation[i];
         out.opacity_logit[k] = splats.opacity_logit[i];
         out.sh0[k] = splats.sh0[i];
-        std::copy_n(splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(i * rest), rest, out.sh_rest.begin() + static_cast<std::ptrdiff_t>(k * rest));
+        std::copy_n(splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(i * rest), rest,
+                    out.sh_rest.begin() + static_cast<std::ptrdiff_t>(k * rest));
     }
     return out;
 }
@@ -84,7 +85,8 @@ Splats cropped(const Splats& splats, Vec3f low, Vec3f high) {
     std::vector<std::uint32_t> inside;
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const Vec3f p = splats.mean_m[i];
-        if (p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z) inside.push_back(static_cast<std::uint32_t>(i));
+        if (p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z)
+            inside.push_back(static_cast<std::uint32_t>(i));
     }
     return chosen(splats, inside);
 }
@@ -120,7 +122,8 @@ void reduce_sh(Splats& splats, int degree) {
     splats.sh_degree = degree;
     const auto has = static_cast<std::size_t>(splats.rest_coefficients());
     for (std::size_t row = 0; row < splats.size() * 3; ++row)  // to the front, in place
-        std::copy_n(splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * had), has, splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * has));
+        std::copy_n(splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * had), has,
+                    splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * has));
     splats.sh_rest.resize(splats.size() * 3 * has);
     splats.sh_rest.shrink_to_fit();
 }
@@ -152,7 +155,8 @@ Cleaning clean(Splats& splats) {
         if (logit > kLargestLogit || logit < -kLargestLogit) logit = std::clamp(logit, -kLargestLogit, kLargestLogit), repaired = true;
         drawable = drawable && within(logit, kLargestLogit);
         Quatf& q = splats.rotation[i];
-        const double length2 = static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z;
+        const double length2 =
+            static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z;
         if (std::isfinite(length2) && (length2 < 1e-12 || length2 > 1e12)) {
             const double scale = length2 > 1e-60 ? 1 / std::sqrt(length2) : 0;
             const auto part = [&](float v) { return static_cast<float>(static_cast<double>(v) * scale); };

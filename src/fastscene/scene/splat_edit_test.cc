@@ -88,7 +88,8 @@ TEST(SplatEdit, TransformCarriesShapeAndColor) {
             EXPECT_LT(length(moved - Vec3d{after.mean_m[i].x, after.mean_m[i].y, after.mean_m[i].z}), 1e-5);
             for (int k = 0; k < 10; ++k) {
                 const Vec3d d = normalize(Vec3d{random.normal(), random.normal(), random.normal()});
-                for (std::size_t channel = 0; channel < 3; ++channel) EXPECT_NEAR(color(before, i, channel, d), color(after, i, channel, s.new_from_old * d), 1e-5);
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    EXPECT_NEAR(color(before, i, channel, d), color(after, i, channel, s.new_from_old * d), 1e-5);
             }
         }
         transform(after, inverse(s));
@@ -141,7 +142,8 @@ TEST(SplatEdit, CleaningLeavesOnlyWhatCanBeDrawn) {
                 EXPECT_EQ(done.dropped, 0u);
             }
             for (std::size_t i = 0; i < s.size(); ++i) {
-                EXPECT_TRUE(std::isfinite(dot(s.mean_m[i], s.mean_m[i])) && std::isfinite(std::exp(2 * s.log_scale[i].x)) && std::isfinite(s.opacity_logit[i]));
+                EXPECT_TRUE(std::isfinite(dot(s.mean_m[i], s.mean_m[i])) && std::isfinite(std::exp(2 * s.log_scale[i].x)) &&
+                            std::isfinite(s.opacity_logit[i]));
                 const Quatf q = s.rotation[i];
                 EXPECT_GT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.f);
             }

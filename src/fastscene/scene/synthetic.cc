@@ -57,7 +57,8 @@ SyntheticHit trace_synthetic(const SyntheticWorld& world, Vec3f origin, Vec3f d)
                 if (origin[i] < box.low[i] || origin[i] > box.high[i]) leave = -1;
                 continue;
             }
-            const float a = ((d[i] > 0 ? box.low[i] : box.high[i]) - origin[i]) / d[i], b = ((d[i] > 0 ? box.high[i] : box.low[i]) - origin[i]) / d[i];
+            const float a = ((d[i] > 0 ? box.low[i] : box.high[i]) - origin[i]) / d[i],
+                        b = ((d[i] > 0 ? box.high[i] : box.low[i]) - origin[i]) / d[i];
             if (a > enter) enter = a, enter_axis = i;
             if (b < leave) leave = b, leave_axis = i;
         }
@@ -90,7 +91,8 @@ Panorama render_synthetic(const SyntheticWorld& world, Vec3f position, EquirectS
                 Vec3f sum;
                 for (int j = 0; j < samples; ++j)
                     for (int i = 0; i < samples; ++i) {
-                        const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) * step, static_cast<float>(y) + (static_cast<float>(j) + 0.5f) * step};
+                        const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) * step,
+                                       static_cast<float>(y) + (static_cast<float>(j) + 0.5f) * step};
                         sum += trace_synthetic(world, position, direction_at(at, size)).color;
                     }
                 out.color.at(x, y) = sum * (step * step);

@@ -43,7 +43,9 @@ void move_within(Cloud& c, std::int64_t i, const Cloud& shape, std::int64_t as, 
 
 float scene_extent_m(const ViewSet& set) {
     std::vector<float> x, y, z;
-    for (const View& v : set.views) x.push_back(v.world_from_camera.translation.x), y.push_back(v.world_from_camera.translation.y), z.push_back(v.world_from_camera.translation.z);
+    for (const View& v : set.views)
+        x.push_back(v.world_from_camera.translation.x), y.push_back(v.world_from_camera.translation.y),
+            z.push_back(v.world_from_camera.translation.z);
     const Vec3f middle{median(x), median(y), median(z)};
     std::vector<float> cameras, points;
     for (const View& v : set.views) cameras.push_back(length(v.world_from_camera.translation - middle));
@@ -107,7 +109,8 @@ Splats alive(const Splats& s, float faint) {
         out.rotation.push_back(s.rotation[i]);
         out.opacity_logit.push_back(s.opacity_logit[i]);
         out.sh0.push_back(s.sh0[i]);
-        out.sh_rest.insert(out.sh_rest.end(), s.sh_rest.begin() + static_cast<std::ptrdiff_t>(i * n), s.sh_rest.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
+        out.sh_rest.insert(out.sh_rest.end(), s.sh_rest.begin() + static_cast<std::ptrdiff_t>(i * n),
+                           s.sh_rest.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
     }
     return out;
 }

@@ -138,7 +138,8 @@ void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& worl
 void Engine::project(const Cloud& cloud) {
     const Stopwatch watch(times.project);
     grow(records_, static_cast<std::size_t>(cloud.padded() * records_a_splat(lens_.model)));
-    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
+    const ProjectJob job{
+        cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
     piece_visible_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), 0);
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
         piece_visible_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
@@ -279,7 +280,8 @@ void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
         error_[c].assign(transmittance_.size(), 0.f);
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x)
-                v_[c][index(x, y)] = v[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)][static_cast<std::size_t>(c)];
+                v_[c][index(x, y)] =
+                    v[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)][static_cast<std::size_t>(c)];
     }
 }
 

@@ -20,7 +20,9 @@ namespace fastscene::splat {
 Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model = CameraModel::pinhole, bool antialias = false);
 
 // Rows of an equirectangular picture count as much as the part of the sphere they show: the cosine of the latitude.
-inline float latitude_weight(int y, int height) { return std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>); }
+inline float latitude_weight(int y, int height) {
+    return std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>);
+}
 
 // Parameters in the kernel's layout, with Adam's two moments.
 struct Cloud {

@@ -76,7 +76,8 @@ inline void target_row(const LossJob& job, int channel, int y, float* out) {
     // The last vector would read up to two bytes beyond the row: left to the loop below.
     for (; x + kLanes < job.width; x += kLanes) {
         const auto third = [&](int i) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(in + 3 * x + 16 * i)); };
-        const __m128i bytes = _mm_or_si128(_mm_shuffle_epi8(third(0), pick0), _mm_or_si128(_mm_shuffle_epi8(third(1), pick1), _mm_shuffle_epi8(third(2), pick2)));
+        const __m128i bytes =
+            _mm_or_si128(_mm_shuffle_epi8(third(0), pick0), _mm_or_si128(_mm_shuffle_epi8(third(1), pick1), _mm_shuffle_epi8(third(2), pick2)));
         const __m256 scale = _mm256_set1_ps(1.f / 255);
         _mm256_storeu_ps(out + x, _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes)), scale));
         _mm256_storeu_ps(out + x + 8, _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_srli_si128(bytes, 8))), scale));

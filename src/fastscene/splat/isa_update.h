@@ -100,7 +100,9 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
             // Unseen lanes may hold anything, also NaN; so may splats at the edge of what floats can do.
             for (int i = 0; i < kParameters; ++i)
                 gradient[i] = select((was_seen > Lanes(0.f)) & (abs(all[i]) < Lanes(1e15f)), all[i], Lanes(0.f));
-            const auto note = [&](float* at, Lanes x) { (Lanes::load(at) + select((was_seen > Lanes(0.f)) & (abs(x) < Lanes(1e15f)), x, Lanes(0.f))).store(at); };
+            const auto note = [&](float* at, Lanes x) {
+                (Lanes::load(at) + select((was_seen > Lanes(0.f)) & (abs(x) < Lanes(1e15f)), x, Lanes(0.f))).store(at);
+            };
             if (job.seen_weight) note(job.seen_weight + first, sums[9]);
             if (job.seen_error) note(job.seen_error + first, sums[10]);
         }

@@ -124,7 +124,8 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
         out[d.splat] = project_grad(splats[d.splat], lens, d.projection, sums);
         if (rest.degree == 0) continue;
         F slopes[kMostRest];
-        out[d.splat].mean += more_color_grad(rest.degree, sight_of(splats[d.splat].mean, lens.camera_center()), out[d.splat].sh0 / F(kSh0), rest.of(d.splat), slopes);
+        out[d.splat].mean +=
+            more_color_grad(rest.degree, sight_of(splats[d.splat].mean, lens.camera_center()), out[d.splat].sh0 / F(kSh0), rest.of(d.splat), slopes);
         if (rest_out) std::copy(slopes, slopes + n, rest_out->begin() + static_cast<std::ptrdiff_t>(d.splat * n));
     }
     return out;

@@ -30,12 +30,15 @@ Splats splats_of(const Case& c, int count, std::uint64_t seed) {
     for (float& x : s.sh_rest) x = r.uniform(-0.4f, 0.4f);
     if (c.model == CameraModel::equirectangular)
         for (std::size_t i = 0; i < s.size(); ++i) {
-            const float lon = i % 4 == 0 ? 3.14f + r.uniform(-0.1f, 0.1f) : r.uniform(-3.f, 3.f), lat = r.uniform(-1.2f, 1.2f), range = r.uniform(1.f, 4.f);
+            const float lon = i % 4 == 0 ? 3.14f + r.uniform(-0.1f, 0.1f) : r.uniform(-3.f, 3.f), lat = r.uniform(-1.2f, 1.2f),
+                        range = r.uniform(1.f, 4.f);
             s.mean_m[i] = Vec3f{std::cos(lat) * std::sin(lon), -std::sin(lat), std::cos(lat) * std::cos(lon)} * range;
         }
     return s;
 }
-Pinhole camera_of(const Case& c, int width) { return c.model == CameraModel::pinhole ? test_camera(width, width * 3 / 4) : Pinhole{width, width / 2, 0, 0, 0, 0}; }
+Pinhole camera_of(const Case& c, int width) {
+    return c.model == CameraModel::pinhole ? test_camera(width, width * 3 / 4) : Pinhole{width, width / 2, 0, 0, 0, 0};
+}
 Lens<float> lens_of_case(const Case& c, const Pinhole& camera) { return lens_of(camera, test_pose(), c.model, c.antialias); }
 
 class SplatCamera : public ::testing::TestWithParam<Case> {};
@@ -111,7 +114,8 @@ TEST_P(SplatCamera, KernelsAreTheReference) {
         Distance color;
         for (int y = 0; y < camera.height; ++y)
             for (int x = 0; x < camera.width; ++x)
-                for (std::size_t i = 0; i < 3; ++i) color.add(engine.color(x, y)[i], ruler.pixels[static_cast<std::size_t>(y * camera.width + x)].color[i]);
+                for (std::size_t i = 0; i < 3; ++i)
+                    color.add(engine.color(x, y)[i], ruler.pixels[static_cast<std::size_t>(y * camera.width + x)].color[i]);
         EXPECT_LT(color.relative(), 2e-4) << name;
         engine.set_color_gradient(vf);
         AlignedFloats rest;

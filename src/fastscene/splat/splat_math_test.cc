@@ -8,7 +8,8 @@
 namespace fastscene::splat {
 namespace {
 
-const char* const kKinds[] = {"mean", "mean", "mean", "scale", "scale", "scale", "rotation", "rotation", "rotation", "rotation", "opacity", "color", "color", "color"};
+const char* const kKinds[] = {"mean",     "mean",     "mean",     "scale",   "scale", "scale", "rotation",
+                              "rotation", "rotation", "rotation", "opacity", "color", "color", "color"};
 
 double objective(const std::vector<Gaussian<double>>& g, const Lens<double>& lens, const Pinhole& camera, const std::vector<Vec3d>& v) {
     const auto picture = render_reference(g, lens, camera.width, camera.height, Vec3d{0.2, 0.4, 0.6});

@@ -168,7 +168,8 @@ TEST_F(SplatOptions, HigherBandsLearnWhatHangsOnTheDirection) {
             v.name = std::to_string(set.views.size());
             for (int py = 0; py < 48; ++py)
                 for (int px = 0; px < 48; ++px) {
-                    const Vec3f d = normalize(v.world_from_camera.rotation * camera.direction_at({static_cast<float>(px) + 0.5f, static_cast<float>(py) + 0.5f}));
+                    const Vec3f d =
+                        normalize(v.world_from_camera.rotation * camera.direction_at({static_cast<float>(px) + 0.5f, static_cast<float>(py) + 0.5f}));
                     Rgb8& p = v.color.at(px, py);
                     p.r = static_cast<std::uint8_t>(static_cast<float>(p.r) * (0.6f + 0.4f * d.x));
                 }
@@ -195,7 +196,8 @@ TEST_F(SplatOptions, BackendsAgreeWithHigherBandsAndRegularizers) {
     const FittedSplats slow = fit_splats(set, params, fastscene::Run{});
     EXPECT_NEAR(fast.curve.back().loss, slow.curve.back().loss, 1e-3f);
     double far = 0, size = 0;
-    for (std::size_t i = 0; i < fast.splats.sh_rest.size(); ++i) far += std::fabs(fast.splats.sh_rest[i] - slow.splats.sh_rest[i]), size += std::fabs(slow.splats.sh_rest[i]);
+    for (std::size_t i = 0; i < fast.splats.sh_rest.size(); ++i)
+        far += std::fabs(fast.splats.sh_rest[i] - slow.splats.sh_rest[i]), size += std::fabs(slow.splats.sh_rest[i]);
     EXPECT_GT(size, 0);
     EXPECT_LT(far, 0.1 * size);
 }

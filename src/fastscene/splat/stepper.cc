@@ -60,7 +60,8 @@ class ReferenceStepper : public Stepper {
             for (const double x : all) seen |= x != 0;
             for (int p = 0; p < kParameters; ++p) {
                 const std::size_t at = cloud.at(i, p);
-                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)], plan.rates.adam_step);
+                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)],
+                     plan.rates.adam_step);
             }
             for (int k = 0; k < n && seen && plan.rates.rest_rate > 0; ++k) {
                 const std::size_t at = cloud.rest_at(i, k);

@@ -29,7 +29,12 @@ inline Splats random_splats(int count, std::uint64_t seed) {
 }
 // An uneven picture with its principal point aside: nothing may depend on it being in the middle.
 inline Pinhole test_camera(int width = 61, int height = 45) {
-    return {width, height, 0.55f * static_cast<float>(width), 0.5f * static_cast<float>(width), 0.43f * static_cast<float>(width), 0.56f * static_cast<float>(height)};
+    return {width,
+            height,
+            0.55f * static_cast<float>(width),
+            0.5f * static_cast<float>(width),
+            0.43f * static_cast<float>(width),
+            0.56f * static_cast<float>(height)};
 }
 inline Rigid test_pose() {
     return {rotation_about(normalize(Vec3f{0.3f, 1.f, -0.2f}), 0.2f), {0.1f, -0.05f, -0.2f}};

@@ -80,7 +80,10 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     if (params.eval_every > 0) params.eval_every = 1;
     hash.add(fields_json(params).dump()).add(seed).add(set.points.size());
     for (const View& v : set.views) {
-        hash.add(v.name).add(static_cast<int>(v.model)).add_bytes(v.color.pixels.data(), v.color.pixels.size() * sizeof(Rgb8)).add_bytes(v.weight.pixels.data(), v.weight.pixels.size());
+        hash.add(v.name)
+            .add(static_cast<int>(v.model))
+            .add_bytes(v.color.pixels.data(), v.color.pixels.size() * sizeof(Rgb8))
+            .add_bytes(v.weight.pixels.data(), v.weight.pixels.size());
         hash.add_bytes(&v.camera, sizeof v.camera).add_bytes(&v.world_from_camera, sizeof v.world_from_camera);
     }
     for (const SurfacePoint& p : set.points) hash.add_bytes(&p.position_m, sizeof p.position_m);

@@ -64,7 +64,8 @@ std::string checkpoint_bytes(TrainState& state, std::string_view key) {
 
 TrainState checkpoint_from(std::string_view bytes, std::string_view key, const std::string& file) {
     if (!bytes.starts_with(kMagic)) throw Error("{}: expected a checkpoint of fastscene splat, found another file", file);
-    if (bytes.size() < kMagic.size() + kHashChars || Hash().add(bytes.substr(0, bytes.size() - kHashChars)).hex() != bytes.substr(bytes.size() - kHashChars))
+    if (bytes.size() < kMagic.size() + kHashChars ||
+        Hash().add(bytes.substr(0, bytes.size() - kHashChars)).hex() != bytes.substr(bytes.size() - kHashChars))
         throw Error("{}: the checkpoint is damaged (its {} bytes do not match their hash)", file, bytes.size());
     bytes.remove_suffix(kHashChars);
     bytes.remove_prefix(kMagic.size());

@@ -19,7 +19,8 @@ float shoulder(float x) {
 float contrast_curve(float v, float contrast) {
     const float e = std::sqrt(std::max(0.f, v));  // close to sRGB's encoding
     constexpr float kPivot = 0.46f;
-    const float s = e < kPivot ? kPivot * std::pow(e / kPivot, contrast) : 1 - (1 - kPivot) * std::pow((1 - std::min(1.f, e)) / (1 - kPivot), contrast);
+    const float s =
+        e < kPivot ? kPivot * std::pow(e / kPivot, contrast) : 1 - (1 - kPivot) * std::pow((1 - std::min(1.f, e)) / (1 - kPivot), contrast);
     return s * s;
 }
 

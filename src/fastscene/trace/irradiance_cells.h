@@ -26,7 +26,8 @@ inline std::int32_t cell_index(float v) { return static_cast<std::int32_t>(std::
 
 // A low-discrepancy sequence in the plane, shifted by a random offset (Roberts' R2).
 inline Vec2f r2_point(std::uint32_t i, Vec2f shift) {
-    const float u = shift.x + static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f, v = shift.y + static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;
+    const float u = shift.x + static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f,
+                v = shift.y + static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;
     return {u - std::floor(u), v - std::floor(v)};
 }
 

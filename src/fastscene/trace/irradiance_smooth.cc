@@ -91,7 +91,9 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
                 const Vec3f value = indirect ? other.indirect : other.direct;
                 const float difference = luminance(value) - base;
                 const float tolerance = kDeviations * kDeviations * (error[c] * error[c] + error[j] * error[j]) + always * always;
-                const float w = std::exp(-0.55f * static_cast<float>(dx * dx + dy * dy + dz * dz) - difference * difference / tolerance - 2.f * off * off) * agree * agree;
+                const float w =
+                    std::exp(-0.55f * static_cast<float>(dx * dx + dy * dy + dz * dz) - difference * difference / tolerance - 2.f * off * off) *
+                    agree * agree;
                 sum += value * w;
                 weight += w;
                 squares += w * w * error[j] * error[j];

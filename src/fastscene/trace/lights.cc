@@ -23,7 +23,9 @@ std::array<Vec3f, 3> corners(const Room& room, int mesh, int triangle) {
     const std::size_t t = 3 * static_cast<std::size_t>(triangle);
     return {m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]]};
 }
-Vec3f emission_of(const Room& room, int mesh) { return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)].emission; }
+Vec3f emission_of(const Room& room, int mesh) {
+    return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)].emission;
+}
 
 }  // namespace
 
@@ -120,7 +122,8 @@ Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large
     // More than can be weighed at every place: the weakest are found by gathering, as large ones are.
     std::vector<int> order(lights_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lights_[static_cast<std::size_t>(a)].power > lights_[static_cast<std::size_t>(b)].power; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return lights_[static_cast<std::size_t>(a)].power > lights_[static_cast<std::size_t>(b)].power; });
     std::vector<Light> kept;
     std::vector<int> place(lights_.size(), -1);
     for (int i = 0; i < kMost; ++i) {
@@ -142,7 +145,8 @@ Lights::Choice Lights::choice_at(Vec3f position, Vec3f normal) const {
         const Vec3f to = light.center - position;
         const float d2 = dot(to, to), far = std::sqrt(d2);
         // Generous with what lies near the horizon: its far end may stand above it.
-        const float above = std::clamp(dot(normal, to) / std::max(far, 1e-4f) + 0.5f * std::sqrt(light.area) / std::max(far, 0.05f), 0.f, 1.f) + 0.01f;
+        const float above =
+            std::clamp(dot(normal, to) / std::max(far, 1e-4f) + 0.5f * std::sqrt(light.area) / std::max(far, 0.05f), 0.f, 1.f) + 0.01f;
         float facing = 1.f;
         if (light.portal >= 0) facing = std::max(0.f, -dot(light.direction, to) / std::max(far, 1e-4f)) + 0.02f;
         sum += light.power * above * facing / std::max(d2, 0.25f * light.area + 0.01f);
@@ -224,7 +228,8 @@ float Lights::density(const Room& room, const Choice& choice, Vec3f position, Ve
     const auto shares = light.shares_at(position);
     const float share = (shares[k] - (k ? shares[k - 1] : 0.f)) / shares[light.parts.size() - 1];
     const float there = std::abs(dot(hit.normal, direction));
-    return choice.chance(i) * share * luminance(emission_of(room, hit.mesh)) / part.cumulative.back() * hit.distance * hit.distance / std::max(1e-5f, there);
+    return choice.chance(i) * share * luminance(emission_of(room, hit.mesh)) / part.cumulative.back() * hit.distance * hit.distance /
+           std::max(1e-5f, there);
 }
 
 Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, const Choice& choice, Vec3f position, Vec3f normal, Vec2f which, Vec2f uv) const {

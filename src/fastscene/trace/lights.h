@@ -21,7 +21,10 @@ class Lights {
     struct Choice {
         int count = 0;                       // 0: none shines here
         std::array<float, kMost> cumulative; // the first `count`, rising
-        float chance(int i) const { return (cumulative[static_cast<std::size_t>(i)] - (i ? cumulative[static_cast<std::size_t>(i - 1)] : 0.f)) / cumulative[static_cast<std::size_t>(count - 1)]; }
+        float chance(int i) const {
+            return (cumulative[static_cast<std::size_t>(i)] - (i ? cumulative[static_cast<std::size_t>(i - 1)] : 0.f)) /
+                   cumulative[static_cast<std::size_t>(count - 1)];
+        }
     };
     Choice choice_at(Vec3f position, Vec3f normal) const;
 

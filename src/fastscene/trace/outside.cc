@@ -27,7 +27,8 @@ float crests(float azimuth, float frequency, std::uint32_t seed) {
 Vec3f hills(const Light& light, float azimuth, float height, Vec3f color, const Sky& sky) {
     const Vec3f green = sky.snow ? Vec3f{0.55f, 0.58f, 0.62f} : Vec3f{0.09f, 0.115f, 0.06f};
     for (int k = 0; k < 2; ++k) {
-        const float top = (k ? -0.01f : 0.02f) + (k ? 0.06f : 0.085f) * outline(azimuth, k ? 2.7f : 1.6f, sky.seed + static_cast<std::uint32_t>(k) * 9);
+        const float top =
+            (k ? -0.01f : 0.02f) + (k ? 0.06f : 0.085f) * outline(azimuth, k ? 2.7f : 1.6f, sky.seed + static_cast<std::uint32_t>(k) * 9);
         if (height < top) color = light.far_off(green * (light.shade + light.sun * 0.45f), k ? 0.45f : 0.68f);
     }
     return color;
@@ -54,7 +55,8 @@ Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const
     const float down = direction.y;
     if (!(down > 0.f)) return color;
     const float far = eye_m / std::max(1e-3f, down);
-    const float wave = noise2({azimuth * 40.f, std::log(far) * 26.f}, sky.seed + 3) * 0.6f + noise2({azimuth * 150.f, std::log(far) * 70.f}, sky.seed + 4) * 0.4f;
+    const float wave =
+        noise2({azimuth * 40.f, std::log(far) * 26.f}, sky.seed + 3) * 0.6f + noise2({azimuth * 150.f, std::log(far) * 70.f}, sky.seed + 4) * 0.4f;
     // At a grazing angle water is all mirror, steeper it shows its own color.
     const float mirror = std::clamp(0.15f + 0.85f * std::pow(1 - std::min(1.f, down * 2.2f), 4.f), 0.f, 1.f);
     const Vec3f mirrored = lerp(sky.horizon, sky.zenith, 0.35f + 0.5f * wave) * 0.62f;

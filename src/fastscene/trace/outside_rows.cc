@@ -42,7 +42,8 @@ void buildings(const Light& light, const Row& row, float azimuth, float height, 
     const float middle = (static_cast<float>(cell) + 0.5f) * wide - kPi;
     Vec2f p = on_plane(azimuth - middle, height, row.distance_m, row.eye_m);
     const float half = std::tan(wide / 2) * row.distance_m * (row.pitched && row.gap > 0.3f ? 0.72f : 1.f);
-    const float storey = 3.1f, eaves = storey * std::floor((row.low_m + (row.high_m - row.low_m) * lattice_unit(cell, 1, 9, row.seed)) / storey) + 0.6f;
+    const float storey = 3.1f,
+                eaves = storey * std::floor((row.low_m + (row.high_m - row.low_m) * lattice_unit(cell, 1, 9, row.seed)) / storey) + 0.6f;
     const float rise = row.pitched ? (row.gap > 0.3f ? 0.75f * (half - std::abs(p.x)) : 2.6f) : 0.f;
     if (std::abs(p.x) > half || p.y > eaves + std::max(0.f, rise) || p.y < 0) return;
     const Vec3f wall = kWalls[hash % kWalls.size()], frame{0.55f, 0.54f, 0.52f};
@@ -109,19 +110,22 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
             }
         }
         if (depth < 0) {
-            if (p.y < trunk + 0.6f * r && std::abs(p.x) < 0.055f * r * (1.4f - p.y / high)) color = light.far_off(Vec3f{0.1f, 0.075f, 0.055f} * (light.shade + light.sun * 0.3f), row.haze);
+            if (p.y < trunk + 0.6f * r && std::abs(p.x) < 0.055f * r * (1.4f - p.y / high))
+                color = light.far_off(Vec3f{0.1f, 0.075f, 0.055f} * (light.shade + light.sun * 0.3f), row.haze);
             continue;
         }
         const float fine = noise2({p.x * 17.f / r, p.y * 17.f / r}, row.seed + 5), clump = 0.45f + 0.95f * leaves;
         Vec3f green = row.conifers ? Vec3f{0.045f, 0.075f, 0.04f} : lerp(Vec3f{0.07f, 0.1f, 0.035f}, Vec3f{0.14f, 0.15f, 0.05f}, dice(8));
         if (row.snow) green = lerp(green, Vec3f{0.7f, 0.73f, 0.78f}, unit_clamp(0.2f + normal.y + 1.6f * (fine - 0.5f)));
         const float sky_part = 0.45f + 0.55f * unit_clamp(0.5f + 0.5f * normal.y);
-        const Vec3f arriving = light.shade * (sky_part * clump) + light.sun * (light.sunlit(normalize(normal), middle) * clump * 0.9f) + light.street * 0.06f;
+        const Vec3f arriving =
+            light.shade * (sky_part * clump) + light.sun * (light.sunlit(normalize(normal), middle) * clump * 0.9f) + light.street * 0.06f;
         color = light.far_off(green * arriving * (0.55f + 0.9f * fine), row.haze);
     }
 }
 
-void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed, float azimuth, float height, Vec3f& color) {
+void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed, float azimuth, float height,
+           Vec3f& color) {
     const float y = std::tan(height) * distance_m + eye_m, x = azimuth * distance_m;
     if (y < 0 || y > high_m + 0.25f) return;
     const float leaves = fbm2({x * 2.2f, y * 2.2f}, 4, 0.f, seed), fine = noise2({x * 9.f, y * 9.f}, seed + 1);
@@ -130,7 +134,8 @@ void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool
     Vec3f green{0.06f, 0.09f, 0.03f};
     const float edge = smooth_step(top - 0.22f, top, y);
     if (snow) green = lerp(green, {0.72f, 0.75f, 0.8f}, std::max(edge, 0.35f * fine));
-    const Vec3f arriving = light.shade * (0.5f + 0.5f * edge) + light.sun * (light.sunlit({0, 0.3f + 0.7f * edge, 0.9f - 0.5f * edge}, azimuth) * 0.85f);
+    const Vec3f arriving =
+        light.shade * (0.5f + 0.5f * edge) + light.sun * (light.sunlit({0, 0.3f + 0.7f * edge, 0.9f - 0.5f * edge}, azimuth) * 0.85f);
     color = light.far_off(green * arriving * (0.45f + 0.6f * leaves + 0.5f * fine) * (0.6f + 0.4f * smooth_step(0, 0.6f, y)), 0.05f);
 }
 

@@ -112,7 +112,8 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
             next.choice = scene.lights.choice_at(s.position, next.normal);
-            sum += throughput * asked_light(scene, local, next.choice, side, sampler) * (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
+            sum += throughput * asked_light(scene, local, next.choice, side, sampler) *
+                   (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();
         Vec3f out;

@@ -64,7 +64,8 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     constexpr int kSamples = 4096;
     for (int i = 0; i < kSamples; ++i) {
         Random random(3, "flat lamp", static_cast<std::uint64_t>(i));
-        const double e = luminance(lights.sample(room, bvh, choice, place, down, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
+        const double e =
+            luminance(lights.sample(room, bvh, choice, place, down, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
         sum += e, squares += e * e;
     }
     const double mean = sum / kSamples, deviation = std::sqrt(squares / kSamples - mean * mean);

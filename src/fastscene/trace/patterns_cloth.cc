@@ -45,7 +45,8 @@ TextureValue knit(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m), fade = detail_fade(p.footprint_m, s);
     const float x = p.flat.x / s, column = x - static_cast<float>(floor_int(x)) - 0.5f;
     const float leg = fraction(p.flat.y / (0.8f * s) + 1.1f * std::fabs(column));
-    const float yarn = 1.f - 4.f * (leg - 0.5f) * (leg - 0.5f), groove = smooth_step(0.f, 0.14f, std::fabs(column)) * smooth_step(0.f, 0.12f, 0.5f - std::fabs(column));
+    const float yarn = 1.f - 4.f * (leg - 0.5f) * (leg - 0.5f),
+                groove = smooth_step(0.f, 0.14f, std::fabs(column)) * smooth_step(0.f, 0.12f, 0.5f - std::fabs(column));
     const float h = mix(0.6f, unit_clamp(yarn) * (0.4f + 0.6f * groove), fade);
     const float fuzz = fbm3(p.coords * 300.f, 2, p.footprint_m * 300.f, m.seed) - 0.5f;
     TextureValue v;

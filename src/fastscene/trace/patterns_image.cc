@@ -11,7 +11,8 @@ int wrapped(int i, int n) { return ((i % n) + n) % n; }
 
 // Bilinear in one level; (u, v) in [0, 1) repeated, v upward.
 Vec3f sampled(const ImageRgb8& level, Vec2f uv) {
-    const float x = (uv.x - std::floor(uv.x)) * static_cast<float>(level.width) - 0.5f, y = (1.f - (uv.y - std::floor(uv.y))) * static_cast<float>(level.height) - 0.5f;
+    const float x = (uv.x - std::floor(uv.x)) * static_cast<float>(level.width) - 0.5f,
+                y = (1.f - (uv.y - std::floor(uv.y))) * static_cast<float>(level.height) - 0.5f;
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int i, int j) { return linear_from_srgb8(level.at(wrapped(i, level.width), wrapped(j, level.height))); };

@@ -30,7 +30,9 @@ int field_motif(const Material& m, Vec2f q, int style) {
         case 0: {  // lattice of lozenges
             const float a = fraction(q.x + q.y), b = fraction(q.x - q.y);
             const float edge = std::min(std::min(a, 1.f - a), std::min(b, 1.f - b));
-            return edge < 0.07f ? 1 : std::min(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) + std::max(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) < 0.22f ? 2 : 0;
+            return edge < 0.07f                                                                                                      ? 1
+                   : std::min(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) + std::max(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) < 0.22f ? 2
+                                                                                                                                     : 0;
         }
         case 1: {  // medallions
             const Vec2f c{fraction(q.x) - 0.5f, fraction(q.y) - 0.5f};

@@ -74,8 +74,9 @@ TextureValue checker(const Material& m, const TexturePoint& p) {
     // Past the tile's size both colors merge.
     const float fade = detail_fade(p.footprint_m, s);
     const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
-    const Vec3f vein = marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, m.seed},
-                                    {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)}, p.footprint_m);
+    const Vec3f vein =
+        marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, m.seed},
+                     {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)}, p.footprint_m);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;
     v.albedo = lerp(v.albedo, Vec3f{0.25f, 0.24f, 0.22f}, 0.6f * j.cover);
@@ -140,7 +141,8 @@ TextureValue terrazzo(const Material& m, const TexturePoint& p) {
     for (int layer = 0; layer < 2; ++layer) {
         const float scale = (layer == 0 ? 2.2f : 1.f) / s;
         const Voronoi cell = voronoi2(p.flat * scale, m.seed + 11u + static_cast<std::uint32_t>(layer));
-        const float chip = edge_cover((cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale, p.footprint_m + 0.0006f);
+        const float chip =
+            edge_cover((cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale, p.footprint_m + 0.0006f);
         const std::uint32_t kind = cell.id & 7;
         const Vec3f tone = kind < 2 ? m.color_b : kind < 4 ? m.color_c : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f) : c;
         c = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip * detail_fade(p.footprint_m, 1.5f / scale));

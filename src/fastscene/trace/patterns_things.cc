@@ -44,7 +44,8 @@ Vec3f landscape(const Material& m, Vec2f q, float soft) {
     Vec3f c = lerp(paint(m, 3), m.color_a, 0.7f * unit_clamp(1.f - q.y));
     c = lerp(c, m.color_c, edge_cover(0.09f - length(q - Vec2f{0.3f + 0.4f * lattice_unit(0, 0, 3, m.seed), 0.28f}), soft));
     for (int i = 0; i < 4; ++i) {
-        const float line = 0.42f + 0.14f * static_cast<float>(i) + 0.22f * (fbm2({q.x * (2.f + static_cast<float>(i)), static_cast<float>(i)}, 3, 0.f, m.seed) - 0.5f);
+        const float line = 0.42f + 0.14f * static_cast<float>(i) +
+                           0.22f * (fbm2({q.x * (2.f + static_cast<float>(i)), static_cast<float>(i)}, 3, 0.f, m.seed) - 0.5f);
         c = lerp(c, lerp(m.color_b, paint(m, 4), 0.28f * static_cast<float>(i)) * 1.05f, edge_cover(q.y - line, soft));
     }
     return c;
@@ -115,7 +116,8 @@ TextureValue book(const Material& m, const TexturePoint& p) {
     Vec3f c = m.color_a * (0.94f + 0.12f * fbm3(p.coords * 80.f, 2, p.footprint_m * 80.f, m.seed));
     const float band = line_cover(y - 0.12f - 0.05f * tone, 0.012f, fp) + line_cover(y - 0.86f + 0.05f * tone, 0.012f, fp);
     float title = 0.f;
-    if (y > 0.35f && y < 0.68f && std::fabs(p.coords.x) < 0.25f * 0.04f) title = lattice_unit(floor_int(y * 60.f), 0, 5, m.seed) < 0.7f ? detail_fade(fp, 0.03f) : 0.3f * (1.f - detail_fade(fp, 0.03f));
+    if (y > 0.35f && y < 0.68f && std::fabs(p.coords.x) < 0.25f * 0.04f)
+        title = lattice_unit(floor_int(y * 60.f), 0, 5, m.seed) < 0.7f ? detail_fade(fp, 0.03f) : 0.3f * (1.f - detail_fade(fp, 0.03f));
     c = lerp(c, m.color_b, unit_clamp(band + title));
     TextureValue v;
     v.albedo = c;
@@ -138,7 +140,8 @@ TextureValue leaf(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue grass(const Material& m, const TexturePoint& p) {
-    const float blade = fbm2({p.flat.x * 240.f, p.flat.y * 90.f}, 3, p.footprint_m * 200.f, m.seed), patch = fbm2(p.flat * 2.f, 4, p.footprint_m * 2.f, m.seed + 3);
+    const float blade = fbm2({p.flat.x * 240.f, p.flat.y * 90.f}, 3, p.footprint_m * 200.f, m.seed),
+                patch = fbm2(p.flat * 2.f, 4, p.footprint_m * 2.f, m.seed + 3);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, patch) * (0.6f + 0.8f * blade);
     v.roughness = 0.95f;

@@ -147,8 +147,8 @@ struct NoisyPicture {
         if (p.second.count == 0) return;
         const SurfaceSum& other = p.second;
         const float of_other = 1 / static_cast<float>(other.count);
-        seconds[static_cast<std::size_t>(y)].push_back({x, static_cast<float>(other.count) * of_all, other.color * of_other, other.radiance * of_other,
-                                                        other.position, other.normal, other.through(0), other.light(0)});
+        seconds[static_cast<std::size_t>(y)].push_back({x, static_cast<float>(other.count) * of_all, other.color * of_other,
+                                                        other.radiance * of_other, other.position, other.normal, other.through(0), other.light(0)});
     }
 
     // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one pixel know it too badly.

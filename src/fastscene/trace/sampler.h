@@ -20,7 +20,8 @@ class Sampler {
         const std::uint64_t h = mix64(key_ + 0x632be59bd9b4e019ull * ++dimension_);
         const std::uint32_t i = scrambled(reversed(index_), static_cast<std::uint32_t>(h));
         const std::uint32_t n = reversed(i);
-        return {unit(scrambled_value(reversed(n), static_cast<std::uint32_t>(h >> 32))), unit(scrambled_value(sobol_second(n), static_cast<std::uint32_t>(mix64(h))))};
+        return {unit(scrambled_value(reversed(n), static_cast<std::uint32_t>(h >> 32))),
+                unit(scrambled_value(sobol_second(n), static_cast<std::uint32_t>(mix64(h))))};
     }
     float next() { return next2().x; }
 

@@ -74,8 +74,10 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         const Mesh& mesh = room.meshes[m];
         const std::size_t count = mesh.triangles.size() / 3;
         RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), std::max<std::size_t>(1, mesh.positions.size())));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::max<std::size_t>(1, count)));
+        auto* positions = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f),
+                                                                      std::max<std::size_t>(1, mesh.positions.size())));
+        auto* indices = static_cast<std::uint32_t*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::max<std::size_t>(1, count)));
         if (!positions || !indices) throw Error("Embree: expected memory for {} triangles, found none", count);
         positions[0] = {};
         indices[0] = indices[1] = indices[2] = 0;
@@ -84,7 +86,8 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         rtcCommitGeometry(geometry);
         for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
-        for (std::size_t t = 0; t < count; ++t) impl_->meshes[m].triangles.push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
+        for (std::size_t t = 0; t < count; ++t)
+            impl_->meshes[m].triangles.push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
         if (count == 0) impl_->meshes[m].triangles.push_back({});
     }
     for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcCommitScene(scene);
@@ -133,12 +136,14 @@ bool is_closed(const Mesh& mesh) {
     // Corners at one place are one corner, whatever their normals: compared by tenths of a millimetre.
     std::vector<std::array<std::int32_t, 3>> places;
     for (const Vec3f p : mesh.positions)
-        places.push_back({static_cast<std::int32_t>(std::lround(p.x * 1e4f)), static_cast<std::int32_t>(std::lround(p.y * 1e4f)), static_cast<std::int32_t>(std::lround(p.z * 1e4f))});
+        places.push_back({static_cast<std::int32_t>(std::lround(p.x * 1e4f)), static_cast<std::int32_t>(std::lround(p.y * 1e4f)),
+                          static_cast<std::int32_t>(std::lround(p.z * 1e4f))});
     std::vector<std::array<std::int32_t, 3>> unique = places;
     std::sort(unique.begin(), unique.end());
     unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
     std::vector<std::uint32_t> id(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) id[i] = static_cast<std::uint32_t>(std::lower_bound(unique.begin(), unique.end(), places[i]) - unique.begin());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        id[i] = static_cast<std::uint32_t>(std::lower_bound(unique.begin(), unique.end(), places[i]) - unique.begin());
     std::vector<std::uint64_t> edges, reversed;
     for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3)
         for (std::size_t k = 0; k < 3; ++k) {

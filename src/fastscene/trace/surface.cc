@@ -18,7 +18,8 @@ Vec3f blend(const std::vector<Vec3f>& values, const Corner& k) { return values[k
 // World directions along which the two flat coordinates of the pattern grow (gradients within the triangle).
 void pattern_axes(const Mesh& mesh, const Corner& k, int axis, Vec3f& du, Vec3f& dv) {
     const Vec3f p1 = mesh.positions[k.b] - mesh.positions[k.a], p2 = mesh.positions[k.c] - mesh.positions[k.a];
-    const Vec2f q0 = flat_coords(mesh.coords[k.a], axis), q1 = flat_coords(mesh.coords[k.b], axis) - q0, q2 = flat_coords(mesh.coords[k.c], axis) - q0;
+    const Vec2f q0 = flat_coords(mesh.coords[k.a], axis), q1 = flat_coords(mesh.coords[k.b], axis) - q0,
+                q2 = flat_coords(mesh.coords[k.c], axis) - q0;
     const float det = q1.x * q2.y - q1.y * q2.x;
     du = dv = {};
     if (!(std::abs(det) > 1e-12f)) return;

@@ -103,8 +103,9 @@ Vec3f mean_albedo(const Material& material) {
         for (int i = 0; i < kSide; ++i) {
             const float u = (static_cast<float>(i) + 0.5f) / kSide, v = (static_cast<float>(j) + 0.5f) / kSide;
             TexturePoint p;
-            p.flat = whole ? Vec2f{u * material.scale_m, v * material.scale_m}
-                           : material.pattern == Pattern::rug ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m} : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
+            p.flat = whole                              ? Vec2f{u * material.scale_m, v * material.scale_m}
+                     : material.pattern == Pattern::rug ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m}
+                                                        : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
             p.coords = {p.flat.x, p.flat.y, 0.3f * (u + v) * span};
             if (material.pattern == Pattern::rug) p.coords = {p.flat.x, material.scale_m, p.flat.y};  // its y says how deep it is
             p.footprint_m = 0.01f;

@@ -29,13 +29,15 @@ ImageMask resized(const ImageMask& mask, int width, int height) {
     ImageMask out(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            out.at(x, y) = mask.at(static_cast<int>((static_cast<std::int64_t>(x) * 2 + 1) * mask.width / (2 * width)), static_cast<int>((static_cast<std::int64_t>(y) * 2 + 1) * mask.height / (2 * height)));
+            out.at(x, y) = mask.at(static_cast<int>((static_cast<std::int64_t>(x) * 2 + 1) * mask.width / (2 * width)),
+                                   static_cast<int>((static_cast<std::int64_t>(y) * 2 + 1) * mask.height / (2 * height)));
     return out;
 }
 
 Picture load(const Photo& photo, const PhotosParams& params) {
     Picture picture{load_rgb8(photo.file), {}};
-    const double shape = static_cast<double>(picture.color.width) / picture.color.height, expected = static_cast<double>(photo.lens.width) / photo.lens.height;
+    const double shape = static_cast<double>(picture.color.width) / picture.color.height,
+                 expected = static_cast<double>(photo.lens.width) / photo.lens.height;
     // A pixel of rounding on either side, and a little.
     if (!(std::fabs(shape / expected - 1) < 0.02 + 1.0 / std::min(picture.color.width, picture.color.height)))
         throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height, picture.color.width,
@@ -75,11 +77,15 @@ void straighten(const Picture& source, const Lens& lens, View& view) {
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i) {
                     const double px = x + (i + 0.5) / n, py = y + (j + 0.5) / n;
-                    const auto at = lens.pixel_of({(px - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx), (py - static_cast<double>(camera.cy)) / static_cast<double>(camera.fy), 1}, reach);
+                    const auto at = lens.pixel_of({(px - static_cast<double>(camera.cx)) / static_cast<double>(camera.fx),
+                                                   (py - static_cast<double>(camera.cy)) / static_cast<double>(camera.fy), 1},
+                                                  reach);
                     if (!at || !(at->x >= 0 && at->y >= 0 && at->x <= lens.width && at->y <= lens.height)) continue;
                     sum += sample(source.color, *at);
                     ++seen;
-                    counts += source.weight.empty() ? 255.f : static_cast<float>(source.weight.at(std::min(static_cast<int>(at->x), lens.width - 1), std::min(static_cast<int>(at->y), lens.height - 1)));
+                    counts += source.weight.empty() ? 255.f
+                                                    : static_cast<float>(source.weight.at(std::min(static_cast<int>(at->x), lens.width - 1),
+                                                                                          std::min(static_cast<int>(at->y), lens.height - 1)));
                 }
             if (seen > 0) sum = sum * (1 / seen);
             view.color.at(x, y) = {byte_from_unit(sum.x), byte_from_unit(sum.y), byte_from_unit(sum.z)};
@@ -108,8 +114,10 @@ std::vector<View> cut_sphere(const Picture& source, const std::string& name, con
             view.weight = ImageMask(pixels, pixels);
             for (int y = 0; y < pixels; ++y)
                 for (int x = 0; x < pixels; ++x) {
-                    const Vec2f at = pixel_of_direction(turn * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
-                    view.weight.at(x, y) = source.weight.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1));
+                    const Vec2f at =
+                        pixel_of_direction(turn * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+                    view.weight.at(x, y) =
+                        source.weight.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1));
                 }
         }
         out.push_back(std::move(view));
@@ -126,7 +134,8 @@ std::vector<View> views_of_photo(const Photo& photo, const Rigid& world_from_cam
     // Smaller copies on disk count towards the downscale that was asked for.
     const double wanted = std::min({static_cast<double>(params.max_size) / std::max(lens.width, lens.height),
                                     static_cast<double>(photo.lens.width) / params.downscale / lens.width, 1.0});
-    const int width = std::max(1, static_cast<int>(std::lround(lens.width * wanted))), height = std::max(1, static_cast<int>(std::lround(lens.height * wanted)));
+    const int width = std::max(1, static_cast<int>(std::lround(lens.width * wanted))),
+              height = std::max(1, static_cast<int>(std::lround(lens.height * wanted)));
     View view;
     view.name = photo.name;
     view.camera = lens.resized(width, height).pinhole();

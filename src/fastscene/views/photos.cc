@@ -90,7 +90,8 @@ std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity&
     const std::vector<float> sizes = spacings(places);
     // A point alone in the distance must not become a fog over everything.
     const float typical = sizes.empty() ? 0 : static_cast<float>(median({sizes.begin(), sizes.end()}));
-    for (std::size_t i = 0; i < out.size(); ++i) out[i].radius_m = std::clamp(sizes[i], std::max(0.05f * typical, 1e-4f), std::max(20 * typical, 1e-3f));
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i].radius_m = std::clamp(sizes[i], std::max(0.05f * typical, 1e-4f), std::max(20 * typical, 1e-3f));
     return out;
 }
 
@@ -137,7 +138,8 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     if (out.set.points.empty()) {
         const double spread = radius_of({capture.source, capture.photos, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
         out.set.points = made_up_points(out.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
-        run.warn(fmt::format("{}: has no points to start from; {} random ones are used, which takes more steps for less", capture.source, out.set.points.size()));
+        run.warn(fmt::format("{}: has no points to start from; {} random ones are used, which takes more steps for less", capture.source,
+                             out.set.points.size()));
     }
     return out;
 }

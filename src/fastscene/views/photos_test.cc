@@ -71,7 +71,9 @@ void write_colmap(const fs::path& dir, const Model& model, int width, int height
     fs::create_directories(dir / "images" / "sub");
     write_file(dir / "sparse/0/cameras.txt", fmt::format("# comment\n7 {} {} {} {}\n", model.name, width, height, model.parameters));
     write_file(dir / "sparse/0/images.txt", fmt::format("# comment\n3 0.70710678 0 0.70710678 0 1 2 3 7 sub/a b.png\n10.5 11.5 -1 3.5 2 4\n"));
-    write_file(dir / "sparse/0/points3D.txt", std::string_view("# comment\n1 1 2 3 10 20 30 0.5 3 0\n2 1.1 2 3 10 20 30 0.5\n3 1 2.2 3 10 20 30 0.5\n4 1 2 3.3 40 50 60 0.5 3 1 3 2\n"));
+    write_file(
+        dir / "sparse/0/points3D.txt",
+        std::string_view("# comment\n1 1 2 3 10 20 30 0.5 3 0\n2 1.1 2 3 10 20 30 0.5\n3 1 2.2 3 10 20 30 0.5\n4 1 2 3.3 40 50 60 0.5 3 1 3 2\n"));
     save_png(dir / "images/sub/a b.png", picture);
 }
 
@@ -230,7 +232,8 @@ TEST(Photos, SpheresAreCutAllAround) {
         double sum = 0;
         for (int y = 0; y < view.camera.height; ++y)
             for (int x = 0; x < view.camera.width; ++x) {
-                const Vec3f d = view.world_from_camera.rotation * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+                const Vec3f d =
+                    view.world_from_camera.rotation * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
                 sum += std::abs(view.color.at(x, y).g - color_of({d.x, d.y, d.z}).g);
             }
         EXPECT_LT(sum / static_cast<double>(view.color.size()), 2.0) << view.name;

@@ -54,7 +54,8 @@ ImageMask cut_weights(const ImageMask& weights, const Pinhole& camera, const Mat
     const EquirectSize size{weights.width, weights.height};
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
-            const Vec2f at = pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+            const Vec2f at =
+                pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
             out.at(x, y) = weights.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
         }
     return out;

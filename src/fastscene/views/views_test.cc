@@ -69,7 +69,8 @@ TEST(Views, FineStripesStaySharp) {
     const View& front = set.views[0];
     for (int y = 70; y < 93; ++y)
         for (int x = 50; x < 113; ++x) {
-            const Vec3f d = front.world_from_camera.rotation * front.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+            const Vec3f d =
+                front.world_from_camera.rotation * front.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
             const double off = static_cast<double>(front.color.at(x, y).g) - 255 * static_cast<double>(stripes(pixel_of_direction(d, kSize).x));
             squares += off * off;
             ++count;

@@ -250,7 +250,8 @@ void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cove
 // and what shows between them is that, not the world behind.
 float jump_in_cell(const WarpSource& s, int x, int y) {
     const int r = wrap_column(x + 1, s.color.width);
-    const auto [low, high] = std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y), s.inverse_range.at(x, y + 1), s.inverse_range.at(r, y + 1)});
+    const auto [low, high] =
+        std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y), s.inverse_range.at(x, y + 1), s.inverse_range.at(r, y + 1)});
     return 1.f / low - 1.f / high;
 }
 

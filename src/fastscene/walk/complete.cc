@@ -144,7 +144,8 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
         bool any = false;
         for (int y = 0; y < face_size; ++y)
             for (int x = 0; x < face_size; ++x) {
-                const Vec2f at = pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+                const Vec2f at =
+                    pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
                 const int px = wrap_column(static_cast<int>(at.x), w), py = std::min(static_cast<int>(at.y), h - 1);
                 const float q = inverse_range(view.range.at(px, py));
                 color.at(x, y) = view.color.at(px, py);
@@ -175,7 +176,8 @@ void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, con
     parallel_for(hole.height, 16, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < hole.width; ++x) {
-                if (!hole.at(x, y) || (view.cover.at(x, y) != Cover::hole && view.cover.at(x, y) != Cover::guess)) continue;   // backs and bridges keep what they have
+                if (!hole.at(x, y) || (view.cover.at(x, y) != Cover::hole && view.cover.at(x, y) != Cover::guess))
+                    continue;  // backs and bridges keep what they have
                 rest.at(x, y) = !fill_from_planes(view, x, y, position, world);
             }
     });

@@ -23,7 +23,8 @@ struct HoleDatasetParams {
 template <class V>
 void visit_fields(HoleDatasetParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Side of a cube face in pixels.");
-    v("warp", p.warp, Choices{{"paper", "ours", "both"}}, "Whose coarse view tears the holes: the paper's, which throws single pixels; our mesh; or each in its turn.");
+    v("warp", p.warp, Choices{{"paper", "ours", "both"}},
+      "Whose coarse view tears the holes: the paper's, which throws single pixels; our mesh; or each in its turn.");
     v("shares", p.shares, "The paper's warp: distances of a step, as shares of the greatest range, in eight directions each.");
     v("metres", p.metres, "Our warp: the same in metres.");
     v("held-out", p.held_out, Bounds{0, 50}, "Percent of the places (rooms, houses) whose pictures are kept for testing.");
@@ -39,7 +40,8 @@ struct HoleDatasetState {
 //     masks/shard-00000/00000042-front-03.png         white = hole; the number counts (distance, direction), the paper's warp first
 // and DIR/done/00000042.json says, last, that panorama 42 of the folder's list is complete. What is there is kept; a panorama that cannot
 // be read is skipped with a warning, counted, and tried again next time. Throws UsageError when DIR holds a set with other settings.
-HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const std::filesystem::path& folder, const Run& run);
+HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const std::filesystem::path& folder,
+                                   const Run& run);
 
 // All hole masks of one panorama (nonzero = hole), in the dataset's order.
 std::vector<ImageMask> walk_holes(const Panorama& panorama, const HoleDatasetParams& params);

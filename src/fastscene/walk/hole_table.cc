@@ -27,12 +27,14 @@ ImageF at_published_size(const ImageF& range) {
     if (range.width <= kPublishedWidth) return range;
     ImageF out(kPublishedWidth, kPublishedWidth / 2);   // picked: a mean of two surfaces lies on neither
     for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x) out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width), (2 * y + 1) * range.height / (2 * out.height));
+        for (int x = 0; x < out.width; ++x)
+            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width), (2 * y + 1) * range.height / (2 * out.height));
     return out;
 }
 
 double share_of(const ImageMask& mask) {
-    return static_cast<double>(std::count_if(mask.pixels.begin(), mask.pixels.end(), [](std::uint8_t v) { return v != 0; })) / static_cast<double>(mask.size());
+    return static_cast<double>(std::count_if(mask.pixels.begin(), mask.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+           static_cast<double>(mask.size());
 }
 
 // Pixels of `a`, all and those with a pixel of `b` at most `reach` away.
@@ -78,7 +80,8 @@ ImageMask true_holes(EquirectSize size, Vec3f position, const Distance& distance
 }
 
 HoleTruth compare_holes(const ImageMask& ours, const ImageMask& truth, int reach) {
-    return {share_of(truth), share_inside(ours, truth, 0), share_inside(truth, ours, 0), share_inside(ours, truth, reach), share_inside(truth, ours, reach)};
+    return {share_of(truth), share_inside(ours, truth, 0), share_inside(truth, ours, 0), share_inside(ours, truth, reach),
+            share_inside(truth, ours, reach)};
 }
 
 HoleTruth hole_truth(const WarpSource& source, Vec3f position, const Distance& distance) {
@@ -107,7 +110,8 @@ std::vector<HoleRow> hole_table(const ImageF& given, const Run& run, const Dista
         const Vec3d move = step.axis == 'x' ? Vec3d{step.share, 0, 0} : step.axis == 'y' ? Vec3d{0, step.share, 0} : Vec3d{0, 0, step.share};
         const Vec3d world = world_from_published(move) * most;
         const Vec3f position{static_cast<float>(world.x), static_cast<float>(world.y), static_cast<float>(world.z)};
-        HoleRow row{step.axis, step.share, step.share * most, distance_ahead(first.range, normalize(position)) > length(position), 0, 0, step.percent / 100, {}};
+        HoleRow row{step.axis, step.share, step.share * most,  distance_ahead(first.range, normalize(position)) > length(position),
+                    0,         0,          step.percent / 100, {}};
         row.published = published_warp(blank, range, move).hole_ratio();
         const ImageMask ours = our_holes(source, first.size(), position);
         row.ours = share_of(ours);

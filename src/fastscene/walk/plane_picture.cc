@@ -89,7 +89,8 @@ bool PlanePicture::reaches(Vec3f point) const {
 Wall PlanePicture::wall_at(Vec3f point) const {
     if (!openings.any()) return Wall::solid;
     const auto cell = [&](float from_low, int count) { return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1); };
-    return openings.wall.at(cell(dot(plane.u, point) - plane.low.x, openings.wall.width), cell(dot(plane.v, point) - plane.low.y, openings.wall.height));
+    return openings.wall.at(cell(dot(plane.u, point) - plane.low.x, openings.wall.width),
+                            cell(dot(plane.v, point) - plane.low.y, openings.wall.height));
 }
 
 std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& label,

@@ -39,7 +39,8 @@ std::array<PublishedFace, 6> published_faces(const ImageRgb8& color, const Image
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const ImageColor face = published_face(unit, kPublishedFaces[f], face_size);
         faces[f] = {ImageRgb8(face_size, face_size), std::move(holes[f])};
-        for (std::size_t i = 0; i < face.size(); ++i) faces[f].color.pixels[i] = faces[f].hole.pixels[i] ? Rgb8{255, 255, 255} : cut_to_bytes(face.pixels[i]);
+        for (std::size_t i = 0; i < face.size(); ++i)
+            faces[f].color.pixels[i] = faces[f].hole.pixels[i] ? Rgb8{255, 255, 255} : cut_to_bytes(face.pixels[i]);
     }
     return faces;
 }

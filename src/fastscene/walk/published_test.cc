@@ -108,7 +108,8 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         EXPECT_GT(invented, 500);
         EXPECT_EQ(carried > 0, !far);
         // Still the same room: a published step is rough, not wrong.
-        const Panorama truth = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks), last.world_from_pano.translation, {256, 128}, 1);
+        const Panorama truth = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks),
+                                                last.world_from_pano.translation, {256, 128}, 1);
         EXPECT_GT(psnr(srgb8_from_linear(last.color), srgb8_from_linear(truth.color)), 18) << kind;
     }
 }

@@ -40,8 +40,8 @@ struct Stepped {
 };
 Stepped step_to(const Frame& from, Vec3d move_m) {
     const double most = greatest_range(from.range);
-    Stepped to{published_warp(from.color, published_units(from.range), move_m / most), Image<Known>(from.color.width, from.color.height, Known::invented),
-               ImageMask(from.color.width, from.color.height)};
+    Stepped to{published_warp(from.color, published_units(from.range), move_m / most),
+               Image<Known>(from.color.width, from.color.height, Known::invented), ImageMask(from.color.width, from.color.height)};
     for (std::size_t i = 0; i < to.hole.size(); ++i) {
         const std::int32_t source = to.warp.source.pixels[i];
         if (source == kNoSource) {
@@ -131,10 +131,11 @@ Walked walk_as_published(const Panorama& first, const WalkParams& params, const 
             clipped.push_back({{"direction", direction.name}, {"wanted_m", wanted_m}, {"reached_m", reached_m}});
         }
     }
-    walked.about = {{"depth", estimate ? "estimated from each new panorama" : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
-                    {"steps", steps},
-                    {"step_share_of_greatest_range", share},
-                    {"clipped", clipped}};
+    walked.about = {
+        {"depth", estimate ? "estimated from each new panorama" : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
+        {"steps", steps},
+        {"step_share_of_greatest_range", share},
+        {"clipped", clipped}};
     return walked;
 }
 

@@ -44,12 +44,16 @@ Panorama ready_to_walk(Panorama first, const Run& run) {
         without += !(r > 0.f);   // true for NaN
         r = std::numeric_limits<float>::infinity();
     }
-    if (sky == static_cast<std::int64_t>(first.range.size())) throw Error("walk: expected a range map in metres, found no range in any of its {} x {} pixels", w, h);
-    if (without > 0) run.warn(fmt::format("walk: {} pixels of the range map have no range (0, negative or NaN); they are kept as far background", without));
+    if (sky == static_cast<std::int64_t>(first.range.size()))
+        throw Error("walk: expected a range map in metres, found no range in any of its {} x {} pixels", w, h);
+    if (without > 0)
+        run.warn(fmt::format("walk: {} pixels of the range map have no range (0, negative or NaN); they are kept as far background", without));
     const float median = median_range(first.range);
     if (!(median >= kNoRoom_m))
-        throw Error("walk: expected free space around the first viewpoint, found half of all surfaces nearer than {:.3g} m; it stands inside a thing, "
-                    "or the range map is not in metres", median);
+        throw Error(
+            "walk: expected free space around the first viewpoint, found half of all surfaces nearer than {:.3g} m; it stands inside a thing, "
+            "or the range map is not in metres",
+            median);
     if (median > kTooFar_m)
         run.warn(fmt::format("walk: half of all surfaces lie farther than {:.0f} m; is the range map in metres?", median));
     if (first.known.empty()) first.known = Image<Known>(w, h, Known::original);

@@ -36,7 +36,8 @@ void visit_fields(WalkParams& p, V&& v) {
     v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
     v("inpainter", p.inpainter, Choices{inpainters()}, "What paints the holes: a network, or the smoothest fill there is.");
-    v("inpaint-weights", p.inpaint_weights, "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
+    v("inpaint-weights", p.inpaint_weights,
+      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
 }
 
 // Positions (world, metres) in the order in which they are visited: each close to the ones before it, spread over

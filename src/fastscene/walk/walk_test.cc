@@ -98,7 +98,8 @@ TEST(CoarseView, AnEmptyRoomHasNoHoleAnywhere) {
     const Panorama first = render_synthetic(world, {}, kSize, 1);
     for (const Vec3f position : {Vec3f{}, Vec3f{0.7f, 0, 0}, Vec3f{0, 0.6f, 0}, Vec3f{0, -0.6f, 0}, Vec3f{-0.4f, 0.3f, -0.9f}}) {
         const CoarseView view = coarse_view({source_of(first)}, kSize, position);
-        EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::hole), 0) << position.x << ' ' << position.y << ' ' << position.z;
+        EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::hole), 0)
+            << position.x << ' ' << position.y << ' ' << position.z;
         EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::back), 0);
     }
 }
@@ -408,7 +409,8 @@ TEST(Walk, TinyAndHugeRoomsAndStepsThatAreTooLong) {
                 }
                 for (const float r : panorama.range.pixels) ASSERT_TRUE(r > 0.f && std::isfinite(r));
             }
-            EXPECT_EQ(heard.warnings.find("clipped") != std::string::npos, width < 1 || params.kind == "paper") << kind << ' ' << width << heard.warnings;
+            EXPECT_EQ(heard.warnings.find("clipped") != std::string::npos, width < 1 || params.kind == "paper")
+                << kind << ' ' << width << heard.warnings;
         }
     }
 }
