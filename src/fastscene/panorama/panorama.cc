@@ -31,6 +31,8 @@ RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParam
     RoomPanorama made;
     made.prompt = read_prompt(prompt, params);
     made.room = make_traced_room(made.prompt, params, run);
+    if (made.prompt.pack)
+        for (const std::string& reason : made.prompt.pack->damage()) run.warn(reason);
     Shot shot = made.room->panorama({}, {params.width, params.width / 2}, panorama_parts(params.trace), run);
     made.panorama.color = std::move(shot.color);
     made.panorama.range = std::move(shot.range);

@@ -117,6 +117,8 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     if (done.back().name == "splat" && !is_shared(folder, done.back())) {
         run.check_stop();
         share_scene(folder, title_of(source), run);
+    } else if (done.back().name != "splat" && fs::exists(folder.room_json())) {
+        write_credits(folder);
     }
     const Json report = report_of(done, request, folder, run);
     write_json(folder.report_json(), report);

@@ -41,6 +41,7 @@ std::string credits_of(const RunFolder& folder, const std::optional<fs::path>& v
     if (std::any_of(sources.begin(), sources.end(), [](const std::string& s) { return s.find("CC BY") != std::string::npos; }))
         text += "\nCC BY 3.0 (https://creativecommons.org/licenses/by/3.0/): name the authors above wherever you show this scene, and say\n"
                 "that the models were changed: they were scaled, lit and partly recolored.\n";
+    if (!fs::exists(folder.viewer_html())) return text;
     text += "\nviewer.html contains the SuperSplat viewer and the PlayCanvas engine (MIT).\n";
     if (viewer_dir)
         if (const fs::path license = viewer_dir->parent_path() / "LICENSE"; fs::exists(license)) text += "\n" + read_file(license);
@@ -83,8 +84,10 @@ void share_scene(const RunFolder& folder, const std::string& title, const Run& r
         save_viewer_html(folder.viewer_html(), splats, {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f}, *viewer_dir);
     else
         run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
-    write_file(folder.credits_txt(), credits_of(folder, viewer_dir));
+    write_credits(folder);
 }
+
+void write_credits(const RunFolder& folder) { write_file(folder.credits_txt(), credits_of(folder, find_viewer_dir())); }
 
 std::optional<FirstGlance> first_glance_of_capture(const RunFolder& folder) {
     const fs::path file = folder.stage("splat") / "viewer.json";
@@ -111,7 +114,7 @@ void share_capture(const RunFolder& folder, const std::string& title, const Run&
         save_viewer_html(folder.viewer_html(), splats, {title, glance->position_m, glance->position_m + f, glance->fov_deg}, *viewer_dir);
     else
         run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
-    write_file(folder.credits_txt(), credits_of(folder, viewer_dir));
+    write_credits(folder);
 }
 
 }  // namespace fastscene

@@ -23,6 +23,8 @@ std::optional<std::filesystem::path> find_viewer_dir();
 // How to get it, as a sentence for people.
 std::string viewer_remedy();
 
+// Writes credits.txt of what the panorama shows, for a stream that ends before there is a scene to share.
+void write_credits(const RunFolder& folder);
 // Writes viewer.html, preview.jpg and credits.txt. A missing viewer is a warning: the scene is not lost for it.
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run);
 // The same for splats of photographs, from splat/viewer.compressed.ply and viewer.json.

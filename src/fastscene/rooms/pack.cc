@@ -135,7 +135,10 @@ std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder,
         } catch (const Error& error) {
             complaints.push_back("furniture pack: " + std::string(error.what()) + "; it goes on without this one");
         }
-    if (pack->models_.empty()) return nullptr;
+    if (pack->models_.empty()) {
+        if (complaints.empty()) complaints.push_back("furniture pack: no usable model in " + folder.string() + ": only the built-in pieces are used; " + remedy);
+        return nullptr;
+    }
     pack->fingerprint_ = hash.add(assets == Assets::all ? "all" : "cc0").hex();
     return pack;
 }
@@ -159,9 +162,9 @@ const PackModel* FurniturePack::choose(const std::string& klass, std::uint64_t s
         const auto [begin, end] = by_class_.equal_range(name);
         for (auto at = begin; at != end; ++at)
             if (packs::fits_a_room(models_[at->second])) found.push_back(at->second);
-        if (found.empty()) continue;
         std::sort(found.begin(), found.end());
-        return &models_[found[mix64(seed) % found.size()]];
+        for (; !found.empty(); found.erase(found.begin() + static_cast<std::ptrdiff_t>(mix64(seed) % found.size())))
+            if (const PackModel& model = models_[found[mix64(seed) % found.size()]]; is_sound(model)) return &model;
     }
     return nullptr;
 }

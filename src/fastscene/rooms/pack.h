@@ -55,6 +55,9 @@ class FurniturePack {
     // The model as a piece, in its catalogue size, colored as the request wishes. Throws Error for a damaged model.
     Piece piece(const PackModel& model, const PieceRequest& request) const;
 
+    // Models that were chosen and could not be read, each with its reason; choose() takes others in their place.
+    std::vector<std::string> damage() const;
+
     std::size_t size() const { return models_.size(); }
     const std::vector<PackModel>& models() const { return models_; }
     // A few bytes that change when the installed pack does: part of the key of the stage's cache.
@@ -62,6 +65,8 @@ class FurniturePack {
 
   private:
     void read_archive(std::size_t archive, bool free_only);
+    std::shared_ptr<const Piece> loaded(const PackModel& model) const;
+    bool is_sound(const PackModel& model) const;
 
     std::vector<ZipFile> archives_;
     std::vector<PackModel> models_;
@@ -71,6 +76,7 @@ class FurniturePack {
     std::string fingerprint_;
     mutable std::mutex mutex_;
     mutable std::map<const PackModel*, std::shared_ptr<const Piece>> loaded_;
+    mutable std::map<const PackModel*, std::string> damaged_;
 };
 
 // The builder that stands in for a class nobody has a model of ("grand_piano" -> "piano"), if any.

@@ -158,15 +158,34 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
 
 }  // namespace packs
 
-Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) const {
-    std::shared_ptr<const Piece> loaded;
-    {
+std::shared_ptr<const Piece> FurniturePack::loaded(const PackModel& model) const {
+    const std::lock_guard lock(mutex_);
+    auto& entry = loaded_[&model];
+    if (!entry) entry = std::make_shared<const Piece>(packs::load_model(archives_[model.archive], model));
+    return entry;
+}
+
+// One damaged file among eight hundred must not cost a room.
+bool FurniturePack::is_sound(const PackModel& model) const {
+    try {
+        return loaded(model) != nullptr;
+    } catch (const Error& error) {
         const std::lock_guard lock(mutex_);
-        auto& entry = loaded_[&model];
-        if (!entry) entry = std::make_shared<const Piece>(packs::load_model(archives_[model.archive], model));
-        loaded = entry;
+        damaged_.emplace(&model, error.what());
+        return false;
     }
-    Piece piece = *loaded;
+}
+
+std::vector<std::string> FurniturePack::damage() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> reasons;
+    for (const auto& [model, reason] : damaged_) reasons.push_back("furniture pack: " + reason + "; it goes on without this model");
+    std::sort(reasons.begin(), reasons.end());
+    return reasons;
+}
+
+Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) const {
+    Piece piece = *loaded(model);
     piece.klass = request.klass;
     Material& main = piece.materials[static_cast<std::size_t>(piece.main_material)];
     if (request.color) {

@@ -115,6 +115,10 @@ TEST(Prompt, NegationForbids) {
     EXPECT_TRUE(object_of(without, "tv")->forbidden);
     EXPECT_FALSE(object_of(without, "curtain")->forbidden);
     EXPECT_EQ(object_of(without, "curtain")->color, "red");
+    const PromptSpec neither = read("a living room with neither a sofa nor a tv but with a piano");
+    EXPECT_TRUE(object_of(neither, "sofa")->forbidden);
+    EXPECT_TRUE(object_of(neither, "tv")->forbidden);
+    EXPECT_FALSE(object_of(neither, "piano")->forbidden);
 }
 
 TEST(Prompt, Relations) {
