@@ -13,6 +13,7 @@ says "xyzzy"
 lacks p
 # Without one known word: a plausible room, and it is said.
 expect 0 "$fastscene" panorama "xyzzy qwertz zzzzz" -o unknown "${tiny[@]:0:8}"
+grep -q "built-in" unknown/credits.txt || fail "credits.txt: expected beside a panorama"
 says "the prompt names nothing that belongs to a room"
 has unknown/panorama/color.png
 grep -q xyzzy unknown/panorama/prompt.json || fail "prompt.json does not name the word"
