@@ -18,7 +18,7 @@ says "panorama: already made"
 has loft/panorama/color.png loft/depth/range.exr loft/splat/scene.ply loft/viewer.html
 lacks loft/painting.png
 
-# Killed between two pictures, it goes on behind the first and ends in the same bytes; a larger one begins with what is there.
+# Killed between two pictures, it goes on after the first and ends in the same bytes; a larger one begins with what is there.
 larger=("$fastscene" panorama "a loft" "${small[@]}" --weights "$weights" --panorama-upscale 6)
 "${larger[@]}" -o killed >out 2>log &
 pid=$!

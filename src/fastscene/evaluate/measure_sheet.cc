@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fastscene/base/content_identity.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/evaluate/columns.h"

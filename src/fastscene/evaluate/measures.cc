@@ -1,8 +1,8 @@
 #include "fastscene/evaluate/measures.h"
 
+#include "fastscene/base/content_identity.h"
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/measure_sheet.h"
-#include "fastscene/evaluate/parameters.h"
 #include "fastscene/evaluate/picture.h"
 #include "fastscene/evaluate/stills.h"
 #include "fastscene/io/image_io.h"

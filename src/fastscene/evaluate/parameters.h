@@ -14,8 +14,4 @@ struct ParameterFiles {
 };
 ParameterFiles parameters_of(const std::filesystem::path& weights, const std::string& image_measure);
 
-// Hash of a file's content, or of all files below a folder with their names. Up to 16 MiB every byte counts; of a larger file its size,
-// both ends and 256 places between them, so that a network of gigabytes is told from another in milliseconds.
-std::string content_identity(const std::filesystem::path& file_or_folder);
-
 }  // namespace fastscene

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "fastscene/base/content_identity.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/evaluate/measure_sheet.h"

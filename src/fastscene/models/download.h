@@ -1,5 +1,5 @@
 // One file over http, https or file://, by libcurl. What has arrived stays when the connection breaks or the program is stopped, and the
-// next attempt goes on behind it.
+// next attempt goes on after it.
 #pragma once
 
 #include <chrono>

@@ -24,15 +24,6 @@ namespace fs = std::filesystem;
 using nn::HashedWeights;
 using nn::Scope;
 
-std::string message_of(const std::function<void()>& act) {
-    try {
-        act();
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "";
-}
-
 void expect_tower(const nn::ClipTower& t, std::int64_t width, std::int64_t inner, std::int64_t layers, std::int64_t heads) {
     EXPECT_EQ(t.width, width);
     EXPECT_EQ(t.inner, inner);

@@ -211,28 +211,10 @@ TEST_F(Painted, LongPromptsAreReadInPiecesAndWhatIsLeftOutIsSaid) {
     EXPECT_NE(heard.warnings[0].find("225"), std::string::npos) << heard.warnings[0];
 }
 
-// The denoiser in two files with an index, as large models are saved.
-fs::path in_two_parts(const fs::path& folder) {
-    const fs::path whole = folder / "unet/diffusion_pytorch_model.safetensors";
-    const Weights all = load_weights(whole);
-    Weights parts[2];
-    Json map = Json::object();
-    std::size_t i = 0;
-    for (const auto& [key, tensor] : all.tensors) {
-        const int part = 2 * i++ < all.tensors.size() ? 0 : 1;
-        parts[part].tensors[key] = tensor;
-        map[key] = fmt::format("diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1);
-    }
-    for (int part = 0; part < 2; ++part)
-        save_safetensors(folder / fmt::format("unet/diffusion_pytorch_model-0000{}-of-00002.safetensors", part + 1), parts[part]);
-    write_json(folder / "unet/diffusion_pytorch_model.safetensors.index.json", {{"weight_map", map}});
-    fs::remove(whole);
-    return folder / "unet/diffusion_pytorch_model-00002-of-00002.safetensors";
-}
-
 TEST_F(Painted, ShardsAreReadTogetherAndEachMustBeWhole) {
     const fs::path sharded = copy("sharded");
-    const fs::path second = in_two_parts(sharded);
+    const fs::path second = sharded / "unet/diffusion_pytorch_model-00002-of-00002.safetensors";
+    save_in_parts(sharded / "unet", "diffusion_pytorch_model-0000{}-of-00002.safetensors", "diffusion_pytorch_model.safetensors.index.json");
     EXPECT_EQ(Diffusion360(sharded, small(), {}).paint("a room", {}), Diffusion360(model_, small(), {}).paint("a room", {}));
     fs::resize_file(second, fs::file_size(second) - 10);
     EXPECT_NE(complaint(sharded).find("00002-of-00002"), std::string::npos) << complaint(sharded);

@@ -66,14 +66,6 @@ class Folders : public testing::Test {
         s.steps = 2;
         return s;
     }
-    static std::string message_of(const std::function<void()>& act) {
-        try {
-            act();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return "none";
-    }
     static std::string complaint(const fs::path& folder, Diffusion360::From from = Diffusion360::From::text,
                                  const Diffusion360Settings& settings = small()) {
         return message_of([&] { (void)Diffusion360(folder, settings, {}, from); });
@@ -119,7 +111,7 @@ TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
 
 TEST_F(Folders, AControlNetMustHaveTheLevelsOfItsModel) {
     const fs::path folder = with_photo(), file = folder / "sd-i2p/config.json";
-    EXPECT_EQ(complaint(folder, Diffusion360::From::photo), "none");
+    EXPECT_EQ(complaint(folder, Diffusion360::From::photo), "");
     const Json whole = read_json(file);
     for (const auto& [changes, says] :
          {std::pair{Json{{"block_out_channels", {16}}, {"down_block_types", {"CrossAttnDownBlock2D"}}}, "[16 reading text]"},
@@ -162,34 +154,18 @@ TEST_F(Folders, ComponentsInEachOthersPlaceAreNamed) {
     expect_says(complaint(with("text_encoder", "unet")), {"text_encoder/config.json", "expected a CLIPTextModel, found a UNet2DConditionModel"});
     const fs::path folder = copy();
     change(folder / "text_encoder/config.json", "architectures", Json::array({"CLIPTextModel"}));
-    EXPECT_EQ(complaint(folder), "none");
+    EXPECT_EQ(complaint(folder), "");
     change(folder / "text_encoder/config.json", "architectures", Json::array({"T5EncoderModel"}));
     expect_says(complaint(folder), {"text_encoder/config.json", "found a T5EncoderModel"});
 }
 
-// The denoiser's file under other names; `format` is given the part's number. What a file is, its first bytes tell.
-void in_parts(const fs::path& unet, fmt::format_string<int> format, const std::string& index) {
-    const Weights all = load_weights(unet / "diffusion_pytorch_model.safetensors");
-    Weights parts[2];
-    Json map = Json::object();
-    std::size_t i = 0;
-    for (const auto& [key, tensor] : all.tensors) {
-        const int part = 2 * i++ < all.tensors.size() ? 0 : 1;
-        parts[part].tensors[key] = tensor;
-        map[key] = fmt::format(format, part + 1);
-    }
-    for (int part = 0; part < 2; ++part) save_safetensors(unet / fmt::format(format, part + 1), parts[part]);
-    write_json(unet / index, {{"weight_map", map}});
-    fs::remove(unet / "diffusion_pytorch_model.safetensors");
-}
-
 TEST_F(Folders, WeightsAreFoundUnderAllTheNamesTheyAreSavedWith) {
     const ImageRgb8 expected = painted(home_ / "model");
-    in_parts(copy() / "unet", "diffusion_pytorch_model.fp16-0000{}-of-00002.safetensors", "diffusion_pytorch_model.safetensors.index.fp16.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model.fp16-0000{}-of-00002.safetensors", "diffusion_pytorch_model.safetensors.index.fp16.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
-    in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.fp16.safetensors", "diffusion_pytorch_model.fp16.safetensors.index.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.fp16.safetensors", "diffusion_pytorch_model.fp16.safetensors.index.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
-    in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.bin", "diffusion_pytorch_model.bin.index.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.bin", "diffusion_pytorch_model.bin.index.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
     fs::remove(home_ / "copy/unet/diffusion_pytorch_model-00002-of-00002.bin");
     expect_says(complaint(home_ / "copy"), {"diffusion_pytorch_model.bin.index.json", "00002-of-00002.bin"});

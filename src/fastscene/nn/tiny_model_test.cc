@@ -81,4 +81,19 @@ void write_tiny_enlarger(const fs::path& file) {
     save(weights, file, "params_ema.");
 }
 
+void save_in_parts(const fs::path& unet, fmt::format_string<int> part_name, const std::string& index) {
+    const Weights all = load_weights(unet / "diffusion_pytorch_model.safetensors");
+    Weights parts[2];
+    Json map = Json::object();
+    std::size_t i = 0;
+    for (const auto& [key, tensor] : all.tensors) {
+        const int part = 2 * i++ < all.tensors.size() ? 0 : 1;
+        parts[part].tensors[key] = tensor;
+        map[key] = fmt::format(part_name, part + 1);
+    }
+    for (int part = 0; part < 2; ++part) save_safetensors(unet / fmt::format(part_name, part + 1), parts[part]);
+    write_json(unet / index, {{"weight_map", map}});
+    fs::remove(unet / "diffusion_pytorch_model.safetensors");
+}
+
 }  // namespace fastscene

@@ -12,6 +12,7 @@
 #include "fastscene/base/random.h"
 #include "fastscene/nn/half.h"
 #include "fastscene/nn/safetensors.h"
+#include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene {
@@ -26,15 +27,6 @@ struct Folder {
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
 };
-
-std::string message_of(const std::function<void()>& act) {
-    try {
-        act();
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "";
-}
 
 void expect_state_dict(const Weights& w) {
     EXPECT_EQ(w.tensors.size(), 6u);

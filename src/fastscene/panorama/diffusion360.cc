@@ -1,10 +1,10 @@
 #include "fastscene/panorama/diffusion360.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 #include <vector>
 
+#include "fastscene/base/content_identity.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/image/orientation.h"
@@ -47,22 +47,9 @@ Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, 
 // The photo as it was meant to be seen.
 ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo), picture_info(photo).orientation); }
 
-// Names, sizes and samples of the files: large ones are not read as a whole.
 std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& root) {
-    constexpr std::uintmax_t sample = 1 << 12, samples = 64;
     Hash hash;
-    for (const fs::path& file : files) {
-        std::ifstream in(file, std::ios::binary);
-        if (!in) throw Error("{}: cannot be opened", file.string());
-        const std::uintmax_t size = fs::file_size(file);
-        hash.add(file.lexically_relative(root).string()).add(static_cast<std::uint64_t>(size));
-        std::string bytes(std::min(size, sample), '\0');
-        for (std::uintmax_t i = 0; i < samples && (i == 0 || size > sample); ++i) {
-            in.seekg(static_cast<std::streamoff>((size - bytes.size()) * i / (samples - 1)));
-            if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) throw Error("{}: cannot be read", file.string());
-            hash.add(bytes);
-        }
-    }
+    for (const fs::path& file : files) hash.add(file.lexically_relative(root).generic_string()).add(content_identity(file));
     return hash.hex();
 }
 

@@ -1,4 +1,4 @@
-// Pictures that took long, kept beside the stage that makes them: a run that was stopped goes on behind the last one, and a picture that is
+// Pictures that took long, kept beside the stage that makes them: a run that was stopped goes on after the last one, and a picture that is
 // made larger later begins with the one that is there.
 #pragma once
 

@@ -74,7 +74,7 @@ struct PaintingSource {
     std::filesystem::path weights;  // a folder as diffusers saves it, or the official folder of several
     std::filesystem::path photo;    // continued all around, turned upright as EXIF says; empty: none
 };
-// Where the painting and each larger picture are kept, so that a run that was stopped goes on behind them; `salt`: of another, nothing is taken.
+// Where the painting and each larger picture are kept, so that a run that was stopped goes on after them; `salt`: of another, nothing is taken.
 struct PaintingMemory {
     std::filesystem::path folder;   // empty: nothing is kept
     std::string salt;
