@@ -1,10 +1,14 @@
-# fastscene_room(name FLOOR n USES other… LINKS libraries… SIMD files…)
+# fastscene_room(name FLOOR n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
 #
 # A room is a folder under src/fastscene/: one static library of its *.cc files and one test program of
 # its *_test.cc files, linked with nothing but the rooms and libraries named here. The link list is the
 # drawing in docs/architecture.md; tests/floors holds the includes against it.
 function(fastscene_room name)
-  cmake_parse_arguments(ROOM "" "FLOOR" "USES;LINKS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "FLOOR" "USES;LINKS;HEADERS" ${ARGN})
+  set(ROOM_KIND plain)
+  if(ROOM_HEADERS)
+    set(ROOM_KIND ${name})
+  endif()
   set(folder ${PROJECT_SOURCE_DIR}/src/fastscene/${name})
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cc)
   file(GLOB tests CONFIGURE_DEPENDS ${folder}/*_test.cc)
@@ -25,6 +29,7 @@ function(fastscene_room name)
   target_link_libraries(fastscene_${name} ${scope} ${ROOM_LINKS})
   if(sources)
     target_link_libraries(fastscene_${name} PRIVATE fastscene_warnings)
+    fastscene_precompile(fastscene_${name} ${ROOM_KIND} ${ROOM_HEADERS})
   endif()
 
   if(tests AND FASTSCENE_TESTS)
@@ -33,6 +38,7 @@ function(fastscene_room name)
     # Half of all sources are tests, and they run once: what is saved in compiling them is worth more than their speed.
     target_compile_options(${name}_test PRIVATE -O1)
     target_compile_definitions(${name}_test PRIVATE FASTSCENE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    fastscene_precompile(${name}_test ${ROOM_KIND}_test <gtest/gtest.h> ${ROOM_HEADERS})
     add_test(NAME ${name} COMMAND ${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
   endif()

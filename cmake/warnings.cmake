@@ -3,6 +3,8 @@ add_library(fastscene_warnings INTERFACE)
 target_compile_options(fastscene_warnings INTERFACE -Wall -Wextra -Wshadow -Wno-psabi -Wno-restrict)
 # The picture does not depend on errno or on trapping; NaN and infinity keep their meaning.
 add_compile_options(-fno-math-errno -fno-trapping-math)
+# What some libraries ask for (threads; libtorch names the ABI): with it everywhere all sources can share their precompiled headers.
+add_compile_options(-pthread -D_GLIBCXX_USE_CXX11_ABI=1)
 if(FASTSCENE_NATIVE AND CMAKE_BUILD_TYPE STREQUAL "Release")
   add_compile_options(-march=native)
 endif()

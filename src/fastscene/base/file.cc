@@ -22,7 +22,7 @@ struct Descriptor {
 };
 
 fs::path temporary_name(const fs::path& path) {
-    return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
+    return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
 }
 
 void rename_or_throw(const fs::path& from, const fs::path& to) {

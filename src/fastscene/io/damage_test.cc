@@ -43,9 +43,8 @@ std::string gzip(const std::string& bytes) {
     z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())), z.avail_in = static_cast<uInt>(bytes.size());
     z.next_out = reinterpret_cast<Bytef*>(out.data()), z.avail_out = static_cast<uInt>(out.size());
     deflate(&z, Z_FINISH);
-    out.resize(out.size() - z.avail_out);
     deflateEnd(&z);
-    return out;
+    return out.substr(0, out.size() - z.avail_out);
 }
 std::string gunzip(const std::string& bytes) {
     std::string out(1 << 16, '\0');
@@ -54,9 +53,8 @@ std::string gunzip(const std::string& bytes) {
     z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())), z.avail_in = static_cast<uInt>(bytes.size());
     z.next_out = reinterpret_cast<Bytef*>(out.data()), z.avail_out = static_cast<uInt>(out.size());
     inflate(&z, Z_FINISH);
-    out.resize(out.size() - z.avail_out);
     inflateEnd(&z);
-    return out;
+    return out.substr(0, out.size() - z.avail_out);
 }
 
 // One damaged copy of `whole`; the kind of damage hangs on `n`.

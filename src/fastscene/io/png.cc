@@ -106,7 +106,6 @@ std::vector<png_byte> decoded(const fs::path& path, Wanted wanted, int& width, i
 
 bool encode(const png_byte* pixels, int width, int height, int type, int depth, std::string& out, std::string& message) {
     Source state{nullptr, 0, {}, {}};
-    std::vector<png_bytep> rows(static_cast<std::size_t>(height));
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
     png_infop info = png_create_info_struct(png);
     if (setjmp(png_jmpbuf(png))) {
@@ -123,8 +122,7 @@ bool encode(const png_byte* pixels, int width, int height, int type, int depth, 
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     const std::size_t stride = png_get_rowbytes(png, info);
-    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = const_cast<png_bytep>(pixels) + y * stride;
-    png_write_image(png, rows.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) png_write_row(png, pixels + y * stride);
     png_write_end(png, nullptr);
     png_destroy_write_struct(&png, &info);
     return true;

@@ -78,7 +78,7 @@ AotganShape aotgan_shape(const Weights& weights) {
         shape.skips = last.size() == 4 && last[1] == 2 * shape.width;
     }
     while (weights.has("middle." + std::to_string(shape.blocks) + ".fuse.1.weight")) ++shape.blocks;
-    for (std::int64_t i = 0; i < 10 && weights.has("middle.0.block0" + std::to_string(i) + ".1.weight"); ++i)
+    for (std::int64_t i = 0; i < 10 && weights.has(fmt::format("middle.0.block0{}.1.weight", i)); ++i)
         shape.rates.push_back(std::int64_t{1} << i);
     if (shape.blocks == 0 || shape.rates.empty() || 4 * shape.width % static_cast<std::int64_t>(shape.rates.size()) != 0)
         throw Error("{}: expected AOT-GAN's blocks (middle.0.block00.1.weight …), found {} blocks of {} branches", weights.path.string(), shape.blocks, shape.rates.size());
