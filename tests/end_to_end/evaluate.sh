@@ -23,6 +23,7 @@ $settings
 count = 3
 [held-out]
 views = 1
+size = 96
 [[variant]]
 name = "Ours"
 [[scene]]

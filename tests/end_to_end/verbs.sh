@@ -118,7 +118,7 @@ code=0; wait "$pid" || code=$?
 [ "$code" = 0 ] || [ "$code" = 143 ] || fail "exit code $code after SIGTERM"
 
 # Truth on two poses: figures are there and make sense.
-expect 0 "$fastscene" metrics run --truth --views 2 --radius 0.2 --json
+expect 0 "$fastscene" metrics run --truth --views 2 --size 128 --radius 0.2 --json
 has run/metrics/report.json
 grep -q '"psnr_mean"' run/metrics/report.json || fail "no psnr_mean"
 expect 2 "$fastscene" metrics run

@@ -131,7 +131,7 @@ class SceneMeasures {
         RunTruth room(folder.root, in_.truth, poses_run);
         for (const double radius : p.radii_m) {
             const std::string group = p.radii_m.size() > 1 ? fmt::format("within {} m", radius) : "";
-            Json params{{"views", p.views}, {"bounds", in_.bounds && theirs.empty()}, {"radius", radius}};
+            Json params{{"views", p.views}, {"size", p.size_px}, {"bounds", in_.bounds && theirs.empty()}, {"radius", radius}};
             if (!theirs.empty()) params["splats"] = content_identity(theirs);
             const auto make = [&](const fs::path& to) { make_held_out(room, folder, theirs, radius, to); };
             const fs::path dir = sheet_.made(fmt::format("held-out-{}", radius), params, folder, make);
@@ -145,7 +145,7 @@ class SceneMeasures {
 
     void make_held_out(RunTruth& room, const RunFolder& folder, const fs::path& theirs, double radius, const fs::path& to) {
         const HeldOutParams& p = in_.suite->held_out;
-        const TruthParams params{.views = p.views, .radius_m = static_cast<float>(radius), .bounds = in_.bounds && theirs.empty()};
+        const TruthParams params{.views = p.views, .size_px = p.size_px, .radius_m = static_cast<float>(radius), .bounds = in_.bounds && theirs.empty()};
         const bool in_run = theirs.empty() && !in_.read_only;
         const fs::path strips = in_run ? folder.metrics() : in_.work / "strips";
         const Json truth = room.measure(params, theirs, strips).at("truth");

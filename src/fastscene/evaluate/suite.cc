@@ -135,9 +135,10 @@ class Reader {
     void read_held_out() {
         const toml::table* found = top_.table("held-out");
         if (!found) return;
-        const TomlTable table(*found, file_.string(), "[held-out]", {"views", "radii", "bounds"});
+        const TomlTable table(*found, file_.string(), "[held-out]", {"views", "size", "radii", "bounds"});
         HeldOutParams& h = suite_.held_out;
         h.views = table.whole("views", h.views, 1, 1000);
+        h.size_px = table.whole("size", h.size_px, 64, 4096);
         h.bounds = table.flag("bounds", h.bounds);
         if (table.has("radii")) h.radii_m = table.numbers("radii");
         if (h.radii_m.empty()) table.fail("radii", "expected at least one radius in metres, found none");

@@ -44,7 +44,7 @@ struct StillsParams {
     double fov_deg = 75, radius_m = 0.3;
 };
 struct HeldOutParams {
-    int views = 10;
+    int views = 10, size_px = 512;
     std::vector<double> radii_m{0.3};
     bool bounds = false;
 };

@@ -94,13 +94,13 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
     for (std::size_t i = 0; i < poses.size(); ++i) {
         run.check_stop();
         const TruthPicture& truth = inputs.truth.pictures[i];
-        std::vector<ImageRgb8> row{truth.color, splat_picture(inputs.splats, poses[i])};
+        std::vector<ImageRgb8> row{truth.color, splat_picture(inputs.splats, poses[i], params.size_px)};
         const Likeness likeness = compare(row[1], truth);
         ours.add(likeness);
         Json view = view_json(poses[i], likeness);
         if (a) {
-            row.push_back(splat_picture(*a, poses[i]));
-            row.push_back(splat_picture(*b, poses[i]));
+            row.push_back(splat_picture(*a, poses[i], params.size_px));
+            row.push_back(splat_picture(*b, poses[i], params.size_px));
             const Likeness of_a = compare(row[2], truth), of_b = compare(row[3], truth);
             bound_a.add(of_a);
             bound_b.add(of_b);

@@ -20,6 +20,7 @@ namespace fastscene {
 
 struct TruthParams {
     int views = 30;
+    int size_px = 512;
     float radius_m = 0.3f;
     int samples = 256;
     bool bounds = false;
@@ -28,6 +29,7 @@ struct TruthParams {
 template <class V>
 void visit_fields(TruthParams& p, V&& v) {
     v("views", p.views, Bounds{1, 10000}, "Number of poses never trained on.");
+    v("size", p.size_px, Bounds{64, 4096}, "Width and height of a pose's picture in pixels, 75 degrees wide.");
     v("radius", p.radius_m, Bounds{0.01, 10}, "The poses lie in a ball of this radius in metres about panorama 0.");
     v("samples", p.samples, Bounds{256, 65536}, "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
     v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
@@ -41,12 +43,12 @@ struct TruthPose {
 // Throws Error when the room leaves no space.
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
 
-// The truth at one pose: 512 x 512, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not see the surface.
+// The truth at one pose: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not see the surface.
 struct TruthPicture {
     ImageRgb8 color;
     ImageMask unseen;
 };
-TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run);
+TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run);
 
 // The truth of one room within one radius: whatever splats are judged, it stays the same.
 struct TruthSet {
@@ -66,7 +68,7 @@ struct Likeness {
 Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
 // The splats as a truth-sized picture.
-ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose);
+ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose, int size);
 
 // What is judged, and what the bounds are made from.
 struct TruthInputs {

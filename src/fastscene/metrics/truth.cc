@@ -11,12 +11,11 @@
 namespace fastscene {
 namespace {
 
-constexpr int kSize = 512;
 constexpr float kFovDeg = 75.f;
 // A head's width: nearer to a surface than this nobody stands.
 constexpr float kClearance = 0.15f;
 
-Pinhole truth_camera() { return Pinhole::with_fov(kSize, kSize, kFovDeg); }
+Pinhole truth_camera(int size) { return Pinhole::with_fov(size, size, kFovDeg); }
 
 Vec3f uniform_in_ball(Random& random) {
     for (;;) {
@@ -53,14 +52,14 @@ std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& pa
     return poses;
 }
 
-TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, const Run& run) {
-    const Pinhole camera = truth_camera();
+TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run) {
+    const Pinhole camera = truth_camera(size);
     // As many camera rays as each pixel needs, 16 to 64: an even wall is exact at once, an outline is not.
     const ShotParts parts{.color = true, .range = true, .pixel_samples = 128, .contacts = true, .denoise = true, .noise = 0.006f};
     const Shot shot = room.perspective(pose.world_from_camera, camera, parts, run);
-    TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(kSize, kSize)};
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(size, size)};
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
             const float range = shot.range.at(x, y);
             if (!std::isfinite(range)) continue;  // the sky is seen from everywhere
             const Vec3f dir = normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
@@ -79,8 +78,8 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
             psnr(picture, truth.color, truth.unseen)};
 }
 
-ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose) {
-    return srgb8_from_unit(render_splats(splats, truth_camera(), pose.world_from_camera).color);
+ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose, int size) {
+    return srgb8_from_unit(render_splats(splats, truth_camera(size), pose.world_from_camera).color);
 }
 
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures) {

@@ -37,9 +37,9 @@ TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const
     Progress progress(run, "truth", static_cast<std::int64_t>(set.poses.size()));
     for (std::size_t i = 0; i < set.poses.size(); ++i) {
         run.check_stop();
-        set.pictures.push_back(truth_picture(room, set.poses[i], Run{run.seed, nullptr, run.stop}));
+        set.pictures.push_back(truth_picture(room, set.poses[i], params.size_px, Run{run.seed, nullptr, run.stop}));
         if (i < kFloorViews) {  // what the truth itself is worth: other camera rays, same pose
-            const TruthPicture other = truth_picture(room, set.poses[i], Run{run.seed ^ 0x5eed, nullptr, run.stop});
+            const TruthPicture other = truth_picture(room, set.poses[i], params.size_px, Run{run.seed ^ 0x5eed, nullptr, run.stop});
             set.floor_db = std::min(set.floor_db, psnr(set.pictures[i].color, other.color));
         }
         progress.advance();
