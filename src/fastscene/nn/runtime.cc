@@ -1,18 +1,42 @@
 #include "fastscene/nn/runtime.h"
 
+#include <ATen/ATen.h>
 #include <ATen/Parallel.h>
 #include <c10/util/Exception.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/parallel.h"
 
 namespace fastscene {
+namespace {
+
+// What OpenBLAS asks for in each thread that multiplies. Where it is not given (`ulimit -v`), OpenBLAS asks again for ever.
+constexpr std::size_t kWorkspaceMib = 128;
+
+void take_workspace(int threads) {
+    const std::size_t mib = (kWorkspaceMib + 1) * static_cast<std::size_t>(threads);
+    void* const room = ::mmap(nullptr, mib << 20, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED)
+        throw Error("memory: expected {} MiB of address space for matrix products ({} threads), found less: raise the limit (ulimit -v), or use fewer --threads",
+                    mib, threads);
+    ::munmap(room, mib << 20);
+    // Taken now, before anything else takes it; large enough for the kernels that use it.
+    const at::Tensor square = at::zeros({128, 128});
+    at::mm(square, square);
+}
+
+}  // namespace
 
 void use_our_threads() {
     const int threads = std::max(1, thread_count());
     if (at::get_num_threads() != threads) at::set_num_threads(threads);
+    static std::once_flag taken;
+    std::call_once(taken, take_workspace, threads);
 }
 
 std::string short_message(const std::exception& error) {

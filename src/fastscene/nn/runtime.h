@@ -12,7 +12,8 @@ std::string short_message(const std::exception& error);
 // Memory that was asked for and not given, by libtorch or by anybody.
 bool is_lack_of_memory(const std::exception& error);
 
-// Gives libtorch as many threads as everything else has (base/parallel.h). Every network calls it before it runs.
+// Gives libtorch as many threads as everything else has (base/parallel.h), and room to multiply in. Every network calls it before it
+// runs. Throws Error where a limit of address space leaves no such room.
 void use_our_threads();
 
 }  // namespace fastscene
