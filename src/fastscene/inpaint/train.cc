@@ -127,6 +127,15 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
     return with_fill(std::move(*square), params.network.holes == "harmonic");
 }
 
+// A handful of panoramas may leave no place to hold out: the figures are of pictures trained on then, which is said.
+HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) {
+    if (fs::exists(data / "held-out")) return find_holes(data / "held-out");
+    run.warn(fmt::format("{}: expected held-out faces, found none (inpaint dataset --held-out PERCENT, of more places): the figures are of faces that are "
+                         "trained on",
+                         (data / "held-out").string()));
+    return train;
+}
+
 }  // namespace
 
 HoleSet find_holes(const fs::path& part) {
@@ -169,7 +178,7 @@ InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params
 std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params, const fs::path& folder,
                                                             const Run& run) {
     if (params.size % 8 != 0) throw UsageError("--size: expected a multiple of 8, found {}", params.size);
-    const HoleSet train = find_holes(data / "train"), held_out = find_holes(data / "held-out");
+    const HoleSet train = find_holes(data / "train"), held_out = held_out_of(data, train, run);
     std::atomic<std::int64_t> broken{0};
     InpaintExamples examples;
     examples.draw = [&](Random& dice) { return draw_example(train, params, false, dice, broken); };

@@ -10,6 +10,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/inpaint/inpaint.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/nn/safetensors.h"
 
 namespace fastscene {
 namespace {
@@ -116,6 +117,56 @@ TEST(InpaintTraining, BrokenPicturesArePassedOver) {
         EXPECT_EQ(draw_example(set, small("harmonic", 1), false, dice, broken).truth.width, 64);
     }
     EXPECT_GT(broken, 0);
+}
+
+// Few panoramas may leave none to hold out; that is said, and no reason not to train.
+TEST(InpaintTraining, GoesWithoutHeldOutFaces) {
+    set_threads(1);
+    const Blocks data;
+    fs::remove_all(data.path / "held-out");
+    struct : EventSink {
+        std::string warnings;
+        void tell(const Event& event) override {
+            if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings += warning->text;
+        }
+    } heard;
+    EXPECT_FALSE(train_inpainter(data.path, small("harmonic", 1), data.path / "run", {1, &heard, {}}).empty());
+    EXPECT_NE(heard.warnings.find("expected held-out faces, found none"), std::string::npos) << heard.warnings;
+    set_threads(0);
+}
+
+template <class Act>
+std::string complaint(Act&& act) {
+    try {
+        act();
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "no complaint";
+}
+
+TEST(InpaintTraining, WeightsOfAnotherNetworkOrWithoutNumbersAreRefused) {
+    set_threads(1);
+    const Blocks data;
+    InpaintTrainParams p = small("harmonic", 1);
+    train_inpainter(data.path, p, data.path / "run", seeded(1));
+    Weights weights = load_weights(data.path / "run/generator.safetensors");
+    WeightTensor& bias = weights.tensors.at("middle.0.fuse.1.bias");
+    auto bytes = std::make_shared<std::vector<std::byte>>(bias.bytes.begin(), bias.bytes.end());
+    (*bytes)[0] = std::byte{0x00};
+    (*bytes)[1] = std::byte{0x7e};   // half precision's NaN
+    bias.bytes = *bytes;
+    bias.owner = bytes;
+    save_safetensors(data.path / "nan.safetensors", weights);
+    EXPECT_NE(complaint([&] { make_inpainter("aotgan", data.path / "nan.safetensors"); }).find("nan.safetensors: middle.0.fuse.1.bias: expected numbers, found NaN"),
+              std::string::npos);
+
+    Weights other{{}, {{"patch_embed.0.weight", weights.tensors.at("encoder.1.weight")}}, {}, {}};
+    save_safetensors(data.path / "other.safetensors", other);
+    p.network.start = (data.path / "other.safetensors").string();
+    EXPECT_NE(complaint([&] { train_inpainter(data.path, p, data.path / "run2", seeded(1)); }).find("other.safetensors: expected the tensor \"encoder.1.weight\""),
+              std::string::npos);
+    set_threads(0);
 }
 
 TEST(InpaintTraining, OddRequestsAreRefused) {

@@ -5,6 +5,9 @@
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
 
+#include <algorithm>
+#include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +19,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Y (luminance), Z (depth), R, or whatever comes first.
-std::string range_channel(const Imf::ChannelList& channels) {
-    for (const char* name : {"Y", "Z", "R"})
-        if (channels.findChannel(name)) return name;
-    return channels.begin() == channels.end() ? "" : channels.begin().name();
+std::vector<std::string> names_of(const Imf::ChannelList& channels) {
+    std::vector<std::string> names;
+    for (auto channel = channels.begin(); channel != channels.end(); ++channel) names.emplace_back(channel.name());
+    return names;
+}
+std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
+// Renderers put layers into one file: "ViewLayer.Combined.R", "ViewLayer.Depth.Z". Range is Z, what is called depth, Y (luminance), R, or the only one.
+std::string range_channel(const std::vector<std::string>& names) {
+    const auto first = [&](auto is) {
+        const auto found = std::find_if(names.begin(), names.end(), is);
+        return found == names.end() ? std::string() : *found;
+    };
+    const auto called_depth = [](std::string name) {
+        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return name.find("depth") != std::string::npos || name.find("range") != std::string::npos || name.find("distance") != std::string::npos;
+    };
+    std::string found = first([](const std::string& n) { return n == "Z"; });
+    if (found.empty()) found = first(called_depth);
+    for (const char* name : {"Y", "R"})
+        if (found.empty()) found = first([&](const std::string& n) { return n == name; });
+    for (const char* name : {"Z", "Y", "R"})
+        if (found.empty()) found = first([&](const std::string& n) { return last_part(n) == name; });
+    return found.empty() && names.size() == 1 ? names[0] : found;
+}
+
+// The layer, "" or "ViewLayer.Combined.", that has R, G and B.
+std::optional<std::string> color_layer(const std::vector<std::string>& names) {
+    const auto has = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    std::vector<std::string> layers{""};
+    for (const std::string& name : names)
+        if (name.size() > 2 && name.ends_with(".R")) layers.push_back(name.substr(0, name.size() - 1));
+    std::stable_partition(layers.begin(), layers.end(), [](const std::string& layer) { return layer.empty() || layer.ends_with("Combined."); });
+    for (const std::string& layer : layers)
+        if (has(layer + "R") && has(layer + "G") && has(layer + "B")) return layer;
+    return {};
 }
 
 [[noreturn]] void refuse(const fs::path& path, const std::exception& e) {
@@ -62,8 +96,10 @@ PictureInfo checked_info(const fs::path& path) {
 }
 
 std::string single_channel(const fs::path& path) {
-    const std::string channel = range_channel(Imf::InputFile(path.c_str()).header().channels());
-    if (channel.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
+    const std::vector<std::string> names = names_of(Imf::InputFile(path.c_str()).header().channels());
+    if (names.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
+    const std::string channel = range_channel(names);
+    if (channel.empty()) throw Error("{}: expected a channel Z, depth, Y or R, found {}", path.string(), fmt::join(names, ", "));
     return channel;
 }
 
@@ -85,16 +121,12 @@ ImageF load_exr(const fs::path& path) {
 ImageColor load_exr_color(const fs::path& path) {
     const PictureInfo info = checked_info(path);
     try {
-        bool colored = true;
-        {
-            const Imf::InputFile file(path.c_str());
-            for (const char* name : {"R", "G", "B"}) colored = colored && file.header().channels().findChannel(name);
-        }
+        const auto layer = color_layer(names_of(Imf::InputFile(path.c_str()).header().channels()));
         ImageColor image(info.width, info.height);
         static_assert(sizeof(Vec3f) == 3 * sizeof(float));
-        read_channels(path, colored ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{single_channel(path)},
+        read_channels(path, layer ? std::vector<std::string>{*layer + "R", *layer + "G", *layer + "B"} : std::vector<std::string>{single_channel(path)},
                       &image.pixels.data()->x, 3);
-        if (!colored)
+        if (!layer)
             for (Vec3f& c : image.pixels) c = {c.x, c.x, c.x};
         return image;
     } catch (const Error&) {

@@ -61,7 +61,7 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
     const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
-    if (wanted == Wanted::gray16 && (depth != 16 || type & PNG_COLOR_MASK_COLOR)) png_error(png, "not 16-bit gray");
+    if (wanted == Wanted::gray16 && (depth != 16 || type & PNG_COLOR_MASK_COLOR)) png_error(png, "8 bits or colors, not the 16-bit gray of a map in millimetres");
     // Deflate shrinks at most about 1032 times: a short file with a huge header is refused before memory is asked for.
     if (!plausible_size(png_get_image_width(png, info), png_get_image_height(png, info)) ||
         png_get_rowbytes(png, info) * png_get_image_height(png, info) / 1100 > bytes.size())

@@ -135,7 +135,7 @@ class Trainer {
         const Start fresh = [kernels, nothing](const std::string& key, at::IntArrayRef shape) {
             return nothing && key == "decoder.4.weight" ? at::zeros(shape) : kernels(key, shape);
         };
-        return params.start.empty() ? fresh : start_from(unwrapped(load_weights(params.start), "encoder.1.weight"), fresh);
+        return params.start.empty() ? fresh : start_from(load_weights(params.start), "encoder.1.weight", fresh);
     }
 
     Batch draw(Random& dice) const {

@@ -50,7 +50,7 @@ double logit(double p) { return std::log(p / (1 - p)); }
 // Before anything is learned the network says what stands at that latitude in a mean room; its last layer begins near zero.
 nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
     nn::Start random = nn::start_he(seed, 1);
-    if (!training.start.empty()) random = nn::start_from(unwrapped(load_weights(training.start), "patch_embed.0.weight"), random);
+    if (!training.start.empty()) random = nn::start_from(load_weights(training.start), "patch_embed.0.weight", random);
     const std::vector<float> means = training.mean_range_m;
     const bool fresh = training.start.empty();
     return [=](const std::string& key, at::IntArrayRef shape) {

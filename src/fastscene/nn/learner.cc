@@ -52,7 +52,9 @@ Start start_he(std::uint64_t seed, double gain) {
     return start_with(seed, [gain](double inputs) { return gain / std::sqrt(inputs); });
 }
 
-Start start_from(Weights weights, Start otherwise) {
+Start start_from(Weights found, std::string_view expected, Start otherwise) {
+    Weights weights = unwrapped(std::move(found), expected);
+    (void)weights.at(std::string(expected));
     auto source = std::make_shared<LoadedWeights>(std::move(weights));
     return [source, otherwise = std::move(otherwise)](const std::string& key, at::IntArrayRef shape) {
         return source->has(key) ? source->get(key, shape).clone() : otherwise(key, shape);

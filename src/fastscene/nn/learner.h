@@ -21,8 +21,9 @@ using Start = std::function<at::Tensor(const std::string& key, at::IntArrayRef s
 // u and v of spectral norms are unit vectors. The same seed and name give the same numbers.
 Start start_normal(std::uint64_t seed, double deviation);
 Start start_he(std::uint64_t seed, double gain = 1.4142135623730951);
-// Parameters of a file, and for those that it lacks `otherwise`. Throws Error for another shape.
-Start start_from(Weights weights, Start otherwise);
+// Parameters of a file, unwrapped (weights.h), and for those that it lacks `otherwise`. Throws Error for another shape, and when it lacks
+// `expected`: then it is another network's.
+Start start_from(Weights found, std::string_view expected, Start otherwise);
 
 // Not trained, but kept with the network: spectral norms' vectors, statistics of batch norms.
 bool is_buffer(std::string_view key);

@@ -16,6 +16,7 @@ using pickle::Value;
 constexpr int kDeepest = 16;               // dictionaries within dictionaries
 constexpr std::size_t kMostVisits = 1 << 22;
 constexpr std::size_t kMostNumbers = 1 << 16;  // loose ones: a long history of losses is of no interest
+constexpr std::size_t kMostTensors = 1 << 17;    // one may have many names
 constexpr std::size_t kLongestName = 1024;
 
 std::optional<NumberType> type_of_storage(std::string_view name) {
@@ -94,6 +95,7 @@ class Collector {
     void add(const pickle::Tensor& tensor, const std::string& name) {
         const auto type = type_of_storage(tensor.storage.dtype);
         if (!type) return;  // complex and quantized numbers: none of our networks has them
+        if (out_.tensors.size() >= kMostTensors) throw Error("{}: expected a checkpoint, found more than {} tensors in it", out_.path.string(), kMostTensors);
         const auto found = storages_.find(tensor.storage.key);
         if (found == storages_.end()) fail(name, fmt::format("expected the storage \"{}\", found none", tensor.storage.key));
         const std::size_t size = bytes_of(*type);

@@ -66,7 +66,10 @@ at::Tensor LoadedWeights::get(const std::string& key, at::IntArrayRef shape) {
     const WeightTensor& weight = weights_.at(key);
     if (at::IntArrayRef(weight.shape) != shape)
         throw Error("{}: {}: expected shape {}, found {}", weights_.path.string(), key, list_text(shape), text_of_shape(weight.shape));
-    return ready_[key] = tensor_of(weight).to(options_);
+    const at::Tensor tensor = tensor_of(weight);
+    if (tensor.is_floating_point() && !at::isfinite(tensor).all().item<bool>())
+        throw Error("{}: {}: expected numbers, found NaN or infinity among its {}", weights_.path.string(), key, tensor.numel());
+    return ready_[key] = tensor.to(options_);
 }
 
 void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed) {

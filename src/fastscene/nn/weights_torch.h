@@ -18,7 +18,7 @@ at::Tensor tensor_of(const WeightTensor& weight);
 // The other way, for saving: a copy in C order on the CPU.
 WeightTensor weight_of(const at::Tensor& tensor);
 
-// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for.
+// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for, and that it holds numbers.
 class LoadedWeights final : public WeightSource {
   public:
     LoadedWeights(Weights weights, at::TensorOptions options = at::kFloat) : weights_(std::move(weights)), options_(options) {}

@@ -37,33 +37,6 @@ ImageColor developed(ImageColor light, const std::filesystem::path& path) {
     return light;
 }
 
-// A range map says 0 where nothing was measured. Such a pixel takes the range of the nearest measured one of its
-// row (the row is a circle); a row without any becomes sky.
-void fill_unmeasured(ImageF& range) {
-    const auto w = static_cast<std::size_t>(range.width);
-    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::vector<float> row(w);
-    std::vector<std::size_t> left(w), right(w);  // steps to the nearest measured pixel on that side
-    const auto measure = [&](std::vector<std::size_t>& steps, bool leftward) {
-        std::size_t d = kNone;
-        for (std::size_t i = 0; i < 2 * w; ++i) {  // twice around, to see across the seam
-            const std::size_t x = leftward ? i % w : w - 1 - i % w;
-            d = row[x] > 0.f ? 0 : d == kNone ? kNone : d + 1;
-            steps[x] = d;
-        }
-    };
-    for (int y = 0; y < range.height; ++y) {
-        row.assign(range.row(y), range.row(y) + w);
-        measure(left, true);
-        measure(right, false);
-        for (std::size_t x = 0; x < w; ++x) {
-            if (left[x] == 0) continue;
-            const std::size_t nearest = left[x] <= right[x] ? x + w - left[x] : x + right[x];
-            range.row(y)[x] = left[x] == kNone ? std::numeric_limits<float>::infinity() : row[nearest % w];
-        }
-    }
-}
-
 }  // namespace
 
 EquirectSize panorama_size(const std::filesystem::path& picture) {
@@ -80,26 +53,6 @@ Panorama panorama_from_image(const std::filesystem::path& picture) {
     panorama.color = info.light ? developed(load_light(picture), picture) : linear_from_srgb8(upright(load_rgb8(picture), info.orientation));
     check_panorama_size(picture, panorama.size());
     return panorama;
-}
-
-ImageF range_from_file(const std::filesystem::path& map, EquirectSize size) {
-    const PictureInfo info = picture_info(map);
-    if (info.width != size.width || info.height != size.height)
-        throw Error("{}: expected a range map of the panorama's size, {} x {}, found {} x {}", map.string(), size.width, size.height,
-                    info.width, info.height);
-    ImageF range = load_float(map);
-    std::size_t measured = 0;
-    for (int y = 0; y < range.height; ++y)
-        for (int x = 0; x < range.width; ++x) {
-            const float r = range.at(x, y);
-            if (!(r >= 0.f))  // NaN fails too
-                throw Error("{}: expected ranges in metres, 0 or more, found {} at column {}, row {}", map.string(), r, x, y);
-            if (r > 0.f && std::isfinite(r)) ++measured;
-        }
-    if (measured == 0)
-        throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
-    fill_unmeasured(range);
-    return range;
 }
 
 Panorama reduced_panorama(const Panorama& panorama, int width) {

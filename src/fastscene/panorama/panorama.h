@@ -92,9 +92,15 @@ ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSourc
 Panorama panorama_from_image(const std::filesystem::path& picture);
 // Its size, upright, from the header alone. Throws Error as above.
 EquirectSize panorama_size(const std::filesystem::path& picture);
-// Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres).
-// Zero means "not measured": such a pixel takes the nearest range of its row. Throws Error for another size, NaN, negative or all zero.
-ImageF range_from_file(const std::filesystem::path& map, EquirectSize size);
+// Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres); +inf: the sky. Zero and NaN mean "not
+// measured" (completed_range), which `run` is told. Throws Error for another size, a negative range, or none at all.
+ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, const Run& run = {});
+// What was not measured (0, NaN) is far background, +inf; but specks of less than three degrees take after their surroundings, and what is
+// missing straight below the camera is level floor.
+struct RangeGaps {
+    std::int64_t unmeasured = 0, far = 0, closed = 0;   // pixels
+};
+ImageF completed_range(ImageF range, RangeGaps& gaps);
 // A wider panorama is reduced to `width` (even); a narrower one stays. Color is averaged over areas, range is picked (a mean
 // of two surfaces lies on neither). Clears `known`.
 Panorama reduced_panorama(const Panorama& panorama, int width);

@@ -31,7 +31,7 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
 }
 
 std::vector<HoleRow> hole_table_of_picture(const fs::path& picture, const fs::path& range_map, const Run& run) {
-    return hole_table(range_from_file(range_map, panorama_from_image(picture).size()), run);
+    return hole_table(range_from_file(range_map, panorama_from_image(picture).size(), run), run);
 }
 
 void save_hole_table(const fs::path& folder, const std::vector<HoleRow>& rows) {

@@ -116,7 +116,7 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
         Panorama one{load_color(folder.more_panoramas() / (name + ".png")), {}, {}, pose};
         if (!given[i].range.empty()) {
             Panorama measured = panorama_from_image(given[i].color);
-            measured.range = range_from_file(given[i].range, measured.size());
+            measured.range = range_from_file(given[i].range, measured.size(), run);
             measured.world_from_pano = given[i].world_from_pano;
             one.range = in_first_orientation(measured, one.size()).range;
             about.push_back({{"name", name}, {"backend", "image"}});
@@ -181,7 +181,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
         PromptSpec prompt = read_prompt(source.prompt, panorama);
         found.range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
     } else if (backend == "image") {
-        found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture)), size.width);
+        found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture), run), size.width);
     } else {
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }

@@ -34,45 +34,6 @@ void spread(Image<Wall>& wall, ImageMask& known) {
     }
 }
 
-// A pixel of the outside with nothing else about it.
-bool is_outside(const ImageF& range, int x, int y) {
-    for (int j = std::max(0, y - 1); j <= std::min(range.height - 1, y + 1); ++j)
-        for (int i = x - 1; i <= x + 1; ++i)
-            if (std::isfinite(range.at(wrap_column(i, range.width), j))) return false;
-    return true;
-}
-
-// Colors with the distances they come from; the nearer counts more.
-struct Blend {
-    Vec3f sum;
-    float weight = 0;
-    void add(Vec3f color, int distance) {
-        const float w = 1.f / static_cast<float>(distance * distance);
-        sum += color * w;
-        weight += w;
-    }
-};
-
-// Along a line of n pixels (wrapping or not): what the nearest known pixels on both sides say about each unknown one.
-template <class ColorAt, class KnownAt, class BlendAt>
-void blend_line(int n, bool wraps, ColorAt color_at, KnownAt known_at, BlendAt blend_at) {
-    for (const int step : {1, -1}) {
-        int distance = 0;   // 0: none seen yet
-        Vec3f last;
-        const int begin = step > 0 ? 0 : n - 1, rounds = wraps ? 2 * n : n;
-        for (int k = 0; k < rounds; ++k) {
-            const int i = wrap_column(begin + step * k, n);
-            if (known_at(i)) {
-                last = color_at(i);
-                distance = 1;
-            } else if (distance > 0) {
-                if (!wraps || k >= n) blend_at(i).add(last, distance);
-                ++distance;
-            }
-        }
-    }
-}
-
 }  // namespace
 
 Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSize grid, float metres_per_pixel) {
@@ -104,37 +65,6 @@ Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSiz
         std::nth_element(depths.begin(), deep, depths.end());
         out.depth_m = *deep;
     }
-    return out;
-}
-
-ImageColor outside_picture(const ImageColor& color, const ImageF& range) {
-    const int w = color.width, h = color.height;
-    ImageMask known(w, h);
-    bool any = false;
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x) {
-            known.at(x, y) = is_outside(range, x, y);
-            any |= known.at(x, y) != 0;
-        }
-    if (!any) return {};
-    ImageColor out = color;
-    // The outside lies in layers: sky, hills, ground. So it goes on along the rows first; above and below what was seen,
-    // and across thin bars, along the columns.
-    Image<Blend> blends(w, h);
-    for (int y = 0; y < h; ++y)
-        blend_line(w, true, [&](int x) { return color.at(x, y); }, [&](int x) { return known.at(x, y) != 0; }, [&](int x) -> Blend& { return blends.at(x, y); });
-    for (int x = 0; x < w; ++x)
-        blend_line(h, false, [&](int y) { return color.at(x, y); }, [&](int y) { return known.at(x, y) != 0; }, [&](int y) -> Blend& { return blends.at(x, y); });
-    for (std::size_t i = 0; i < out.size(); ++i)
-        if (!known.pixels[i] && blends.pixels[i].weight > 0) {
-            out.pixels[i] = blends.pixels[i].sum / blends.pixels[i].weight;
-            known.pixels[i] = 1;
-        }
-    Image<Blend> rest(w, h);
-    for (int x = 0; x < w; ++x)
-        blend_line(h, false, [&](int y) { return out.at(x, y); }, [&](int y) { return known.at(x, y) != 0; }, [&](int y) -> Blend& { return rest.at(x, y); });
-    for (std::size_t i = 0; i < out.size(); ++i)
-        if (!known.pixels[i] && rest.pixels[i].weight > 0) out.pixels[i] = rest.pixels[i].sum / rest.pixels[i].weight;
     return out;
 }
 

@@ -18,8 +18,4 @@ struct Openings {
 // `plane`: of the hull; its grid begins at `low`, and has the size of `grid`. Empty when panorama 0 saw through it nowhere.
 Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSize grid, float metres_per_pixel);
 
-// The outside is so far away that its color depends on the direction alone. What panorama 0 saw of it, gone on behind
-// walls, frames and curtains; empty when it saw none.
-ImageColor outside_picture(const ImageColor& color, const ImageF& range);
-
 }  // namespace fastscene

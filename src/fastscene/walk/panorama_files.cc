@@ -1,6 +1,7 @@
 #include "fastscene/walk/panorama_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <optional>
 
@@ -34,7 +35,8 @@ std::optional<PanoramaFiles> from_structured3d(const fs::path& color) {
 }
 
 std::optional<PanoramaFiles> from_anybody(const fs::path& color) {
-    const std::string ending = color.extension().string();
+    std::string ending = color.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") return {};
     for (const char* range_ending : {".range.exr", ".range.pfm", ".range.png"}) {
         const fs::path range = fs::path(color).replace_extension(range_ending);

@@ -5,6 +5,7 @@
 
 #include "fastscene/walk/complete.h"
 #include "fastscene/walk/free_space.h"
+#include "fastscene/walk/outlook.h"
 #include "fastscene/walk/published_walk.h"
 #include "fastscene/walk/ready.h"
 
@@ -38,16 +39,21 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Wa
     return view;
 }
 
-// A reach longer than the room is wide somewhere: said once, with what became of it.
-void tell_what_was_clipped(const Panorama& first, const WalkParams& params, const Run& run) {
-    float shortest = std::numeric_limits<float>::infinity();
-    for (const Vec3f& world : choose_viewpoints(first, params)) {
+// A reach longer than the room is wide somewhere: said once, with what became of it, and written down.
+Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params, const Run& run) {
+    float shortest = std::numeric_limits<float>::infinity(), reached = 0;
+    for (const Vec3f& world : positions) {
         const Vec3f p = inverse(first.world_from_pano) * world;
         shortest = std::min(shortest, distance_ahead(first.range, normalize(p)));
+        reached = std::max(reached, length(p));
     }
-    if (shortest < params.reach_m)
+    Json about{{"viewpoints", positions.size()}, {"reached_m", reached}};
+    if (shortest < params.reach_m) {
         run.warn(fmt::format("walk: a reach of {} m would leave the room (a surface is {:.2f} m away); viewpoints are clipped to {:.0f} % of the free distance",
                              params.reach_m, shortest, 100 * params.clearance));
+        about["clipped"] = {{"wanted_m", params.reach_m}, {"nearest_surface_m", shortest}, {"share_of_free_distance", params.clearance}};
+    }
+    return about;
 }
 
 // Around every given panorama its share of the viewpoints.
@@ -68,7 +74,8 @@ std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panor
 Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params, const Run& run) {
     const EquirectSize size = first.size();
     const std::vector<Vec3f> positions = all_viewpoints(first, more, params);
-    tell_what_was_clipped(first, params, run);
+    Json about = what_was_clipped(first, choose_viewpoints(first, params), params, run);
+    about["viewpoints"] = positions.size();
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
@@ -99,7 +106,7 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
         walked.push_back(std::move(next));
         progress.advance();
     }
-    return {std::move(walked), Json::object()};
+    return {std::move(walked), std::move(about)};
 }
 
 }  // namespace

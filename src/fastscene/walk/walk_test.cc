@@ -293,23 +293,6 @@ TEST(CoarseView, AFoldStaysClosedButADeepJumpOpens) {
     }
 }
 
-TEST(Outside, GoesOnAlongTheRows) {
-    ImageColor color(64, 32);
-    ImageF range(64, 32, 2.f);
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 64; ++x) color.at(x, y) = {static_cast<float>(y), 0, x < 20 || x > 44 ? 9.f : 1.f};
-    EXPECT_TRUE(outside_picture(color, range).empty());
-    for (int y = 8; y < 24; ++y)
-        for (int x = 20; x <= 44; ++x) range.at(x, y) = std::numeric_limits<float>::infinity();
-    const ImageColor out = outside_picture(color, range);
-    for (int y = 10; y < 22; ++y)
-        for (int x = 0; x < 64; ++x) {
-            EXPECT_FLOAT_EQ(out.at(x, y).x, static_cast<float>(y));   // layers stay layers
-            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                     // nothing of the wall
-        }
-    EXPECT_FLOAT_EQ(out.at(0, 0).z, 1.f);
-}
-
 TEST(Walk, SameBytesForAnyNumberOfThreads) {
     const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::checker, SyntheticPaint::planks);
     const Panorama first = render_synthetic(world, {}, {128, 64}, 1);

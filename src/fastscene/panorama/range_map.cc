@@ -1,0 +1,112 @@
+// Range maps of users: what was not measured becomes far background, or goes on from its surroundings where only a speck or the tripod is missing.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fastscene/base/error.h"
+#include "fastscene/geometry/sphere.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/panorama/panorama.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr double kSpeckShare = 1.5e-4;   // of the sphere: a patch of 3 degrees across
+
+using Pixels = std::vector<std::pair<int, int>>;
+
+// A connected patch of unmeasured pixels from (x, y) on, the seam included; `left` loses them.
+Pixels patch_from(int x, int y, ImageMask& left) {
+    Pixels patch{{x, y}};
+    left.at(x, y) = 0;
+    for (std::size_t k = 0; k < patch.size(); ++k) {
+        const auto [px, py] = patch[k];
+        for (const auto& [i, j] : {std::pair{px - 1, py}, {px + 1, py}, {px, py - 1}, {px, py + 1}}) {
+            if (j < 0 || j >= left.height) continue;
+            const int c = wrap_column(i, left.width);
+            if (!left.at(c, j)) continue;
+            left.at(c, j) = 0;
+            patch.push_back({c, j});
+        }
+    }
+    return patch;
+}
+
+double share_of_sphere(const Pixels& patch, EquirectSize size) {
+    double sum = 0;
+    for (const auto& [x, y] : patch) sum += pixel_solid_angle(y, size);
+    return sum / (4 * std::numbers::pi);
+}
+
+// Measured ranges beside the patch, each as `of(range, row)` sees it; their median.
+template <class Of>
+float median_beside(const ImageF& range, const Pixels& patch, Of of) {
+    std::vector<float> beside;
+    for (const auto& [x, y] : patch)
+        for (const auto& [i, j] : {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+            if (j < 0 || j >= range.height) continue;
+            const float r = range.at(wrap_column(i, range.width), j);
+            if (r > 0.f && std::isfinite(r)) beside.push_back(of(r, j));
+        }
+    if (beside.empty()) return kFar;
+    const auto middle = beside.begin() + static_cast<std::ptrdiff_t>(beside.size() / 2);
+    std::nth_element(beside.begin(), middle, beside.end());
+    return *middle;
+}
+
+// How much of a range from the viewpoint leads down.
+float down_of(int y, int height) { return std::cos((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>) * -1.f; }
+
+}  // namespace
+
+ImageF completed_range(ImageF range, RangeGaps& gaps) {
+    const EquirectSize size{range.width, range.height};
+    gaps = {};
+    ImageMask left(range.width, range.height);
+    for (std::size_t i = 0; i < range.size(); ++i) {
+        left.pixels[i] = !(range.pixels[i] > 0.f);   // true for NaN
+        gaps.unmeasured += left.pixels[i];
+    }
+    if (gaps.unmeasured == 0) return range;
+    ImageF out = range;
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x) {
+            if (!left.at(x, y)) continue;
+            const Pixels patch = patch_from(x, y, left);
+            const auto lowest = std::max_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+            const auto highest = std::min_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+            const bool speck = share_of_sphere(patch, size) < kSpeckShare;
+            // Below the horizon and as far down as there is: the camera stood on it. The floor goes on level.
+            const bool tripod = lowest == range.height - 1 && highest > range.height * 2 / 3;
+            const float floor = tripod ? median_beside(range, patch, [&](float r, int j) { return r * down_of(j, range.height); }) : 0;
+            const float beside = speck && !tripod ? median_beside(range, patch, [](float r, int) { return r; }) : kFar;
+            for (const auto& [px, py] : patch) out.at(px, py) = tripod ? floor / down_of(py, range.height) : beside;
+            (tripod || speck ? gaps.closed : gaps.far) += static_cast<std::int64_t>(patch.size());
+        }
+    return out;
+}
+
+ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, const Run& run) {
+    const PictureInfo info = picture_info(map);
+    if (info.width != size.width || info.height != size.height)
+        throw Error("{}: expected a range map of the panorama's size, {} x {}, found {} x {}", map.string(), size.width, size.height, info.width,
+                    info.height);
+    const ImageF range = load_float(map);
+    std::size_t measured = 0;
+    for (int y = 0; y < range.height; ++y)
+        for (int x = 0; x < range.width; ++x) {
+            const float r = range.at(x, y);
+            if (r < 0.f) throw Error("{}: expected ranges in metres, 0 or more, found {} at column {}, row {}", map.string(), r, x, y);
+            if (r > 0.f && std::isfinite(r)) ++measured;
+        }
+    if (measured == 0) throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
+    RangeGaps gaps;
+    ImageF out = completed_range(range, gaps);
+    if (gaps.unmeasured > 0)
+        run.warn(fmt::format("{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies about them (specks, and straight below)",
+                             map.string(), gaps.unmeasured, gaps.far, gaps.closed));
+    return out;
+}
+
+}  // namespace fastscene
