@@ -106,7 +106,7 @@ Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const 
     const nn::Autocast coarse(latents.device(), settings.precision == "bf16");   // what is summed up from layer to layer stays in float
     const Tensor z = latents / model.vae_config.scale;
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
-    const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}, {}};
+    const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}};
     const Tensor picture = decodes_in_tiles() ? nn::over_sphere(z, how, [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
                                               : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
     nn::expect_finite(picture, folder_of("vae"), model.options.type);
@@ -117,7 +117,7 @@ Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
     nn::StoppableWeights weights(*model.vae, run);
     const Scope s(weights);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent, channels = model.vae_config.latent_channels;
-    const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}, {}};
+    const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}};
     const Tensor both = nn::over_sphere(unit * 2 - 1, how, [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part);
         return at::cat({found.mean, found.log_variance}, 1);

@@ -379,7 +379,7 @@ TEST(TimesThePainting, GrowsWithThePictureAndFallsWithThePaintersSteps) {
 
 TEST(SphereTiles, NeitherBordersNorTheSeamShow) {
     const at::Tensor x = nn::hashed_input("x", {1, 2, 20, 50});
-    nn::SphereTiles how{16, 4, 1, 2, {}, {}};
+    nn::SphereTiles how{16, 4, 1, 2, {}};
     int calls = 0;
     const auto twice = [&](const at::Tensor& t) {
         ++calls;

@@ -12,6 +12,7 @@
 #include "fastscene/nn/diffusion360.h"
 #include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
+#include "fastscene/nn/upscale360.h"
 #include "fastscene/nn/weights.h"
 
 namespace fastscene {
@@ -249,6 +250,26 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
     const auto paint = [&] { (void)Diffusion360(folder, settings, {}, Diffusion360::From::photo).paint_around(ImageRgb8(40, 30), "a room", {}); };
     expect_says(message_of(paint),
                 {(folder / "sd-i2p").string() + ":", "not finite"});
+}
+
+TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
+    for (const auto& [file, key] : {std::pair<std::string, std::string>{"sr-control/diffusion_pytorch_model.safetensors", "controlnet_mid_block.bias"},
+                                    {"sr-base/unet/diffusion_pytorch_model.safetensors", "conv_in.bias"},
+                                    {"sr-base/vae/diffusion_pytorch_model.safetensors", "encoder.conv_in.bias"}}) {
+        SCOPED_TRACE(file);
+        const fs::path folder = with_photo();
+        write_tiny_control(folder / "sr-control", 3);
+        spoil(folder / file, key);
+        Upscale360Settings settings;
+        settings.steps = 2;
+        settings.to = "3";
+        Heard heard;
+        fastscene::Run run;
+        run.events = &heard;
+        expect_says(message_of([&] { (void)Upscale360(folder, 64, settings, run).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", run); }),
+                    {(folder / file).parent_path().string() + ":", "not finite"});
+        EXPECT_LE(heard.done.empty() ? 0 : heard.done.back(), 0) << "noticed in the first step";
+    }
 }
 
 TEST_F(Folders, AStopIsHeardBetweenLayers) {

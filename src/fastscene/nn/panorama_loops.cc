@@ -107,7 +107,6 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
             TileRow done;
             const auto at_once = how.batch > 0 ? static_cast<std::size_t>(how.batch) : tiles.size();
             for (std::size_t from = 0; from < tiles.size(); from += at_once) {
-                if (how.check_stop) how.check_stop();
                 const auto count = std::min(at_once, tiles.size() - from);
                 const auto some = [&](const TileRow& all) {
                     return at::cat(
@@ -120,7 +119,10 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
                 const Tensor input = scheduler.scaled_input(x, step).to(text.scalar_type()), twice = at::cat({input, input}, 0);
                 const double t = scheduler.timestep(step);
                 const Residuals hold = controlnet(control_scope, control_config, twice, t, prompts, at::cat({c, c}, 0), how.control);
+                const bool is_first = step == how.first_step && rows.empty() && from == 0 && how.first_outputs;
+                if (is_first) how.first_outputs("control", hold.middle);
                 const Tensor output = guided(unet(unet_scope, config, twice, t, prompts, &hold).to(at::kFloat), how.guidance);
+                if (is_first) how.first_outputs("unet", output);
                 // A fresh sampler each time: as published, every step is of first order.
                 for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0)) done.push_back(tile.clone());
             }

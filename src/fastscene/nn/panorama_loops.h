@@ -59,7 +59,7 @@ struct RefinePanorama {
     int first_step = 0;              // of the scheduler: strength 0.8 of 7 steps starts at 2
     std::int64_t batch = 0;          // tiles that go through the network at once; 0 = a row of tiles, as published. The result is the same.
     StepListener listener;
-    std::function<void()> check_stop;
+    Listener first_outputs;          // hears what the first tile's networks put out: "control", "unet"
 };
 // latents [1, 4, H, W] with the noise of first_step, picture [1, 3, 8 H, 8 W] in [0, 1] that the ControlNet holds on to.
 at::Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope, const UNetConfig& control_config,

@@ -55,7 +55,6 @@ Tensor over_sphere(const Tensor& x, const SphereTiles& how, const std::function<
         const Tensor down = hat(rows * how.out, overlap * how.out, top > 0, top + rows < height);
         const Tensor weight = (down.unsqueeze(1) * across.unsqueeze(0)).unsqueeze(0).unsqueeze(0);
         for (const std::int64_t left : lefts) {
-            if (how.check_stop) how.check_stop();
             const Tensor tile =
                 net(x.narrow(2, top * how.in, rows * how.in).index_select(3, wrapped(left * how.in, columns * how.in, width * how.in)))
                     .to(at::kFloat);

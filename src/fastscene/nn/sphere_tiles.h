@@ -11,7 +11,6 @@ namespace fastscene::nn {
 struct SphereTiles {
     std::int64_t tile = 64, overlap = 16;  // in units
     std::int64_t in = 1, out = 8;          // pixels of a unit before and behind the network
-    std::function<void()> check_stop;
     std::function<void(std::int64_t done, std::int64_t total)> heard;
 };
 // x [1, C, in H, in W] -> [1, C', out H, out W]: `net` maps tiles [1, C, in h, in w] to [1, C', out h, out w].

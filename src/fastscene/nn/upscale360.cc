@@ -14,6 +14,7 @@
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
 #include "fastscene/nn/sphere_tiles.h"
+#include "fastscene/nn/stoppable.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -86,24 +87,27 @@ struct Upscale360::Parts {
         larger_config = rrdb_config(*larger);
     }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
-    nn::SphereTiles tiles(std::int64_t in, std::int64_t out, const Run& run) const {
+    nn::SphereTiles tiles(std::int64_t in, std::int64_t out) const {
         const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
-        return {tile, tile / 4, in, out, [&run] { run.check_stop(); }, {}};
+        return {tile, tile / 4, in, out, {}};
     }
+    fs::path folder_of(const std::string& part) const { return part == "control" ? control.weights->path() : model.base / part; }
     ImageRgb8 painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const;
     ImageRgb8 doubled(const ImageRgb8& picture, const Run& run) const;
 };
 
 ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const {
-    const Scope pictures(*model.vae);
+    nn::StoppableWeights vae(*model.vae, run), unet(*model.unet, run), holding(*control.weights, run);
+    const Scope pictures(vae);
     random = at::detail::createCPUGenerator(run.seed);  // each step its own: it may be the first of a run that goes on
     const Tensor unit = nn::unit_picture(picture),
                  text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative,
                                           run);
-    const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1, run), [&](const Tensor& part) {
+    const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1), [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part);
         return at::cat({found.mean, found.log_variance}, 1);
     });
+    nn::expect_finite(both, folder_of("vae"), model.options.type);
     const std::int64_t channels = model.vae_config.latent_channels;
     const Tensor mean = both.narrow(1, 0, channels),
                  clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) * model.vae_config.scale;
@@ -113,29 +117,32 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
     how.tile = std::min(settings.tile / kPixelsPerLatent, clean.size(2) / 2 * 2);  // no taller than the picture
     how.first_step = settings.steps - std::min(static_cast<int>(settings.steps * settings.strength), settings.steps);
     how.batch = 1;  // a tile at a time bounds memory; the result is that of published rows
-    how.check_stop = [&] { run.check_stop(); };
+    how.first_outputs = [&](const std::string& part, const Tensor& output) { nn::expect_finite(output, folder_of(part), model.options.type); };
     Progress progress(run, fmt::format("larger {} x {}", picture.width, picture.height), settings.steps - how.first_step + 1);
     how.listener = [&](int, double, const Tensor&) { progress.advance(); };
-    const Tensor latents = nn::refine_panorama(Scope(*model.unet), model.unet_config, Scope(*control.weights), control.config, *scheduler,
+    const Tensor latents = nn::refine_panorama(Scope(unet), model.unet_config, Scope(holding), control.config, *scheduler,
                                                scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
-    const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent, run), [&](const Tensor& part) {
+    nn::expect_finite(latents, folder_of("unet"), model.options.type);
+    const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent), [&](const Tensor& part) {
         return nn::vae_decode(pictures, model.vae_config, part);
     });
-    if (!at::isfinite(decoded).all().item<bool>())
-        throw Error("diffusion360: expected a larger picture, found values that are not finite; are the weights in {} whole?", model.base.string());
+    nn::expect_finite(decoded, folder_of("vae"), model.options.type);
     progress.advance();
     return nn::picture_of_unit(decoded / 2 + 0.5);
 }
 
 ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) const {
     std::optional<Progress> progress;
-    nn::SphereTiles how{kEnlargeTile, kEnlargeOverlap, 1, 2, [&run] { run.check_stop(); }, {}};
+    nn::StoppableWeights weights(*larger, run);
+    nn::SphereTiles how{kEnlargeTile, kEnlargeOverlap, 1, 2, {}};
     how.heard = [&](std::int64_t, std::int64_t total) {
         if (!progress) progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
         progress->advance();
     };
-    return nn::picture_of_unit(
-        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(*larger), larger_config, part); }));
+    const Tensor enlarged =
+        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(weights), larger_config, part); });
+    nn::expect_finite(enlarged, larger->path(), at::kFloat);
+    return nn::picture_of_unit(enlarged);
 }
 
 Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Settings& settings, const Run& run) {
