@@ -5,7 +5,7 @@ namespace fastscene::cli {
 Verb add_rooms(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("rooms", "Works on the furnished rooms themselves.");
     verb->require_subcommand(1);
-    const std::vector<Verb> parts{add_rooms_sheet(*verb), add_rooms_check(*verb), add_rooms_dataset(*verb)};
+    const std::vector<Verb> parts{add_rooms_sheet(*verb), add_rooms_check(*verb), add_rooms_read(*verb), add_rooms_dataset(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `rooms`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)

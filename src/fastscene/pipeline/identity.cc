@@ -26,6 +26,8 @@ void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
     const auto unknown = words_of(prompt, PromptWord::Fate::not_understood);
     if (!prompt.names_a_room())
         run.warn("the prompt names nothing that belongs to a room: a plausible room is made instead (panorama/prompt.json says which)");
+    if (!prompt.unread.empty())
+        run.warn(fmt::format("the prompt is in {}, which is not read: expected English, German, French, Spanish or Italian", prompt.unread));
     if (!unknown.empty())
         run.warn(fmt::format("not understood in the prompt: {}", fmt::join(unknown, ", ")));
     for (const PromptWord& word : prompt.words_with(PromptWord::Fate::approximated)) run.note(word.words + ": " + word.meaning);

@@ -135,6 +135,20 @@ bool Layout::give_way(const std::function<bool()>& place) {
     return false;
 }
 
+namespace {
+
+// The size that was said in metres, as far as such a piece goes.
+Vec3f as_measured(const PieceRequest& usual, Vec3f said) {
+    if (said == Vec3f{}) return {};
+    constexpr float kLeast = 0.55f, kMost = 1.9f;
+    const Vec3f size = make_piece(usual).size_m;
+    for (std::size_t a = 0; a < 3; ++a)
+        if (said[a] > 0) said[a] = std::clamp(said[a], kLeast * size[a], kMost * size[a]);
+    return said;
+}
+
+}  // namespace
+
 PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
     PieceRequest r;
     r.klass = std::move(klass);
@@ -150,6 +164,7 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         r.material = wish->material;
         r.pattern = wish->pattern;
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
+        r.size_m = as_measured(r, wish->size_m);
     }
     return r;
 }

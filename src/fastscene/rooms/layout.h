@@ -53,7 +53,7 @@ class Layout {
     // … with its middle at this point of the floor plan, turned as asked.
     std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw);
     // Small things that lie about on the floor near a point.
-    std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request);
+    std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});

@@ -82,6 +82,7 @@ class Furnisher {
         const PromptSpec& spec = l_.spec();
         if (spec.clutter == "cluttered" || spec.mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
         if (spec.clutter == "bare") clutter_ = 0.1f;
+        if (spec.clutter == "empty") clutter_ = 0.f;
     }
 
     void run() {
@@ -113,7 +114,7 @@ class Furnisher {
     std::optional<int> put(const char* klass, float probability, How&& how, std::string_view at = {}) {
         if (wishes_.forbids(klass)) return {};
         const PromptObject* wish = wishes_.next(klass, at);
-        if (!wish && !chance(probability)) return {};
+        if (!wish && (!is_furnished() || !chance(probability))) return {};
         const auto index = how(l_.request(klass, wish), wish ? *wish : PromptObject{});
         if (!index && wish) wishes_.give_back(wish);
         return index;
@@ -147,15 +148,16 @@ class Furnisher {
         return put("picture", probability, [&](PieceRequest r, const PromptObject& o) {
             // Of many sizes; over a bare wall a large one first.
             const float w = l_.dice().uniform(0.4f, 1.25f);
-            if (o.size.empty()) r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
+            if (o.size.empty() && o.size_m == Vec3f{}) r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
             return l_.on_wall(r, {}, o);
         });
     }
     void rug(int anchor, float probability, float width, float depth, float shift) {
         put("rug", probability, [&](PieceRequest r, const PromptObject& o) {
             const float k = o.size == "large" ? 1.2f : o.size == "small" ? 0.75f : 1.f;
+            const bool said = o.size_m.x > 0;
             for (const float shrink : {1.f, 0.8f, 0.6f}) {
-                r.size_m = {width * k * shrink, 0, depth * k * shrink};
+                if (!said) r.size_m = {width * k * shrink, 0, depth * k * shrink};
                 if (const auto i = l_.under(anchor, r, shift, o)) return i;
             }
             return std::optional<int>{};
@@ -280,6 +282,8 @@ class Furnisher {
         if (!table) return;
         const int wished = wishes_.count("chair");
         const PromptObject* wish = wishes_.next("chair");
+        if (wish && wish->counted) seats = 0;  // "four chairs" are four
+        if (!wish && (!is_furnished() || wishes_.forbids("chair"))) seats = 0;
         const int placed = l_.around(*table, l_.request("chair", wish), std::max(wished, seats), wish ? *wish : PromptObject{});
         for (int i = 1; i < std::min(placed, wished); ++i) wishes_.next("chair");
         if (placed == 0 && wish) wishes_.give_back(wish);
@@ -329,7 +333,7 @@ class Furnisher {
     // Stools along an island.
     void seats_at(int island) {
         const char* klass = wishes_.has("stool") ? "stool" : "bar_stool";
-        if (wishes_.forbids(klass) || (!wishes_.has(klass) && !chance(0.7f))) return;
+        if (wishes_.forbids(klass) || (!wishes_.has(klass) && (!is_furnished() || !chance(0.7f)))) return;
         const int wished = wishes_.count(klass);
         const PromptObject* wish = wishes_.next(klass);
         const int placed = l_.around(island, l_.request(klass, wish), std::max(wished, wish ? 1 : 2), wish ? *wish : PromptObject{});
@@ -453,7 +457,12 @@ class Furnisher {
         if (wish.klass == "tv") return television(r, wish);
         if (const auto i = where_asked(wish, r, piece)) return i;
         switch (piece.mount) {
-            case Mount::surface: return l_.on_any_top(r, wish);
+            case Mount::surface: {
+                auto i = l_.on_any_top(r, wish);
+                // Where nothing else stands ("only a mattress and a candle") small things stand on the floor.
+                if (!i && !is_furnished()) i = l_.on_floor_near({0, 0}, r, wish);
+                return i;
+            }
             case Mount::wall: return l_.on_wall(r, {}, wish);
             case Mount::ceiling:
                 for (const Vec2f at : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
@@ -513,7 +522,7 @@ class Furnisher {
             if (o.klass == "curtain" && !o.forbidden) curtain = &o;
         const std::string& room = l_.spec().room;
         const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
-        if (!wishes_.forbids("curtain") && (curtain || !wet)) {
+        if (!wishes_.forbids("curtain") && (curtain || (!wet && is_furnished()))) {
             const int hung = l_.at_windows(l_.request("curtain", curtain), curtain ? *curtain : PromptObject{});
             if (curtain && hung == 0) l_.spec().not_placed.push_back(curtain->words + ": no window has room for them");
         }
@@ -542,8 +551,10 @@ class Furnisher {
             const char* klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
             put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
         }
-        add_touches(l_, clutter_);
+        if (is_furnished()) add_touches(l_, clutter_);
     }
+    // "only a bed": nothing stands that nobody asked for.
+    bool is_furnished() const { return l_.spec().clutter != "empty"; }
 
     Layout& l_;
     Wishes wishes_;

@@ -61,14 +61,14 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
     return keep(p, {});
 }
 
-std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request) {
+std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
     p.piece.mount = Mount::floor;
     for (int tries = 0; tries < 12; ++tries) {
         p.position = {at.x + dice_.uniform(-0.7f, 0.7f), 0.013f, at.y + dice_.uniform(-0.7f, 0.7f)};  // it may lie on a rug
         p.yaw = dice_.uniform(-kPi, kPi);
-        if (fits(p, false) && leaves_way(p)) return keep(p, {});
+        if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
 }

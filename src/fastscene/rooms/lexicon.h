@@ -15,6 +15,10 @@ enum class WordKind : unsigned char {
     nuance,    // understood, but nothing in the room shows it ("dusty"), or only its windows do ("ocean view")
     filler,    // speaks of the picture or the room as such ("photo", "interior")
     function,  // articles, prepositions, forms of "to be"
+    scope,     // "only": nothing else; "everything": what is said of it is said of all
+    bound,     // "at most", "fewer than": what stands before a count; the meaning is what it adds to the count
+    unit,      // of lengths and areas; the meaning is in metres
+    other,     // a word that is no typo of another, of nothing that rooms have
 };
 
 struct Word {
@@ -35,9 +39,13 @@ std::optional<Word> look_up(const std::string& term, Language language = {});
 bool is_function_word(const std::string& term, Language language);
 inline constexpr std::size_t kLongestTerm = 6;  // words
 
-// A known single word of at least five letters at Damerau-Levenshtein distance 1, if there is exactly one meaning. A word
-// with the same first letter comes before others, what can be shown before what cannot.
+// A known single word at Damerau-Levenshtein distance 1 (of eight letters or more: 2), if there is exactly one meaning. A word
+// with the same first letter comes before others, what can be shown before what cannot. Of four letters, two may have changed places.
 std::optional<std::string> nearest_term(const std::string& word, Language language = {});
+// A term of as many words, those that are not `known` misspelt so: "cofee table", "night stnad".
+std::optional<std::string> nearest_phrase(const std::vector<std::string>& words, const std::vector<bool>& known, Language language = {});
+// The term with the same letters and other spaces: "bed side lamp", "livingroom"; singular or plural.
+std::optional<std::string> respelled(const std::string& words, Language language = {});
 
 // sRGB 0xrrggbb of a color by its plain name, without composition ("dark …" is style.h's).
 std::optional<std::uint32_t> lexicon_color(std::string_view name);

@@ -10,6 +10,8 @@
 namespace fastscene {
 namespace {
 
+constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f;
+
 struct Proportions {
     const char* room;
     float width_low, width_high, depth_low, depth_high;
@@ -25,31 +27,6 @@ const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, boo
     for (const PromptObject& o : spec.objects)
         if (o.klass == klass && o.forbidden == forbidden) return &o;
     return nullptr;
-}
-
-// Color and material wishes of a surface of the shell.
-void apply_wish(Material& m, const PromptObject& wish, bool boarded = false) {
-    const float scale = m.scale_m;
-    if (const auto material = wish.material.empty() ? std::nullopt : material_named(wish.material)) {
-        // Wood comes as boards on floors and walls; bare grain is for furniture.
-        const bool herringbone = m.pattern == Pattern::herringbone || m.pattern == Pattern::parquet;
-        m = *material;
-        if (boarded && m.pattern == Pattern::wood)
-            m.pattern = herringbone ? Pattern::herringbone : Pattern::planks, m.scale_m = herringbone ? 0.08f : 0.12f;
-    }
-    if (!(m.scale_m > 0.f)) m.scale_m = scale;
-    if (const auto color = wish.color.empty() ? std::nullopt : color_named(wish.color)) {
-        // The pattern's other colors keep their relation to the main one.
-        const float ratio_b = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a)),
-                    ratio_c = luminance(m.color_c) / std::max(0.02f, luminance(m.color_a));
-        m.color_a = *color;
-        m.color_b = *color * std::clamp(ratio_b, 0.6f, 1.4f);
-        m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
-    }
-    if (wish.pattern == "striped") m.pattern = Pattern::stripes, m.scale_m = 0.16f;
-    if (wish.pattern == "floral") m.pattern = Pattern::floral, m.scale_m = 0.3f;
-    if (wish.pattern == "damask") m.pattern = Pattern::damask, m.scale_m = 0.4f;
-    if (wish.pattern == "checkered") m.pattern = Pattern::checker, m.scale_m = 0.3f;
 }
 
 // Words such as "oak" and "walnut" are woods before they are colors.
@@ -69,9 +46,9 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
     const bool large =
-        (wish && wish->size == "large") || spec.room == "sunroom" || spec.room == "loft" || spec.mood == "airy" || spec.light == "bright";
+        (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) || spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
-    int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || spec.room == "loft" ? 3 : dice.chance(0.45f) ? 2 : 1;
+    int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || is_loft(spec) ? 3 : dice.chance(0.45f) ? 2 : 1;
     if (spec.room == "hallway" && !wish) count = 1;
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
@@ -137,6 +114,8 @@ float room_for_wishes(const PromptSpec& spec) {
         {"dining_table", 4.f}, {"piano", 3.f}, {"grand_piano", 5.f}, {"wardrobe", 1.6f}, {"bookshelf", 1.f}, {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
     float wanted = 0;
     for (const PromptObject& o : spec.objects)
+        if (!o.forbidden) wanted += 1.2f * o.size_m.x * static_cast<float>(o.count);
+    for (const PromptObject& o : spec.objects)
         for (const auto& [klass, area] : kNeeds)
             if (o.klass == klass && !o.forbidden) wanted += area * static_cast<float>(std::min(o.count, 12));
     constexpr float kUsual = 9.f, kGain = 0.022f, kMost = 1.28f;
@@ -190,7 +169,10 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const float factor = spec.size == "large" ? std::max(1.18f, room_for_wishes(spec)) : spec.size == "small" ? 0.88f : room_for_wishes(spec);
     plan.width = dice.uniform(size->width_low, size->width_high) * factor;
     plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
-    plan.height = spec.room == "loft" ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
+    plan.height = is_loft(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
+    if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
+        plan.height = ceiling->size == "small" ? kLowCeiling : std::max(kHighCeiling, plan.height + 0.4f);
+    take_measures(spec, plan);
     plan.beams = plan.style.beams || wish_for(spec, "beams");
     plan.accent = spec.room != "hallway" && dice.chance(0.6f);
 
@@ -205,6 +187,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
     choose_paint(spec, plan, dice);
     if (wet) tile_wet_room(plan, dice);
+    cover_everything(spec.everything, plan);
+    avoid_colors(spec);
     for (const PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
         if (wish.klass == "wall") {
@@ -222,10 +206,11 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }
-    if (!spec.colors.empty() && plan.accent && !wet)
+    if (!spec.colors.empty() && plan.accent && !wet && spec.everything.color.empty())
         if (const auto color = color_named(spec.colors.front())) plan.style.accent_wall.color_a = *color;
     report_unbuilt(spec);
     shape_plan(spec, plan, dice);
+    tell_measures(spec, plan);
     add_windows(spec, plan, dice);
     add_door(spec, plan, dice);
     open_plan(spec, plan, dice);

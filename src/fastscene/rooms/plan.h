@@ -60,6 +60,7 @@ struct Plan {
     float width = 4, depth = 5, height = 2.7f;   // inside
     std::vector<Opening> openings;
     Style style;                                 // with the prompt's wishes for walls, floor and so on worked in
+    bool measured = false;                       // width or depth were said: nothing adds to them
     bool accent = false;                         // wall 0 has the accent material
     bool beams = false;
     bool coffers = false;      // a grid of beams in the color of the trim

@@ -10,4 +10,18 @@ void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice);
 // Tiles for a bathroom or laundry, as the style has them.
 void tile_wet_room(Plan& plan, Random& dice);
 
+// Color, material and pattern wishes of a surface.
+void apply_wish(Material& m, const PromptObject& wish, bool boarded = false);
+// "everything is pink": the materials of room and furniture alike.
+void cover_everything(const PromptObject& everything, Plan& plan);
+// "not brown", and no other color said: another one is chosen, and told in spec.assumed.
+void avoid_colors(PromptSpec& spec);
+
+// Sizes of the room that were said in metres, as far as rooms go; and, once the room has its shape, what became of them.
+void take_measures(const PromptSpec& spec, Plan& plan);
+void tell_measures(PromptSpec& spec, const Plan& plan);
+
+inline bool is_loft(const PromptSpec& spec) { return spec.room == "loft" || spec.structure == "loft"; }
+inline bool is_attic(const PromptSpec& spec) { return spec.room == "attic" || spec.structure == "attic"; }
+
 }  // namespace fastscene

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/lexicon.h"
-#include "fastscene/rooms/plan.h"
+#include "fastscene/rooms/plan_parts.h"
 
 namespace fastscene {
 namespace {
@@ -49,15 +49,14 @@ void add_breast(Plan& plan, Random& dice) {
     else plan.blocks.push_back({Block::Kind::breast, {-w, 0.2f - wide / 2}, {-w + deep, 0.2f + wide / 2}});
 }
 void add_corner(Plan& plan, Random& dice) {
-    plan.width += 0.3f;
-    plan.depth += 0.3f;
+    if (!plan.measured) plan.width += 0.3f, plan.depth += 0.3f;
     const float x = plan.width * dice.uniform(0.24f, 0.33f), z = plan.depth * dice.uniform(0.2f, 0.3f), w = plan.width / 2, d = plan.depth / 2;
     if (dice.chance(0.5f)) plan.blocks.push_back({Block::Kind::corner, {w - x, d - z}, {w, d}});
     else plan.blocks.push_back({Block::Kind::corner, {-w, d - z}, {-w + x, d}});
 }
 // What is left of the far wall between two corners: a bay for a window, or a place for a bed, a desk, shelves.
 void add_recess(Plan& plan, float wide, float deep) {
-    plan.depth += deep;
+    if (!plan.measured) plan.depth += deep;
     const float w = plan.width / 2, d = plan.depth / 2;
     plan.blocks.push_back({Block::Kind::corner, {-w, d - deep}, {-wide / 2, d}});
     plan.blocks.push_back({Block::Kind::corner, {wide / 2, d - deep}, {w, d}});
@@ -169,10 +168,11 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         if (!wish.forbidden && is_shell(wish.klass)) plan.asked_parts.push_back(wish.klass);
     const Habits& habit = habits_of(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
-    if (decide(spec, "sloped_ceiling", spec.room == "attic" ? 1.f : 0.f, dice) && (spec.room == "attic" || wish_for(spec, "sloped_ceiling"))) {
-        plan.width = std::max(plan.width + 0.7f, 4.9f);
-        plan.height = std::max(plan.height, 2.7f);
-        plan.knee = dice.uniform(1.05f, 1.3f);
+    if (decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) && (is_attic(spec) || wish_for(spec, "sloped_ceiling"))) {
+        constexpr float kNarrowest = 3.4f;  // between two slopes
+        plan.width = plan.measured ? std::max(plan.width, kNarrowest) : std::max(plan.width + 0.7f, 4.9f);
+        if (!(spec.size_m.y > 0)) plan.height = std::max(plan.height, 2.7f);
+        plan.knee = std::min(dice.uniform(1.05f, 1.3f), plan.height - 0.9f);
         plan.slope_run = std::min(dice.uniform(1.35f, 1.7f), plan.width / 2 - 0.8f);
         if (const PromptObject* wish = wish_for(spec, "alcove")) report(spec, *wish, wish->count, "not below a sloped ceiling");
         if (const PromptObject* wish = wish_for(spec, "bay_window")) report(spec, *wish, wish->count, "not below a sloped ceiling");
@@ -180,7 +180,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         // One of these: a room with all of them has no walls left.
         const bool asked_bay = wish_for(spec, "bay_window"), asked_alcove = wish_for(spec, "alcove");
         float roll = dice.uniform();
-        if (asked_bay || asked_alcove) roll = 2.f;
+        constexpr float kTight = 10.f;  // square metres: no corner to leave out
+        if (asked_bay || asked_alcove || (plan.measured && plan.width * plan.depth < kTight)) roll = 2.f;
         if (wish_for(spec, "bay_window", true)) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
         const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
                     niche = dice.uniform(0.45f, 0.55f);
@@ -192,7 +193,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         for (const char* klass : {"bay_window", "alcove"})
             if (const PromptObject* wish = wish_for(spec, klass)) report(spec, *wish, wish->count - 1, "a room has one");
         const PromptObject* columns = wish_for(spec, "column");
-        if (decide(spec, "column", spec.room == "loft" ? 0.65f : 0.f, dice)) add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, dice);
+        if (decide(spec, "column", is_loft(spec) ? 0.65f : 0.f, dice)) add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, dice);
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = is_one_of(spec.room, {"living", "dining", "study", "hallway"}) && dice.chance(0.6f);

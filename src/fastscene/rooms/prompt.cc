@@ -32,7 +32,7 @@ void tell_nouns(Reading& r) {
 void collect(const Matches& matches, PromptSpec& spec) {
     for (const Match& m : matches) {
         if (!m.listed) continue;
-        PromptWord word{m.words, m.fate, m.meaning, m.about, m.relation};
+        PromptWord word{m.words, m.fate, m.meaning, m.about, m.relation, m.measure};
         if (!m.note.empty()) {
             word.fate = PromptWord::Fate::approximated;
             word.meaning = m.note + (m.meaning.empty() ? "" : "; " + m.meaning);
@@ -45,7 +45,7 @@ void collect(const Matches& matches, PromptSpec& spec) {
 
 bool PromptSpec::names_a_room() const {
     return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() || !weather.empty() || !mood.empty() ||
-           !light.empty() || !clutter.empty();
+           !light.empty() || !clutter.empty() || !structure.empty() || !everything.klass.empty() || size_m != Vec3f{} || area_m2 > 0;
 }
 
 std::vector<PromptWord> PromptSpec::words_with(PromptWord::Fate fate) const {
@@ -59,13 +59,19 @@ PromptSpec understand_prompt(const std::string& text, bool strict, std::shared_p
     PromptSpec spec;
     spec.text = text;
     spec.pack = std::move(pack);
-    const std::vector<std::string> tokens = tokens_of(text);
-    const Language language = language_of(tokens);
-    spec.language = language;
-    Reading r{spec, match(tokens, language, spec.pack.get()), language};
+    const std::vector<std::string> tokens = with_numbers_apart(tokens_of(text));
+    const Tongue tongue = tongue_of(tokens);
+    spec.language = tongue.language;
+    spec.unread = tongue.unread;
+    if (!spec.unread.empty()) spec.assumed.push_back("language: " + spec.unread + " is not read; only words that English shares with it are");
+    Reading r{spec, match(tokens, tongue, spec.pack.get()), tongue.language};
+    settle_quantities(r.m);
     settle_double_meanings(r);
     find_nouns(r);
+    bind_measures(r);
     bind_adjectives(r);
+    seat_people(r);
+    read_scopes(r);
     read_globals(r);
     relate(r);
     tell_nouns(r);
@@ -122,7 +128,7 @@ Json to_json(const PromptSpec& spec) {
     Json objects = Json::array();
     for (const PromptObject& o : spec.objects)
         objects.push_back({{"class", o.klass}, {"words", o.words}, {"count", o.count}, {"placed", o.placed}, {"color", o.color}, {"color2", o.color2}, {"material", o.material}, {"pattern", o.pattern},
-                           {"size", o.size}, {"style", o.style}, {"relation", o.relation}, {"relation_to", o.relation_to}, {"relation_and", o.relation_and}, {"forbidden", o.forbidden}});
+                           {"size", o.size}, {"size_m", Json{o.size_m.x, o.size_m.y, o.size_m.z}}, {"not_color", o.not_color}, {"style", o.style}, {"relation", o.relation}, {"relation_to", o.relation_to}, {"relation_and", o.relation_and}, {"forbidden", o.forbidden}});
     Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(), not_understood = Json::array(),
          assumed = Json::array();
     for (const PromptWord& w : spec.words) {
@@ -135,7 +141,9 @@ Json to_json(const PromptSpec& spec) {
         const auto colon = line.find(": ");
         assumed.push_back({{"what", line.substr(0, colon)}, {"value", colon == std::string::npos ? "" : line.substr(colon + 2)}});
     }
-    return {{"text", spec.text}, {"language", spec.language.empty() ? "en" : spec.language}, {"room", spec.room}, {"style", spec.style}, {"time", spec.time}, {"weather", spec.weather}, {"outlook", spec.outlook},
+    const auto metres = [](Vec3f size) { return Json{size.x, size.y, size.z}; };
+    return {{"text", spec.text}, {"language", spec.language.empty() ? "en" : spec.language}, {"unread_language", spec.unread}, {"room", spec.room}, {"structure", spec.structure},
+            {"size_m", metres(spec.size_m)}, {"area_m2", spec.area_m2}, {"everything", {{"color", spec.everything.color}, {"material", spec.everything.material}}}, {"style", spec.style}, {"time", spec.time}, {"weather", spec.weather}, {"outlook", spec.outlook},
             {"mood", spec.mood}, {"light", spec.light}, {"clutter", spec.clutter}, {"size", spec.size}, {"colors", spec.colors}, {"objects", objects}, {"understood", understood},
             {"assumed", assumed}, {"approximated", approximated}, {"not_placed", not_placed}, {"not_understood", not_understood}};
 }

@@ -17,19 +17,16 @@ bool is_and(const Match& m) {
     return m.is(WordKind::function) &&
            (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" || m.words == "e" || m.words == "or");
 }
-// What may stand between an article and its noun.
-bool modifies(const Match& m) {
-    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || is_shade(m) || (!m.word && !m.comma);
-}
 bool is_article(const Match& m) { return m.is(WordKind::count) && m.word->meaning == "1"; }
 
 // "in", "of", "painted in" … lead an adjective that follows its noun.
 bool leads_back(const Match& m) {
-    static constexpr std::array<std::string_view, 34> kLeads{
+    static constexpr std::array<std::string_view, 41> kLeads{
         "in",           "of",           "with",        "painted",    "painted in",     "made of",    "made from", "made out of", "upholstered in",
         "covered with", "covered in",   "finished in", "clad in",    "done in",        "is",         "are",       "built from",  "crafted from",
         "carved from",  "decorated in", "from",        "wrapped in", "lined with",     "dressed in", "aus",       "mit",         "en",
-        "de",           "di",           "con",         "in the",     "decorated with", "as",         "was"};
+        "de",           "di",           "con",         "in the",     "decorated with", "as",         "was",
+        "that is",      "which is",     "that are",    "which are",  "should be",      "must be",   "be"};
     return m.is(WordKind::function) && std::find(kLeads.begin(), kLeads.end(), m.words) != kLeads.end();
 }
 
@@ -48,6 +45,7 @@ std::string shade_of(std::string_view word, const PromptObject& object) {
 
 bool can_be_counted(const Match& noun) {
     static constexpr std::array<std::string_view, 6> kCounted{"window", "door", "bay_window", "skylight", "column", "alcove"};
+    if (noun.word->meaning == "kitchen_counter") return false;  // a kitchen has one run of units
     return noun.is(WordKind::object) || std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
 }
 
@@ -55,7 +53,7 @@ bool can_be_counted(const Match& noun) {
 void give(Reading& r, std::size_t at, std::size_t noun) {
     Match& a = r.m[at];
     const Match& n = r.m[noun];
-    if (a.noun >= 0 || !a.word) return;
+    if (a.noun >= 0 || !a.word || a.settled) return;
     a.noun = static_cast<int>(noun);
     if (n.is(WordKind::detail)) {
         if (!a.is(WordKind::count) && !is_article(a)) r.tell_near(at, "of the " + n.words + ", which are as the piece has them");
@@ -63,6 +61,11 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
     }
     PromptObject& object = r.object_of(noun);
     const std::string whose = " of " + object.klass;
+    if (a.negated && !n.negated) {
+        if (!a.is(WordKind::color)) return r.tell_near(at, "not " + a.word->meaning + ": the " + object.words + " is as the style has it", object.id);
+        object.not_color = a.word->meaning;
+        return r.tell(at, "not " + a.word->meaning + whose, object.id);
+    }
     const auto take = [&](std::string PromptObject::* field, const char* name) {
         if ((object.*field).empty() || object.*field == a.word->meaning) {
             object.*field = a.word->meaning;
@@ -177,8 +180,9 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         const Match& before = r.m[i - 1];
         if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
         if (leads_back(before)) led = true;
+        else if (before.is(WordKind::negation) && r.m[i].negated) led = true;  // "not brown", "aren't white"
         else if (!(is_adjective(before) || before.is(WordKind::nuance) || before.is(WordKind::style) || is_shade(before) || is_and(before) ||
-                   is_article(before) || before.is_function("the") || (before.comma && !led && i < at && is_adjective(r.m[i]))))
+                   before.is_function("but") || is_article(before) || before.is_function("the") || (before.comma && !led && i <= at && (is_adjective(r.m[i]) || r.m[i].is(WordKind::negation)) && i < at)))
             return {};
         --i;
     }
@@ -206,6 +210,11 @@ void pass_on_cloth(Reading& r) {
 
 }  // namespace
 
+bool modifies(const Match& m) {
+    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || m.is(WordKind::unit) || is_shade(m) ||
+           (!m.word && !m.comma);
+}
+
 void bind_adjectives(Reading& r) {
     const bool follow = adjectives_follow(r.language);
     for (std::size_t i = 0; i < r.m.size(); ++i)
@@ -215,7 +224,7 @@ void bind_adjectives(Reading& r) {
         }
     for (std::size_t i = 0; i < r.m.size(); ++i)
         if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])))
-            if (const auto noun = noun_behind(r, i); noun && r.m[*noun].negated == r.m[i].negated) give(r, i, *noun);
+            if (const auto noun = noun_behind(r, i); noun && (!r.m[*noun].negated || r.m[i].negated)) give(r, i, *noun);
     pass_on_cloth(r);
 }
 

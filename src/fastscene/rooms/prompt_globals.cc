@@ -26,29 +26,49 @@ bool beside_room(const Reading& r, std::size_t i) {
     return false;
 }
 
+bool is_floor(const std::string& material) {
+    static constexpr std::array<std::string_view, 5> kFloors{"carpet", "parquet", "planks", "marble", "terrazzo"};
+    return std::find(kFloors.begin(), kFloors.end(), material) != kFloors.end();
+}
+bool is_wall(const std::string& material) {
+    static constexpr std::array<std::string_view, 7> kWalls{"brick", "tile", "concrete", "stone", "plaster", "wood", "marble"};
+    return std::find(kWalls.begin(), kWalls.end(), material) != kWalls.end();
+}
+bool is_free(const Match& m) { return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern)); }
+
+// The colors and the pattern of a material that stands as a noun: "black and white checkered tiles", "tiled in turquoise".
+std::vector<std::size_t> adjectives_of_surface(const Reading& r, std::size_t i) {
+    std::vector<std::size_t> out;
+    const auto joins = [&](std::size_t k) { return r.m[k].is_function("and") && k > 0 && is_free(r.m[k - 1]); };
+    for (std::size_t k = i; k-- > 0 && (is_free(r.m[k]) || r.m[k].is(WordKind::nuance) || r.m[k].is(WordKind::size) || joins(k));)
+        if (is_free(r.m[k])) out.insert(out.begin(), k);
+    const std::size_t behind = i + 2;
+    const bool in = behind < r.m.size() && r.m[i + 1].is_function("in") && is_free(r.m[behind]);
+    if (in && (behind + 1 == r.m.size() || !is_noun(r.m[behind + 1]))) out.push_back(behind);
+    return out;
+}
+
 // A material that belongs to no noun is a surface of the room: "a brick loft", "exposed brick", "marble bathroom".
 void read_surface(Reading& r, std::size_t i) {
-    const std::string& material = r.m[i].word->meaning;
-    static constexpr std::array<std::string_view, 5> kFloors{"carpet", "parquet", "planks", "marble", "terrazzo"};
-    static constexpr std::array<std::string_view, 7> kWalls{"brick", "tile", "concrete", "stone", "plaster", "wood", "marble"};
-    const bool floor = std::find(kFloors.begin(), kFloors.end(), material) != kFloors.end();
-    const bool wall = std::find(kWalls.begin(), kWalls.end(), material) != kWalls.end();
+    const std::string material = r.m[i].word->meaning;
     if (r.m[i].negated) return r.tell(i, "no " + material);
-    if (!floor && !wall) return r.tell_near(i, "accent material: shows in some of the furniture");
-    PromptObject surface;
-    surface.klass = floor ? "floor" : "wall";
+    const std::vector<std::size_t> adjectives = adjectives_of_surface(r, i);
+    const bool checkered = std::any_of(adjectives.begin(), adjectives.end(), [&](std::size_t k) { return r.m[k].word->meaning == "checkered"; });
+    const bool floor = is_floor(material) || (material == "tile" && checkered);
+    if (!floor && !is_wall(material)) return r.tell_near(i, "accent material: shows in some of the furniture");
+    PromptObject& surface = r.add_object(floor ? "floor" : "wall", r.m[i].words);
     surface.material = material;
-    surface.words = r.m[i].words;
-    surface.id = static_cast<int>(r.spec.objects.size());
-    if (i > 0 && r.m[i - 1].is(WordKind::color) && r.m[i - 1].noun < 0) {
-        surface.color = r.m[i - 1].word->meaning;
-        r.m[i - 1].noun = static_cast<int>(i);
-        r.tell(i - 1, "color " + surface.color + " of the " + surface.klass, surface.id);
-    } else if (r.m[i].word->adds.starts_with("color=")) {
-        surface.color = r.m[i].word->adds.substr(6);
+    if (r.m[i].word->adds.starts_with("color=")) surface.color = r.m[i].word->adds.substr(6);
+    for (const std::size_t k : adjectives) {
+        const std::string& what = r.m[k].word->meaning;
+        std::string& field = r.m[k].is(WordKind::pattern) ? surface.pattern : surface.color.empty() ? surface.color : surface.color2;
+        r.m[k].noun = static_cast<int>(i);
+        if (field.empty()) r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass, surface.id);
+        else r.tell_near(k, "the " + surface.klass + " stays " + field, surface.id);
+        if (field.empty()) field = what;
     }
-    r.spec.objects.push_back(surface);
     r.m[i].object = surface.id;
+    r.m[i].settled = true;
     if (r.m[i].word->exact) r.tell(i, "material " + material + " of the " + surface.klass, surface.id);
     else r.tell_near(i, "material " + material + " of the " + surface.klass, surface.id);
 }
@@ -69,9 +89,19 @@ void read_nuance(Reading& r, std::size_t i) {
         else r.tell_near(i, "outlook: " + r.spec.outlook);
     } else if (what == "outside") r.tell_near(i, "what lies outside");
     else if (what == "house") r.tell(i, "the house around the room");
+    else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");
     else r.tell_near(i, "nothing in the room shows it");
+}
+
+// "a simple chair", "empty bottles": of the piece, not of the room.
+bool stands_before_piece(const Reading& r, std::size_t i) {
+    for (std::size_t k = i + 1; k < r.m.size(); ++k) {
+        if (r.m[k].is(WordKind::object)) return true;
+        if (!modifies(r.m[k]) && !r.m[k].is(WordKind::mood)) return false;
+    }
+    return false;
 }
 
 void read_one(Reading& r, std::size_t i) {
@@ -86,19 +116,21 @@ void read_one(Reading& r, std::size_t i) {
         case WordKind::weather: choose(r, i, &PromptSpec::weather, "weather", m.word->meaning); break;
         case WordKind::light: choose(r, i, &PromptSpec::light, "light", m.word->meaning); break;
         case WordKind::mood: {
-            const bool clutter = m.word->meaning == "cluttered" || m.word->meaning == "bare";
+            const bool clutter = m.word->meaning == "cluttered" || m.word->meaning == "bare" || m.word->meaning == "empty";
+            if (clutter && m.word->meaning != "cluttered" && stands_before_piece(r, i)) return r.tell_near(i, "of a piece: as such pieces are");
             choose(r, i, clutter ? &PromptSpec::clutter : &PromptSpec::mood, "mood", m.word->meaning);
             break;
         }
         case WordKind::color:
             if (m.negated) {
                 r.tell(i, "no " + m.word->meaning);
+
             } else {
                 r.spec.colors.push_back(m.word->meaning);
                 r.tell(i, (beside_room(r, i) ? "color of the room: " : "accent color: ") + m.word->meaning);
             }
             break;
-        case WordKind::material: read_surface(r, i); break;
+        case WordKind::material: read_surface(r, i); break;  // those that are no surface
         case WordKind::pattern: r.tell_near(i, "pattern: belongs to no piece that was named"); break;
         case WordKind::size:
             if (m.negated) r.tell(i, "not " + m.word->meaning);
@@ -106,7 +138,7 @@ void read_one(Reading& r, std::size_t i) {
             else r.tell_near(i, "the room stays " + r.spec.size);
             break;
         case WordKind::count:
-            if (m.word->meaning != "1" && !m.listed) r.tell_near(i, "counts nothing that can be placed");
+            if ((m.word->meaning != "1" || m.word->adds == "seats") && !m.listed) r.tell_near(i, "counts nothing that can be placed");
             break;
         case WordKind::negation: r.tell(i, "without what follows"); break;
         case WordKind::detail:
@@ -118,19 +150,28 @@ void read_one(Reading& r, std::size_t i) {
                       : m.word->meaning == "address" ? "addressed to the program"
                                                      : "the room as such");
             break;
+        case WordKind::bound: r.tell_near(i, "how much: nothing in the room shows it"); break;
+        case WordKind::unit: r.tell_near(i, "part of a piece: as the piece has it"); break;
+        case WordKind::scope:
+        case WordKind::other:
         case WordKind::object:
         case WordKind::structure:
-        case WordKind::relation:
-        case WordKind::function: break;  // nouns and relations are told elsewhere
+        case WordKind::relation: break;  // told elsewhere
+        case WordKind::function:
+            if (!m.note.empty()) r.tell(i, "");
+            break;
     }
 }
 
 }  // namespace
 
 void read_globals(Reading& r) {
+    // Surfaces first: they take colors that would be the room's.
+    for (std::size_t i = 0; i < r.m.size(); ++i)
+        if (r.m[i].is(WordKind::material) && r.m[i].noun < 0 && !r.m[i].settled) read_surface(r, i);
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         Match& m = r.m[i];
-        if (m.comma) continue;
+        if (m.comma || m.settled) continue;
         if (!m.word) {
             m.listed = true;
             m.fate = PromptWord::Fate::not_understood;

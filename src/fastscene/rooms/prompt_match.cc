@@ -1,6 +1,5 @@
 // From tokens to terms of the lexicon.
 #include <algorithm>
-#include <array>
 
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -43,74 +42,91 @@ bool split_compound(const std::string& token, Matches& matches) {
 
 }  // namespace
 
-Language language_of(const std::vector<std::string>& tokens) {
-    constexpr std::array<Language, 4> kForeign{"de", "fr", "es", "it"};
-    std::size_t english = 0;
-    for (const std::string& t : tokens) english += t != "," && look_up(t).has_value();
-    Language best;
-    std::size_t most = english;
-    for (const Language language : kForeign) {
-        std::size_t known = 0, little = 0;
-        for (const std::string& t : tokens) {
-            if (t == ",") continue;
-            known += look_up(t, language).has_value();
-            little += is_function_word(t, language);
-        }
-        // A borrowed word or two ("salon", "futon") make no foreign sentence: more must be understood than in English.
-        if (little > 0 && known > most) most = known, best = language;
-    }
-    return best;
+namespace {
+
+// "a student's den": some rooms are named by who lives there, unless another room's name follows.
+Match owner_at(const std::vector<std::string>& tokens, std::size_t i, Language language) {
+    const std::string owner = tokens[i].substr(0, tokens[i].size() - 2);
+    const auto room = look_up(owner + " room");
+    const bool room_follows = std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(), [&](const std::string& t) {
+        const auto word = look_up(t, language);
+        return word && word->kind == WordKind::room;
+    });
+    return {.words = joined(tokens, i, 1), .word = room && room->kind == WordKind::room && !room_follows ? *room : Word{WordKind::nuance, "owner"}};
 }
 
-Matches match(const std::vector<std::string>& tokens, Language language, const FurniturePack* pack) {
-    Matches matches;
-    for (std::size_t i = 0; i < tokens.size();) {
-        if (tokens[i] == ",") {
-            matches.push_back({.words = ",", .comma = true});
-            ++i;
-            continue;
-        }
-        bool found = false;
-        for (std::size_t n = phrase_length(tokens, i, kLongestTerm); n > 0 && !found; --n) {
-            const std::string term = joined(tokens, i, n);
-            if (n == 1 && is_owner(tokens[i])) {
-                // Some rooms are named by who lives there ("a student's den"), unless another room's name follows.
-                const auto of_owner = look_up(tokens[i].substr(0, tokens[i].size() - 2) + " room");
-                const bool room_follows = std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(), [&](const std::string& t) {
-                    const auto word = look_up(t, language);
-                    return word && word->kind == WordKind::room;
-                });
-                matches.push_back(
-                    {.words = term,
-                     .word = of_owner && of_owner->kind == WordKind::room && !room_follows ? *of_owner : Word{WordKind::nuance, "owner"}});
-                ++i;
-                found = true;
-                break;
-            }
-            if (const auto word = look_up(term, language)) {
-                matches.push_back({.words = term, .word = word});
-                i += n;
-                found = true;
-            }
-        }
-        if (found) continue;
-        for (std::size_t n = pack ? phrase_length(tokens, i, kLongestTerm) : 0; n > 0 && !found; --n) {
-            const std::string term = joined(tokens, i, n);
-            if (const auto klass = pack->class_named(term)) {
-                matches.push_back({.words = term, .word = Word{WordKind::object, *klass}});
-                i += n;
-                found = true;
-            }
-        }
-        if (found) continue;
-        const std::string& token = tokens[i++];
-        if (language == "de" && token.size() >= 7 && split_compound(token, matches)) continue;
-        if (const auto term = nearest_term(token, language))
-            matches.push_back({.words = token, .word = look_up(*term, language), .note = "read as \"" + *term + "\""});
-        else
-            matches.push_back({.words = token});
+// Reads a prompt from its first token to its last.
+class Matcher {
+  public:
+    Matcher(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack) : tokens_(tokens), tongue_(tongue), pack_(pack) {
+        for (const std::string& t : tokens)
+            known_.push_back(t == "," || is_owner(t) || look_up(t, tongue.language) || (pack && pack->class_named(t)));
     }
-    return matches;
-}
+    Matches run() {
+        while (at_ < tokens_.size()) step();
+        return std::move(matches_);
+    }
+
+  private:
+    void step() {
+        if (tokens_[at_] == ",") return take({.words = ",", .comma = true}, 1);
+        if (auto measure = measure_at(tokens_, at_, tongue_.language)) return take(std::move(measure->first), measure->second);
+        const std::size_t longest = phrase_length(tokens_, at_, kLongestTerm);
+        for (std::size_t n = longest; n > 0; --n)
+            if (n == 1 && is_owner(tokens_[at_])) return take(owner_at(tokens_, at_, tongue_.language), 1);
+            else if (take_term(n)) return;
+        for (std::size_t n = pack_ ? longest : 0; n > 0; --n) {
+            const std::string term = joined(tokens_, at_, n);
+            if (const auto klass = pack_->class_named(term)) return take({.words = term, .word = Word{WordKind::object, *klass}}, n);
+        }
+        take_unknown();
+    }
+
+    // A term of n tokens, spelt as in the lexicon, or with other spaces or a typo.
+    bool take_term(std::size_t n) {
+        const std::string term = joined(tokens_, at_, n);
+        if (const auto word = look_up(term, tongue_.language)) return take({.words = term, .word = word}, n), true;
+        if (!tongue_.unread.empty()) return false;
+        if (n == 1 && known_[at_]) return false;
+        if (const auto meant = respelled(term, tongue_.language); meant && (n > 1 || !pack_ || !pack_->class_named(term)))
+            return take({.words = term, .word = look_up(*meant, tongue_.language)}, n), true;
+        if (n == 1) return false;
+        const auto begin = static_cast<std::ptrdiff_t>(at_), end = begin + static_cast<std::ptrdiff_t>(n);
+        const auto meant = nearest_phrase({tokens_.begin() + begin, tokens_.begin() + end}, {known_.begin() + begin, known_.begin() + end}, tongue_.language);
+        if (!meant) return false;
+        take({.words = term, .word = look_up(*meant, tongue_.language), .note = "read as \"" + *meant + "\""}, n);
+        return true;
+    }
+
+    void take_unknown() {
+        const std::string& token = tokens_[at_];
+        if (is_little_word_unread(token, tongue_.unread)) return take({.words = token, .word = Word{WordKind::function, ""}}, 1);
+        if (tongue_.language == "de" && token.size() >= 7 && split_compound(token, matches_)) return void(++at_);
+        // "candels": the typo may be in a plural.
+        std::vector<std::string> forms = base_forms(token, tongue_.language);
+        forms.insert(forms.begin(), token);
+        for (const std::string& form : forms)
+            if (const auto term = tongue_.unread.empty() && !known_[at_] ? nearest_term(form, tongue_.language) : std::nullopt)
+                return take({.words = token, .word = look_up(*term, tongue_.language), .note = "read as \"" + *term + "\"", .misspelt_plural = form != token}, 1);
+        take({.words = token}, 1);
+    }
+
+    void take(Match match, std::size_t tokens) {
+        if (match.is(WordKind::other)) match.word.reset();
+        matches_.push_back(std::move(match));
+        at_ += tokens;
+    }
+
+    const std::vector<std::string>& tokens_;
+    const Tongue& tongue_;
+    const FurniturePack* pack_;
+    std::vector<bool> known_;
+    std::size_t at_ = 0;
+    Matches matches_;
+};
+
+}  // namespace
+
+Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack) { return Matcher(tokens, tongue, pack).run(); }
 
 }  // namespace fastscene::reading

@@ -10,7 +10,8 @@ namespace {
 // Whether "the" or its like stands before it, with nothing but adjectives between.
 bool is_definite(const Matches& m, std::size_t i) {
     for (std::size_t k = i; k-- > 0;) {
-        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") || m[k].is_function("this") || m[k].is_function("that"))
+        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") || m[k].is_function("this") || m[k].is_function("that") ||
+            m[k].is_function("each") || m[k].is_function("every") || m[k].is_function("both"))
             return true;
         if (!is_adjective(m[k]) && !m[k].is(WordKind::nuance)) return false;
     }
@@ -22,14 +23,26 @@ std::string last_word(const std::string& words) {
     return space == std::string::npos ? words : words.substr(space + 1);
 }
 
+// A dryer and a washing machine are of one class, and yet two things: one of them is only the nearest there is.
+bool may_be_one(const Match& a, const Match& b) {
+    if (a.words == b.words || last_word(a.words) == last_word(b.words)) return true;
+    return a.word->exact && b.word->exact;
+}
+
 // "the chair" after "two armchairs", "the lamp" after "a floor lamp".
 int spoken_of_before(const Reading& r, std::size_t i) {
     const std::string& klass = r.m[i].word->meaning;
     for (std::size_t k = i; k-- > 0;)
-        if (has_object(r.m[k]) && r.m[k].word->meaning == klass && r.m[k].is(WordKind::object)) return r.m[k].object;
+        if (has_object(r.m[k]) && r.m[k].word->meaning == klass && r.m[k].is(WordKind::object) && may_be_one(r.m[k], r.m[i])) return r.m[k].object;
+    // "each bed" after "twin beds"
     const std::string noun = r.m[i].words;
-    for (std::size_t k = i; k-- > 0;)
-        if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && last_word(r.m[k].words).ends_with(noun)) return r.m[k].object;
+    for (std::size_t k = i; k-- > 0;) {
+        if (!has_object(r.m[k]) || !r.m[k].is(WordKind::object)) continue;
+        const std::string last = last_word(r.m[k].words);
+        std::vector<std::string> forms = base_forms(last);
+        forms.push_back(last);
+        if (std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return form.ends_with(noun); })) return r.m[k].object;
+    }
     return -1;
 }
 
@@ -47,6 +60,7 @@ bool is_plural(const Match& m, Language language) {
                    return w && w->meaning == klass;
                });
     }
+    if (m.misspelt_plural) return true;
     if (m.words.ends_with("drawers") || klass == "glass_cup" || m.words.ends_with("stairs")) return false;
     for (const std::string& single : base_forms(m.words))
         if (const auto word = look_up(single); word && word->meaning == klass) return true;
@@ -62,18 +76,48 @@ bool negation_goes_on(const Matches& m, std::size_t comma) {
     return false;
 }
 
+// Words that take back what was said of all or of none: "no windows except one skylight", "all white except a red chair".
+bool excepts(const Match& m) {
+    static constexpr std::array<std::string_view, 9> kExcept{"except", "except for", "excluding", "apart from", "other than", "save for", "aside from", "besides", "but for"};
+    return m.is(WordKind::negation) && std::find(kExcept.begin(), kExcept.end(), m.words) != kExcept.end();
+}
+bool is_described(const Match& m) {
+    return is_adjective(m) || m.is(WordKind::style) || m.is(WordKind::mood) || m.is(WordKind::light) || m.is(WordKind::nuance);
+}
+// "not too big", "not brown but green", "neither modern nor classic": of adjectives alone, up to the noun.
+bool negates_adjectives(const Matches& m, std::size_t at) {
+    static constexpr std::array<std::string_view, 8> kNot{"nothing", "not", "isnt", "arent", "never", "neither", "wasnt", "werent"};
+    if (std::find(kNot.begin(), kNot.end(), m[at].words) == kNot.end()) return false;
+    std::size_t k = at + 1;
+    while (k < m.size() && m[k].is(WordKind::function)) ++k;
+    return k < m.size() && is_described(m[k]);
+}
+
 void mark_negated(Matches& m) {
-    bool negated = false;
+    bool negated = false, adjectives = false, all = false;
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (m[i].comma && negated) negated = negation_goes_on(m, i);
+        all = all || m[i].is(WordKind::scope) || (m[i].is(WordKind::mood) && m[i].word->meaning == "empty");
         if (m[i].is(WordKind::negation)) {
+            if (excepts(m[i]) && (negated || all)) {
+                negated = false;
+                m[i].word = Word{WordKind::scope, "exception"};
+                continue;
+            }
+            // "nothing fancy" negates; "nothing on the walls" speaks of things.
+            if (m[i].words == "nothing" && !negates_adjectives(m, i)) {
+                m[i].word = Word{WordKind::nuance, "feel"};
+                continue;
+            }
             negated = true;
+            adjectives = negates_adjectives(m, i);
             continue;
         }
         if (m[i].is_function("with") || m[i].is_function("but") || m[i].is_function("mit") || m[i].is_function("avec") || m[i].is_function("con"))
             negated = false;
         // "no tv and a piano": what has its own article is wanted.
         if (negated && m[i].is_function("and") && i + 1 < m.size() && m[i + 1].is(WordKind::count)) negated = false;
+        if (adjectives && (is_noun(m[i]) || m[i].is(WordKind::room) || m[i].is(WordKind::relation) || m[i].is(WordKind::count))) negated = adjectives = false;
         m[i].negated = negated;
     }
 }
@@ -89,7 +133,9 @@ void name_tables(Matches& m) {
         if (!m[i].word ||
             (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo"))
             continue;
-        const bool round = i > 0 && m[i - 1].words == "round";
+        bool round = false;  // "a round marble table"
+        for (std::size_t k = i; k-- > 0 && (is_adjective(m[k]) || m[k].is(WordKind::nuance) || m[k].is(WordKind::style)) && !round;)
+            round = m[k].words == "round" || m[k].words == "circular";
         bool chairs = false;  // who names chairs with it means to eat at it
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
             chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
@@ -108,7 +154,10 @@ void heed_the_room(Matches& m) {
         const std::string& w = m[i].words;
         if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "faucet" || w == "tap" || w == "counter" || w == "countertop"))
             m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
-        if ((w == "vanity" || w == "vanities") && !room.empty() && room != "bathroom") m[i].word = Word{WordKind::object, "dresser", false};
+        const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
+                                return x.is(WordKind::object) && (x.word->meaning == "toilet" || x.word->meaning == "bathtub" || x.word->meaning == "shower");
+                            }));
+        if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dresser", false};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {
             std::size_t k = i;
@@ -128,6 +177,8 @@ void heed_the_room(Matches& m) {
 // "monstera plant", "antler chandelier": a noun right before a noun says its kind.
 void name_kinds(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        // "Barcelona chairs" look out on nothing.
+        if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object)) m[i].word = Word{WordKind::nuance, "kind", false};
         if (!m[i].is(WordKind::object) || !m[i + 1].is(WordKind::object)) continue;
         const std::vector<std::string> single = base_forms(m[i].words);
         const bool plural = std::any_of(single.begin(), single.end(), [&](const std::string& s) {
@@ -138,24 +189,67 @@ void name_kinds(Matches& m) {
     }
 }
 
-// Words that are colors too ("fern", "midnight", "wine") are colors right before an adjective or a noun they are no part of.
+// Words that are colors too ("fern", "midnight", "coffee") are colors right before an adjective or a noun they are no part of, and where
+// a color is said: "in coffee and cream".
 void name_colors(Matches& m) {
-    for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+    const auto colored = [](const Match& x) { return is_noun(x) || x.is(WordKind::material) || x.is(WordKind::pattern) || x.is(WordKind::color) || x.words == "colored"; };
+    for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word || !m[i].word->also_color || m[i].is(WordKind::material) || m[i].is(WordKind::color)) continue;
-        if (is_noun(m[i + 1]) || m[i + 1].is(WordKind::material) || m[i + 1].is(WordKind::pattern)) m[i].word = Word{WordKind::color, m[i].words};
+        const bool before = i + 1 < m.size() && colored(m[i + 1]);
+        const bool thing = m[i].is(WordKind::nuance) && m[i].word->meaning == "thing";
+        const bool joined = i + 2 < m.size() && m[i + 1].is_function("and") && m[i + 2].is(WordKind::color);
+        const bool led = i > 0 && (m[i - 1].is_function("in") || (i > 1 && m[i - 1].is_function("and") && m[i - 2].is(WordKind::color)));
+        if (before || (thing && (joined || led))) m[i].word = Word{WordKind::color, m[i].words};
     }
 }
 
 // "light" is a lamp with an article before and no noun behind, a shade of color before a noun, else a feeling of the room.
 void name_lights(Matches& m) {
+    for (std::size_t i = 1; i < m.size(); ++i)  // "the only light comes from a lamp"
+        if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::scope)) m[i].word = Word{WordKind::nuance, "feel"};
     for (std::size_t i = 0; i < m.size(); ++i)
         if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 && (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") &&
             (i + 1 >= m.size() || !(is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
             m[i].word = Word{WordKind::object, "ceiling_lamp", false};
 }
 
+// "an attic study", "a bedroom in a converted loft": the other room serves, and this shapes it.
+bool shapes_another(const Matches& m, std::size_t at) {
+    const std::string& structure = m[at].word->meaning;
+    if (structure != "attic" && structure != "loft") return false;
+    const auto serves = [&](const Match& x) { return x.is(WordKind::room) && x.word->meaning != structure && !x.negated; };
+    // "an attic study", "an attic turned into a study"; not "an attic with a study corner".
+    const auto leads_on = [&](const Match& x) {
+        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") || x.is_function("used as");
+    };
+    for (std::size_t k = at + 1; k < m.size() && (serves(m[k]) || leads_on(m[k])); ++k)
+        if (serves(m[k])) return true;
+    bool in = false;
+    for (std::size_t k = at; k-- > 0;) {
+        if (serves(m[k])) return in;
+        if (m[k].is_function("in") || m[k].is_function("of") || m[k].is_function("under") || m[k].words == "under") in = true;
+        else if (!modifies(m[k]) && !m[k].is_function("the") && !m[k].is(WordKind::mood)) return false;
+    }
+    return false;
+}
+
+// "a 2-bed flat", "three bedroom house": of the house, not of this room.
+void count_other_rooms(Matches& m) {
+    const auto is_house = [](const Match& x) { return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living"; };
+    for (std::size_t i = 1; i + 1 < m.size(); ++i) {
+        const bool bedroom = m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
+        if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
+        m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
+    }
+}
+
 // A word for the whole house ("apartment", "castle") only names the room when no other word does.
-void choose_room(Matches& m) {
+void choose_room(Matches& m, PromptSpec& spec) {
+    for (std::size_t i = 0; i < m.size(); ++i)
+        if (m[i].is(WordKind::room) && !m[i].negated && spec.structure.empty() && shapes_another(m, i)) {
+            spec.structure = m[i].word->meaning;
+            m[i].word = Word{WordKind::nuance, "structure", m[i].word->exact};
+        }
     const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
     if (!named) return;
     for (Match& x : m)
@@ -174,7 +268,9 @@ void take_added(const Word& word, PromptObject& object) {
 }  // namespace
 
 void settle_double_meanings(Reading& r) {
-    choose_room(r.m);
+    mark_negated(r.m);
+    count_other_rooms(r.m);
+    choose_room(r.m, r.spec);
     heed_the_room(r.m);
     name_tables(r.m);
     name_colors(r.m);
@@ -183,7 +279,6 @@ void settle_double_meanings(Reading& r) {
 }
 
 void find_nouns(Reading& r) {
-    mark_negated(r.m);
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         Match& m = r.m[i];
         if (!m.is(WordKind::object) && !m.is(WordKind::structure)) continue;
@@ -210,15 +305,11 @@ void find_nouns(Reading& r) {
                 continue;
             }
         }
-        PromptObject object;
-        object.klass = m.word->meaning;
-        object.words = m.words;
+        PromptObject& object = r.add_object(m.word->meaning, m.words);
         object.forbidden = m.negated;
-        object.id = static_cast<int>(r.spec.objects.size());
         if (is_plural(m, r.language)) object.count = 2;
         take_added(*m.word, object);
         m.object = object.id;
-        r.spec.objects.push_back(object);
     }
     // "a lamp on the desk, a desk under the window": the desk is one desk.
     for (std::size_t i = 0; i < r.m.size(); ++i) {

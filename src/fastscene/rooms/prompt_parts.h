@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fastscene/rooms/lexicon.h"
@@ -16,6 +17,7 @@ struct Match {
     std::optional<Word> word{};  // nothing: not understood
     bool comma = false;        // a mark between phrases
     std::string note{};        // "read as …": a typo
+    bool misspelt_plural = false;
     int object = -1;           // nouns: index into PromptSpec::objects
     int noun = -1;             // adjectives: index of the match they were bound to
     bool negated = false;
@@ -26,6 +28,10 @@ struct Match {
     int about = -1;            // the object it speaks of
     bool relation = false;
     int target = -1;           // relations: the match that names the place
+    bool measure = false;      // a size in metres
+    bool settled = false;      // told already, and of no more use to what comes after
+    std::vector<float> metres{};  // measures: one length, or width by depth (by height); an area in square metres
+    bool area = false;
 
     bool is(WordKind kind) const { return word && word->kind == kind; }
     bool is_function(std::string_view w) const { return is(WordKind::function) && words == w; }
@@ -39,6 +45,13 @@ struct Reading {
     Language language;
 
     PromptObject& object_of(std::size_t noun) { return spec.objects[static_cast<std::size_t>(m[noun].object)]; }
+    PromptObject& add_object(std::string klass, std::string words) {
+        PromptObject object;
+        object.klass = std::move(klass);
+        object.words = std::move(words);
+        object.id = static_cast<int>(spec.objects.size());
+        return spec.objects.emplace_back(std::move(object));
+    }
     void tell(std::size_t i, std::string meaning, int about = -1) { list(i, PromptWord::Fate::understood, std::move(meaning), about); }
     void tell_near(std::size_t i, std::string meaning, int about = -1) { list(i, PromptWord::Fate::approximated, std::move(meaning), about); }
 
@@ -60,16 +73,35 @@ inline bool has_object(const Match& m) { return m.object >= 0; }
 // "fr es it": adjectives stand behind their noun.
 inline bool adjectives_follow(Language language) { return language == "fr" || language == "es" || language == "it"; }
 
-// The language of most of its words; English when in doubt.
-Language language_of(const std::vector<std::string>& tokens);
-// Longest match first; then the furniture catalogue; then a typo of one letter.
-Matches match(const std::vector<std::string>& tokens, Language language, const FurniturePack* pack);
+// A sentence's language by its little words.
+struct Tongue {
+    Language language;        // that it is read in; English when in doubt
+    std::string_view unread;  // "Dutch": a language that is not read; empty: it is
+};
+Tongue tongue_of(const std::vector<std::string>& tokens);
+// Whether it is an article or the like of a language that is not read.
+bool is_little_word_unread(const std::string& token, std::string_view unread);
+
+// "4x5m" -> "4", "x", "5", "m": numbers apart from the letters behind them.
+std::vector<std::string> with_numbers_apart(const std::vector<std::string>& tokens);
+// "4 by 5 metre", "1.80 m", "20 square metres" at this token, with how many tokens it takes; nothing: no measure.
+std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::string>& tokens, std::size_t begin, Language language);
+
+// Longest match first; then the furniture catalogue; then what was misspelt.
+Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack);
 
 // In this order:
-void settle_double_meanings(Reading& r);  // "the table" of a dining room; "fern" the color; "a light"
+void settle_quantities(Matches& m);       // "fewer than five", "two or three", "for eight": one count each
+void settle_double_meanings(Reading& r);  // "the table" of a dining room; "fern" the color; "a light"; "an attic study"
 void find_nouns(Reading& r);              // objects, negation, "the desk" again
+void bind_measures(Reading& r);           // "a two metre wide bed", "3 m high ceiling"
 void bind_adjectives(Reading& r);         // color, material, pattern, size, count of each noun
+void seat_people(Reading& r);             // "a table for eight": its chairs
+void read_scopes(Reading& r);             // "only a bed", "everything is pink"
 void read_globals(Reading& r);            // room, style, time … and adjectives that no noun took
 void relate(Reading& r);                  // "under the window"
+
+// Whether an adjective or its like may stand between an article and its noun.
+bool modifies(const Match& m);
 
 }  // namespace fastscene::reading

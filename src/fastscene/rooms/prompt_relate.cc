@@ -40,20 +40,26 @@ bool opens_clause(const Reading& r, std::size_t at) {
     return k == 0 || r.m[k - 1].comma;
 }
 
-// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another.
+// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another; "it" is no plural.
 std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool several) {
-    std::optional<std::size_t> last;
+    std::optional<std::size_t> last, place_of_another;
     for (std::size_t k = subject; k-- > 0;) {
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
+        if (!several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) continue;
         const bool place = std::any_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(k),
                                        [&](const Match& m) { return m.relation && m.target == static_cast<int>(k); });
-        if (place && !several) continue;
+        if (place && !several) {
+            if (!place_of_another) place_of_another = k;
+            continue;
+        }
         if (several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) return k;
         if (!last) last = k;
         if (!several) break;
     }
-    return last;
+    return last ? last : place_of_another;
 }
+
+bool says_each(const Reading& r, std::size_t noun) { return noun > 0 && (r.m[noun - 1].is_function("each") || r.m[noun - 1].is_function("every")); }
 
 void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::size_t> where, std::string relation) {
     PromptObject& object = r.object_of(subject);
@@ -64,6 +70,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     object.relation = relation;
     std::string to;
+    // "a picture above each bed": as many pictures as beds.
+    if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted) object.count = r.object_of(target).count, object.counted = true;
     if (placed && !takes_no_target(relation)) {
         object.relation_to = r.object_of(target).klass;
         to = " the " + r.m[target].words;
@@ -84,6 +92,18 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     r.m[at].relation = true;
 }
 
+// "a bed with a nightstand on each side", "bookshelves on either side of the fireplace": two of them, next to it.
+void relate_both_sides(Reading& r, std::size_t at) {
+    const auto subject = noun_before(r, at);
+    if (!subject) return r.tell_near(at, "where: of nothing that was named");
+    std::optional<std::size_t> target;
+    if (r.m[at].words.ends_with(" of")) target = noun_after(r, at);
+    for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
+        if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
+    if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
+    attach(r, at, *subject, target, "next to");
+}
+
 // "a bed between two nightstands, opposite a wardrobe": the bed.
 std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at) {
     std::size_t k = at;
@@ -94,8 +114,21 @@ std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at)
     return head;
 }
 
+// "coffee steaming on the counter, …": who stands there was named, and is nothing that rooms have.
+bool names_other_things(const Reading& r, std::size_t at) {
+    for (std::size_t k = at; k-- > 0 && !ends_clause(r.m[k]);)
+        if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) || r.m[k].is(WordKind::time) ||
+            r.m[k].is(WordKind::light) ||
+            (r.m[k].is(WordKind::nuance) && r.m[k].word->meaning == "thing"))
+            return true;
+    return false;
+}
+
 void relate_one(Reading& r, std::size_t at) {
     const std::string relation = r.m[at].word->meaning;
+    if (relation == "both sides") return relate_both_sides(r, at);
+    if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
+    if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
     if (takes_no_target(relation)) {
         const bool inverted = opens_clause(r, at) || !subject;
@@ -103,13 +136,17 @@ void relate_one(Reading& r, std::size_t at) {
         if (!subject) return r.tell_near(at, "where: of nothing that was named");
         return attach(r, at, *subject, {}, relation);
     }
+    // "a wardrobe on the opposite wall": opposite what was named before.
+    if (subject && r.m[at].words.ends_with("opposite wall")) return attach(r, at, *subject, meant_by(r, *subject, false), relation);
     // "a lamp on it": the piece named before the lamp.
     const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"), them = at + 1 < r.m.size() && r.m[at + 1].is_function("them");
     if (it || them || (!target && r.m[at].words == "on top")) {
+        // "… a cabinet, above it hangs a clock"
+        if (!subject && opens_clause(r, at)) subject = noun_after(r, at);
         if (!subject) return r.tell_near(at, "where: of nothing that was named");
         return attach(r, at, *subject, meant_by(r, *subject, them), relation);
     }
-    if ((opens_clause(r, at) || !subject) && target) {
+    if ((opens_clause(r, at) || (!subject && !names_other_things(r, at))) && target) {
         subject = noun_after(r, *target);
         if (!subject && *target + 1 < r.m.size() && r.m[*target + 1].comma) subject = noun_after(r, *target + 1);
         if (!subject) subject = head_of_last_clause(r, at);

@@ -56,6 +56,10 @@ static_assert(kPlainLatin.size() == 0x180 - 0xc0);
 void append_folded(std::string& out, char32_t c) {
     if (c < 0x80) {
         out += static_cast<char>(std::tolower(static_cast<int>(c)));
+    } else if (c == 0xd7) {
+        out += " x ";  // "4 × 5 m"
+    } else if (c == 0xb2) {
+        out += '2';    // "20 m²"
     } else if (c >= 0xc0 && c < 0x180) {
         const char plain = kPlainLatin[c - 0xc0];
         if (plain != '*') out += plain;
@@ -119,7 +123,13 @@ std::vector<std::string> tokens_of(std::string_view text) {
     };
     for (std::size_t i = 0; i < plain.size(); ++i) {
         const auto c = static_cast<unsigned char>(plain[i]);
-        if (std::isalnum(c) || c >= 0x80) {
+        const bool after_digit = i > 0 && std::isdigit(static_cast<unsigned char>(plain[i - 1])), before_digit = i + 1 < plain.size() && std::isdigit(static_cast<unsigned char>(plain[i + 1]));
+        if ((c == '.' || c == ',') && after_digit && before_digit) {
+            word += '.';   // "1.80 m", "3,5 m"
+        } else if (c == '\'' && after_digit && !(i + 1 < plain.size() && std::isalnum(static_cast<unsigned char>(plain[i + 1])))) {
+            flush();
+            tokens.push_back("feet");  // "12' x 14'"
+        } else if (std::isalnum(c) || c >= 0x80) {
             word += static_cast<char>(c);
         } else if (c == '\'') {
             std::size_t end = i + 1;

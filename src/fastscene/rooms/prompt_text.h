@@ -15,7 +15,7 @@ void check_prompt(const std::string& text);
 std::string folded(std::string_view text);
 
 // The words of a prompt, folded; a comma (or another mark) between phrases is a token of its own. A hyphen ends a word,
-// an apostrophe joins an English ending ("don't" -> "dont"), ends other words ("l'angolo" -> "l angolo") and stays in "kid's".
+// an apostrophe joins an English ending ("don't" -> "dont"), ends other words ("l'angolo" -> "l angolo") and stays in "kid's"; "1.80" and "1,80" are one word, "12'" is "12", "feet".
 std::vector<std::string> tokens_of(std::string_view text);
 
 }  // namespace fastscene

@@ -1,5 +1,7 @@
 #include "fastscene/rooms/rooms.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -159,6 +161,20 @@ void turn_into_world(const Rigid& world_from_room, Room& room) {
     }
 }
 
+// "a two metre wide bed" that is not so wide.
+void tell_size(const Placed& placed, PromptSpec& spec) {
+    static constexpr std::array<const char*, 3> kExtents{"wide", "high", "deep"};
+    const Vec3f &is = placed.piece.size_m, &said = placed.wish.size_m;
+    std::string text;
+    for (std::size_t a = 0; a < 3; ++a)
+        if (said[a] > 0 && std::abs(is[a] - said[a]) > 0.02f + 0.04f * said[a])
+            text += fmt::format("{}{:.2f} m {}", text.empty() ? "" : ", ", is[a], kExtents[a]);
+    if (text.empty()) return;
+    for (PromptWord& word : spec.words)
+        if (word.object == placed.wish.id && word.measure)
+            word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " is " + text;
+}
+
 // How many of each wish stand. Parts of the shell are there unless make_plan said why not.
 void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
     for (PromptObject& object : spec.objects) object.placed = 0;
@@ -169,6 +185,7 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
             for (PromptWord& word : spec.words)
                 if (word.object == placed.wish.id && word.relation)
                     word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
+        tell_size(placed, spec);
         if (placed.piece.klass == placed.wish.klass) continue;
         for (PromptWord& word : spec.words)
             if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
@@ -199,6 +216,7 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
         next.style = spec.style;
         next.time = spec.time;
         next.mood = spec.mood;
+        next.clutter = spec.clutter;
         for (const PromptObject& o : spec.objects)
             if (o.forbidden) next.objects.push_back(o);
         Random next_dice(run.seed, "next room:" + spec.text);

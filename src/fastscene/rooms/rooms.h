@@ -21,6 +21,7 @@ struct PromptWord {
     std::string meaning;   // "object: armchair, color red"; "" when not understood
     int object = -1;       // index into PromptSpec::objects of the piece it speaks of
     bool relation = false; // says where that piece stands
+    bool measure = false;  // says in metres how large that piece, or the room, is
 };
 
 // A piece of the prompt's, or a part of the room's shell (window, wall, floor …).
@@ -31,6 +32,8 @@ struct PromptObject {
     int count = 1;
     std::string color, material, pattern, size;
     std::string color2;     // "a black and white floor"
+    std::string not_color;  // "not brown": any other, when none is said
+    Vec3f size_m;           // width, height, depth that were said, in metres; 0: as such pieces are
     std::string style;      // "an art deco lamp": its own, else the room's
     std::string relation, relation_to;  // "under" "window", a class; optional
     std::string relation_and;           // "between" has two
@@ -44,10 +47,15 @@ struct PromptObject {
 struct PromptSpec {
     std::string text;
     std::string language;               // "" English, de fr es it
+    std::string unread;                 // "Dutch": the prompt's language, when it is none of those
     std::string room, style, time, weather, size;
+    std::string structure;              // "attic", "loft": the house around a room that serves another end ("an attic study")
+    Vec3f size_m;                       // width, height, depth of the room that were said, in metres; 0: as such rooms are
+    float area_m2 = 0;                  // its floor, when that was said
+    PromptObject everything;            // "everything is pink": color, material of all there is
     std::string mood;                   // cozy airy colorful
     std::string light;                  // bright dim "lamps on"
-    std::string clutter;                // cluttered bare
+    std::string clutter;                // cluttered bare, or empty: nothing but what is named ("only a bed")
     std::string outlook;                // what the windows show: garden city sea mountains forest
     std::vector<PromptObject> objects;
     std::vector<std::string> colors;    // global accents, bound to no object

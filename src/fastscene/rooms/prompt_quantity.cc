@@ -1,0 +1,144 @@
+// How many: "fewer than five chairs", "two or three plants", "between two and four stools", "a table for eight".
+#include <algorithm>
+#include <array>
+
+#include "fastscene/rooms/prompt_parts.h"
+
+namespace fastscene::reading {
+namespace {
+
+constexpr int kMost = 99;
+
+// A number that was said; not an article.
+bool is_number(const Match& m) { return m.is(WordKind::count) && m.words != "a" && m.words != "an"; }
+int number_of(const Match& m) { return std::stoi(m.word->meaning); }
+
+// The matches from `begin` on, `count` of them, become one count.
+void merge(Matches& m, std::size_t begin, std::size_t count, int number, std::string adds = {}) {
+    Match whole{.words = m[begin].words, .word = Word{WordKind::count, std::to_string(std::clamp(number, 1, kMost)), true, std::move(adds)}};
+    for (std::size_t k = begin + 1; k < begin + count; ++k) whole.words += " " + m[k].words;
+    m.erase(m.begin() + static_cast<std::ptrdiff_t>(begin), m.begin() + static_cast<std::ptrdiff_t>(begin + count));
+    m.insert(m.begin() + static_cast<std::ptrdiff_t>(begin), std::move(whole));
+}
+
+// "two or three", "3-4", "four to six", "between two and four": as many as one may expect, the latter.
+void merge_ranges(Matches& m) {
+    for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        if (!is_number(m[i])) continue;
+        const bool joined = i + 2 < m.size() && is_number(m[i + 2]) && (m[i + 1].is_function("or") || m[i + 1].is_function("to"));
+        const bool between = i > 0 && m[i - 1].words == "between" && i + 2 < m.size() && is_number(m[i + 2]) && m[i + 1].is_function("and");
+        const bool hyphen = is_number(m[i + 1]) && number_of(m[i + 1]) == number_of(m[i]) + 1;
+        if (between) merge(m, i - 1, 4, number_of(m[i + 2]));
+        else if (joined && number_of(m[i + 2]) > number_of(m[i])) merge(m, i, 3, number_of(m[i + 2]));
+        else if (hyphen) merge(m, i, 2, number_of(m[i + 1]));
+    }
+}
+
+// "fewer than five", "at most one", "up to six".
+void merge_bounds(Matches& m) {
+    for (std::size_t i = 0; i + 1 < m.size(); ++i)
+        if (m[i].is(WordKind::bound) && is_number(m[i + 1])) merge(m, i, 2, number_of(m[i + 1]) + std::stoi(m[i].word->meaning));
+}
+
+bool is_people(const Match& m) {
+    static constexpr std::array<std::string_view, 3> kPeople{"person", "man", "woman"};
+    return m.is(WordKind::object) && std::find(kPeople.begin(), kPeople.end(), m.word->meaning) != kPeople.end();
+}
+bool is_seater(const Match& m) { return m.words == "seater" || m.words == "seat" || m.words == "person" || m.words == "people"; }
+
+// "for ten people", "for eight", "that seats six", "eight-seater": how many are to sit or to sleep.
+void merge_seats(Matches& m) {
+    constexpr auto kSeats = "seats";
+    for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        const bool led = m[i].is_function("for") || m[i].is_function("seats") || m[i].is_function("seating for") || m[i].words == "sleeps";
+        if (led && is_number(m[i + 1])) {
+            const bool people = i + 2 < m.size() && is_people(m[i + 2]);
+            const bool ends = i + 2 == m.size() || m[i + 2].comma || m[i + 2].is(WordKind::function) || m[i + 2].is(WordKind::relation) || m[i + 2].is(WordKind::count);
+            if (people || ends) merge(m, i, people ? 3 : 2, number_of(m[i + 1]), kSeats);
+        } else if (is_number(m[i]) && is_seater(m[i + 1]) && i + 2 < m.size() && is_noun(m[i + 2])) {
+            merge(m, i, 2, number_of(m[i]), kSeats);
+        }
+    }
+}
+
+bool is_table(std::string_view klass) {
+    return klass == "dining_table" || klass == "dining_table_round" || klass == "side_table" || klass == "coffee_table";
+}
+bool is_seat(std::string_view klass) { return klass == "chair" || klass == "bench" || klass == "stool" || klass == "armchair" || klass == "pouf"; }
+
+// So many seats of a kind that was named without a number, or so many new ones.
+int want(Reading& r, std::size_t at, const char* klass, int count) {
+    for (PromptObject& o : r.spec.objects)
+        if (!o.forbidden && (o.klass == klass || (is_seat(klass) && is_seat(o.klass)))) {
+            if (!o.counted) o.count = o.klass == "bench" ? (count + 1) / 2 : count, o.counted = true;
+            return o.id;
+        }
+    PromptObject& added = r.add_object(klass, r.m[at].words);
+    added.count = count;
+    added.counted = true;
+    return added.id;
+}
+void tell_count(Reading& r, std::size_t at, int object) {
+    const PromptObject& o = r.spec.objects[static_cast<std::size_t>(object)];
+    r.tell(at, "count " + std::to_string(o.count) + " of " + o.klass, object);
+}
+
+void seat_at(Reading& r, std::size_t at, int owner) {
+    const int people = number_of(r.m[at]);
+    PromptObject& o = r.spec.objects[static_cast<std::size_t>(owner)];
+    const std::string klass = o.klass;
+    const std::string said = "for " + std::to_string(people) + ": ";
+    if (is_table(klass)) {
+        constexpr float kPlace = 0.64f;  // metres of a table's side for one; two sit at the heads
+        if (klass != "dining_table_round") o.klass = "dining_table";
+        if (o.size.empty() && people >= 7) o.size = "large";
+        if (people >= 7 && o.klass == "dining_table" && !(o.size_m.x > 0)) o.size_m.x = kPlace * static_cast<float>((people - 1) / 2);
+        return tell_count(r, at, want(r, at, "chair", people));
+    }
+    if (klass == "sofa" || klass == "loveseat") {
+        o.klass = people <= 2 ? "loveseat" : "sofa";
+        if (people >= 4) o.size = "large";
+        return r.tell(at, said + (people <= 2 ? "a sofa with two seats" : people >= 4 ? "a large sofa" : "a sofa with three seats"), owner);
+    }
+    if (klass == "bed" || klass == "bed_single") {
+        if (people == 2) o.klass = "bed";
+        if (people <= 2) return r.tell(at, said + (people == 2 ? "a double bed" : "a bed"), owner);
+    }
+    r.tell_near(at, "for how many: the " + o.words + " is as such pieces are", owner);
+}
+
+// Who named no piece speaks of the room.
+void seat_in_room(Reading& r, std::size_t at) {
+    const int people = number_of(r.m[at]);
+    std::string room;
+    for (const Match& m : r.m)
+        if (m.is(WordKind::room) && !m.negated && room.empty()) room = m.word->meaning;
+    const auto so_many = [&](const char* klass) { tell_count(r, at, want(r, at, klass, people)); };
+    if (room == "dining") so_many("chair");
+    else if (room == "study" && people <= 4) so_many("office_chair"), so_many("desk");
+    else if (room == "kids" && people <= 3) so_many("bed_single");
+    else r.tell_near(at, "for how many: nothing in the room shows it");
+}
+
+}  // namespace
+
+void settle_quantities(Matches& m) {
+    merge_bounds(m);
+    merge_ranges(m);
+    merge_seats(m);
+}
+
+void seat_people(Reading& r) {
+    for (std::size_t i = 0; i < r.m.size(); ++i) {
+        if (!r.m[i].is(WordKind::count) || r.m[i].word->adds != "seats") continue;
+        int owner = -1;
+        // "an eight-seater table": what it stands before; else what it stands behind.
+        for (std::size_t k = i + 1; k < r.m.size() && owner < 0 && (modifies(r.m[k]) || has_object(r.m[k])); ++k) owner = r.m[k].object;
+        for (std::size_t k = i; k-- > 0 && owner < 0 && !r.m[k].comma;) owner = r.m[k].is(WordKind::object) ? r.m[k].object : -1;
+        if (owner >= 0) seat_at(r, i, owner);
+        else seat_in_room(r, i);
+        r.m[i].settled = true;
+    }
+}
+
+}  // namespace fastscene::reading

@@ -1,0 +1,278 @@
+// How a prompt is read beyond its plain words: typos in compounds, quantities, sizes, scope, negation, structure, languages.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/rooms.h"
+
+namespace fastscene {
+namespace {
+
+PromptSpec read(const std::string& text) { return understand_prompt(text, false); }
+
+const PromptObject* object_of(const PromptSpec& spec, std::string_view klass) {
+    for (const PromptObject& o : spec.objects)
+        if (o.klass == klass && !o.forbidden) return &o;
+    return nullptr;
+}
+// What became of a word: "understood: …", "" when it is in no list.
+std::string told(const PromptSpec& spec, std::string_view words) {
+    static constexpr const char* kFates[] = {"understood", "approximated", "not understood"};
+    for (const PromptWord& w : spec.words)
+        if (w.words == words) return std::string(kFates[static_cast<std::size_t>(w.fate)]) + ": " + w.meaning;
+    return {};
+}
+bool is_told(const PromptSpec& spec, std::string_view words, std::string_view how) { return told(spec, words).starts_with(how); }
+
+struct Furnished {
+    PromptSpec spec;
+    FurnishedRoom room;
+};
+Furnished furnished(const std::string& text, std::uint64_t seed = 3) {
+    Furnished out{read(text), {}};
+    fastscene::Run run;
+    run.seed = seed;
+    out.room = furnish_room(out.spec, run);
+    return out;
+}
+
+TEST(PromptWords, TyposInCompoundsAreRead) {
+    EXPECT_EQ(read("a livng room").room, "living");
+    EXPECT_EQ(read("a livingroom").room, "living");
+    EXPECT_EQ(read("a dinning room").room, "dining");
+    for (const auto& [text, klass] : {std::pair{"a cofee table", "coffee_table"}, {"a coffee tabel", "coffee_table"}, {"a coffetable", "coffee_table"}, {"a bed side lamp", "table_lamp"},
+                                      {"two bed side tables", "nightstand"}, {"a bookself", "bookshelf"}, {"a rockin chair", "armchair"}, {"a washin machine", "washing_machine"}, {"a dsek", "desk"}, {"a coffeetable", "coffee_table"}, {"two candels", "candle"},
+                                      {"a night stnad", "nightstand"}, {"a chandeleer", "chandelier"}, {"an arm chair", "armchair"}}) {
+        const PromptSpec spec = read(text);
+        EXPECT_TRUE(object_of(spec, klass)) << text;
+        EXPECT_TRUE(spec.words_with(PromptWord::Fate::not_understood).empty()) << text;
+    }
+    EXPECT_TRUE(is_told(read("a cofee table"), "cofee table", "approximated: read as \"coffee table\""));
+    EXPECT_EQ(object_of(read("two bed side tables"), "nightstand")->count, 2);
+}
+
+TEST(PromptWords, WordsOfTheirOwnAreNoTypos) {
+    for (const char* word : {"whale", "mouse", "chain", "lives"}) {
+        const PromptSpec spec = read(std::string("a room with a ") + word);
+        EXPECT_TRUE(told(spec, word).ends_with(": ") || is_told(spec, word, "approximated: nothing")) << word << " is " << told(spec, word);
+        EXPECT_FALSE(told(spec, word).empty()) << word;
+        EXPECT_TRUE(spec.objects.empty()) << word;
+    }
+}
+
+TEST(PromptWords, OnlyWhatIsNamedStandsThere) {
+    for (const char* text : {"a bedroom with only a bed", "a room with a bed and nothing else", "an empty bedroom except for a bed", "a bedroom with no furniture except a bed", "nothing but a bed in a bedroom"}) {
+        const Furnished f = furnished(text);
+        EXPECT_EQ(f.spec.clutter, "empty") << text;
+        EXPECT_EQ(std::count_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.wish.klass == "bed"; }), 1) << text;
+        for (const Placed& p : f.room.placed) EXPECT_FALSE(p.wish.klass.empty()) << text << ": nobody asked for " << p.piece.klass;
+    }
+    EXPECT_EQ(read("just a simple bedroom with a bed").clutter, "bare");
+    EXPECT_EQ(read("the only light comes from a lamp").clutter, "");
+    EXPECT_EQ(read("a room with a table and only two chairs").clutter, "");
+    EXPECT_EQ(read("a room with an empty vase").clutter, "");
+}
+
+TEST(PromptWords, EverythingMeansTheWholeRoom) {
+    for (const char* text : {"a kitchen where everything is pink", "an all pink kitchen", "a kitchen, entirely pink", "a kitchen all in pink", "pink everything in a kitchen"}) {
+        const PromptSpec spec = read(text);
+        EXPECT_EQ(spec.everything.color, "pink") << text;
+        EXPECT_TRUE(spec.colors.empty()) << text;
+    }
+    const Furnished f = furnished("a kitchen where everything is pink");
+    for (const Material* m : {&f.room.plan.style.wall, &f.room.plan.style.floor, &f.room.plan.style.wood, &f.room.plan.style.fabric})
+        EXPECT_GT(m->color_a.x, 1.2f * m->color_a.y);
+    const PromptSpec walls = read("a kitchen with all white walls");
+    EXPECT_TRUE(walls.everything.klass.empty());
+    EXPECT_EQ(object_of(walls, "wall")->color, "white");
+}
+
+TEST(PromptWords, NotBelongsToTheAdjective) {
+    const PromptSpec sofa = read("a living room, the sofa is not brown but green");
+    ASSERT_TRUE(object_of(sofa, "sofa"));
+    EXPECT_EQ(object_of(sofa, "sofa")->color, "green");
+    EXPECT_EQ(object_of(sofa, "sofa")->not_color, "brown");
+    const PromptSpec curtains = read("the curtains aren't white but navy");
+    EXPECT_EQ(object_of(curtains, "curtain")->color, "navy");
+    const PromptSpec bathroom = read("a not too big bathroom");
+    EXPECT_EQ(bathroom.room, "bathroom");
+    EXPECT_EQ(bathroom.size, "");
+    Furnished f = furnished("a living room with a sofa that is not brown");
+    EXPECT_FALSE(object_of(f.spec, "sofa")->color.empty());
+    EXPECT_NE(object_of(f.spec, "sofa")->color, "brown");
+}
+
+TEST(PromptWords, ExceptTakesBackTheNegation) {
+    const PromptSpec spec = read("a study with no windows except one skylight");
+    EXPECT_TRUE(object_of(spec, "skylight"));
+    EXPECT_FALSE(object_of(spec, "window"));
+    const PromptSpec white = read("an all white bedroom except for a red chair");
+    EXPECT_EQ(white.everything.color, "white");
+    ASSERT_TRUE(object_of(white, "chair"));
+    EXPECT_EQ(object_of(white, "chair")->color, "red");
+    EXPECT_FALSE(object_of(read("a living room except a tv"), "tv"));
+    EXPECT_TRUE(is_told(spec, "except", "understood"));
+}
+
+TEST(PromptWords, ShapeAndMaterialOfATable) {
+    const PromptSpec spec = read("a dining room with a round marble table");
+    ASSERT_TRUE(object_of(spec, "dining_table_round"));
+    EXPECT_EQ(object_of(spec, "dining_table_round")->material, "marble");
+}
+
+TEST(PromptWords, BoundsAndRangesOfCounts) {
+    const auto chairs = [](const char* text) {
+        const PromptSpec spec = read(text);
+        return object_of(spec, "chair") ? object_of(spec, "chair")->count : 0;
+    };
+    EXPECT_EQ(chairs("fewer than five chairs"), 4);
+    EXPECT_EQ(chairs("more than three chairs"), 4);
+    EXPECT_EQ(chairs("at least two chairs"), 2);
+    EXPECT_EQ(chairs("no more than three chairs"), 3);
+    EXPECT_EQ(chairs("two or three chairs"), 3);
+    EXPECT_EQ(chairs("between two and four chairs"), 4);
+    EXPECT_EQ(chairs("4-5 chairs"), 5);
+    EXPECT_TRUE(is_told(read("fewer than five chairs"), "fewer than five", "understood: count 4"));
+}
+
+TEST(PromptWords, TablesForSoMany) {
+    for (const char* text : {"a dining room with a table for eight", "a dining table for eight people", "a dining table that seats eight", "an eight-seater dining table"}) {
+        const PromptSpec spec = read(text);
+        ASSERT_TRUE(object_of(spec, "dining_table") && object_of(spec, "chair")) << text;
+        EXPECT_EQ(object_of(spec, "chair")->count, 8) << text;
+        EXPECT_FALSE(object_of(spec, "person")) << text;
+    }
+    const PromptSpec benches = read("a table for eight with benches");
+    EXPECT_FALSE(object_of(benches, "chair"));
+    EXPECT_EQ(object_of(benches, "bench")->count, 4);
+    const Furnished f = furnished("a dining room with a table for eight");
+    EXPECT_EQ(std::count_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "chair"; }), 8);
+}
+
+TEST(PromptWords, SizesInMetresAndFeet) {
+    for (const char* text : {"a 4 by 5 metre bedroom", "a 4x5m bedroom", "bedroom, 4 m x 5 m", "a bedroom measuring 4 × 5 meters", "ein Schlafzimmer mit 4 mal 5 Metern"}) {
+        const Furnished f = furnished(text);
+        EXPECT_NEAR(f.room.plan.width, 4.f, 1e-3f) << text;
+        EXPECT_NEAR(f.room.plan.depth, 5.f, 1e-3f) << text;
+        EXPECT_EQ(f.spec.room, "bedroom") << text;
+        EXPECT_TRUE(f.spec.words_with(PromptWord::Fate::not_understood).empty()) << text;
+    }
+    EXPECT_NEAR(furnished("a bedroom with a 3 m high ceiling").room.plan.height, 3.f, 1e-3f);
+    EXPECT_NEAR(furnished("a bedroom with 10-foot ceilings").room.plan.height, 3.048f, 1e-3f);
+    const Plan area = furnished("a 20 m² living room").room.plan;
+    EXPECT_NEAR(area.width * area.depth, 20.f, 0.1f);
+    for (const char* text : {"a two metre wide bed", "a bed two metres wide", "a 2.0 m wide bed", "a 200 cm wide bed"}) {
+        const PromptSpec spec = read(text);
+        ASSERT_TRUE(object_of(spec, "bed")) << text;
+        EXPECT_NEAR(object_of(spec, "bed")->size_m.x, 2.f, 1e-3f) << text;
+        EXPECT_EQ(object_of(spec, "bed")->count, 1) << text;
+        EXPECT_EQ(object_of(spec, "bed")->size, "") << text;
+    }
+    const Furnished f = furnished("a bedroom with a two metre wide bed");
+    for (const Placed& p : f.room.placed) {
+        if (p.wish.klass == "bed") { EXPECT_NEAR(p.piece.size_m.x, 2.f, 0.02f); }
+    }
+    // Out of what rooms can be: nearest, and said so.
+    const Furnished hall = furnished("a 40 by 50 metre living room");
+    EXPECT_TRUE(is_told(hall.spec, "40 by 50 metre", "approximated: the room is 10.00 m by 10.00 m"));
+}
+
+TEST(PromptWords, TwoThingsOfOneClassAreTwo) {
+    const PromptSpec spec = read("a laundry room with a dryer on top of the washing machine");
+    const auto machines = std::count_if(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return o.klass == "washing_machine"; });
+    EXPECT_EQ(machines, 2);
+    EXPECT_EQ(spec.objects[0].relation, "on");
+    EXPECT_EQ(spec.objects[0].relation_to, "washing_machine");
+    EXPECT_EQ(read("a sofa, and a cat on the couch").objects.size(), 2u);
+}
+
+TEST(PromptWords, OnEitherSideAreTwo) {
+    for (const char* text : {"a bed with a nightstand on each side", "a bed with nightstands on both sides", "a nightstand on either side of the bed"}) {
+        const PromptSpec spec = read(text);
+        ASSERT_TRUE(object_of(spec, "nightstand")) << text;
+        EXPECT_EQ(object_of(spec, "nightstand")->count, 2) << text;
+        EXPECT_EQ(object_of(spec, "nightstand")->relation_to, "bed") << text;
+    }
+}
+
+TEST(PromptWords, PronounsAndEachFindTheirPiece) {
+    const PromptSpec clock = read("between the two windows stands a cabinet, above it hangs a clock");
+    EXPECT_EQ(object_of(clock, "clock")->relation_to, "cabinet");
+    const PromptSpec kettle = read("eight cushions around a low table and a kettle on it");
+    EXPECT_EQ(object_of(kettle, "kettle")->relation_to, "coffee_table");
+    const PromptSpec beds = read("twin beds with a picture above each bed");
+    EXPECT_EQ(std::count_if(beds.objects.begin(), beds.objects.end(), [](const PromptObject& o) { return o.klass.starts_with("bed"); }), 1);
+    EXPECT_EQ(object_of(beds, "picture")->count, 2);
+    const PromptSpec coffee = read("a kitchen, coffee steaming on the counter, sun through the blinds");
+    EXPECT_EQ(object_of(coffee, "curtain")->relation, "");
+    EXPECT_TRUE(coffee.colors.empty());
+    const PromptSpec wardrobe = read("a bed under the window, a wardrobe on the opposite wall");
+    EXPECT_EQ(object_of(wardrobe, "wardrobe")->relation_to, "bed");
+}
+
+TEST(PromptWords, SurfacesTakeAllTheirAdjectives) {
+    const PromptSpec tiles = read("a hallway with black and white checkered tiles");
+    ASSERT_TRUE(object_of(tiles, "floor"));
+    EXPECT_EQ(object_of(tiles, "floor")->color, "black");
+    EXPECT_EQ(object_of(tiles, "floor")->color2, "white");
+    EXPECT_EQ(object_of(tiles, "floor")->pattern, "checkered");
+    EXPECT_TRUE(tiles.colors.empty());
+    EXPECT_EQ(object_of(read("a bathroom tiled in turquoise"), "wall")->color, "turquoise");
+}
+
+TEST(PromptWords, HousesAndHoursWithNumbers) {
+    const PromptSpec flat = read("a 2-bed flat in London with a sofa");
+    EXPECT_FALSE(object_of(flat, "bed"));
+    EXPECT_EQ(read("a kitchen at 7 am").time, "morning");
+    EXPECT_EQ(read("a kitchen at 11pm").time, "night");
+    EXPECT_EQ(read("two Barcelona chairs").outlook, "");
+}
+
+TEST(PromptWords, TheEndFurnishesAndTheStructureShapes) {
+    for (const char* text : {"an attic study", "a study in the attic", "an attic converted to a study"}) {
+        const Furnished f = furnished(text);
+        EXPECT_EQ(f.spec.room, "study") << text;
+        EXPECT_EQ(f.spec.structure, "attic") << text;
+        EXPECT_GT(f.room.plan.knee, 0.f) << text;
+        EXPECT_TRUE(std::any_of(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "desk"; })) << text;
+        EXPECT_FALSE(std::any_of(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "bed"; })) << text;
+    }
+    EXPECT_EQ(read("a loft kitchen").room, "kitchen");
+    EXPECT_EQ(read("a loft kitchen").structure, "loft");
+    EXPECT_EQ(read("an attic").room, "attic");
+    EXPECT_EQ(read("an attic with a reading nook").room, "attic");
+}
+
+TEST(PromptWords, LanguagesThatAreNotReadAreNamed) {
+    for (const auto& [text, language] : {std::pair{"een slaapkamer met een groot bed en een rode stoel bij het raam", "Dutch"}, {"sypialnia z dużym łóżkiem i czerwonym krzesłem przy oknie", "Polish"},
+                                         {"uma sala com um sofá vermelho e uma mesa de madeira", "Portuguese"}, {"赤いソファのある居間", "Japanese"}, {"спальня с большой кроватью", "a language in Cyrillic letters"},
+                                         {"ett sovrum med en stor säng och en röd stol", "Swedish"}}) {
+        const PromptSpec spec = read(text);
+        EXPECT_EQ(spec.unread, language) << text;
+        EXPECT_FALSE(spec.words_with(PromptWord::Fate::not_understood).empty()) << text;
+        for (const PromptWord& w : spec.words) EXPECT_EQ(w.meaning.find("read as"), std::string::npos) << text << ": " << w.words << " " << w.meaning;
+    }
+    for (const char* text : {"a large bedroom, en suite", "a room under the stairs for me", "ein gemütliches Wohnzimmer mit einem roten Sofa", "una cocina grande con una mesa de madera y cuatro sillas azules",
+                             "un soggiorno moderno con un divano verde e due poltrone di pelle", "une chambre moderne avec un lit blanc et des rideaux verts", "sofa, bed, lamp"})
+        EXPECT_EQ(read(text).unread, "") << text;
+}
+
+TEST(PromptWords, ForeignWordsAreReadOrReported) {
+    const PromptSpec tiles = read("un baño con azulejos azules y una ventana");
+    EXPECT_EQ(tiles.room, "bathroom");
+    EXPECT_TRUE(is_told(tiles, "azulejos", "understood"));
+    const PromptSpec unknown = read("una cocina con una zarzuela grande y una mesa");
+    EXPECT_TRUE(is_told(unknown, "zarzuela", "not understood"));
+}
+
+TEST(PromptWords, PlacesOutsideByName) {
+    EXPECT_EQ(read("a room with mount fuji through the window").outlook, "mountains");
+    EXPECT_EQ(read("a room with a view of the Eiffel Tower").outlook, "city");
+    EXPECT_EQ(read("a forest outside the window").outlook, "forest");
+    EXPECT_EQ(object_of(read("a forest green wall"), "wall")->color, "forest green");
+}
+
+}  // namespace
+}  // namespace fastscene
