@@ -14,7 +14,8 @@ extern const std::string_view kLexiconText;  // lexicon.tsv
 namespace {
 
 constexpr std::string_view kKinds[] = {"room", "style", "object", "structure", "color", "material", "pattern", "time", "weather", "light",
-                                       "size", "mood", "count", "negation", "relation", "detail", "nuance", "filler", "function", "scope", "bound", "unit", "other"};
+                                       "size", "mood", "count", "negation", "relation", "detail", "nuance", "filler", "function",
+                                       "scope", "bound", "unit", "other"};
 
 std::vector<std::string_view> split(std::string_view line, char mark) {
     std::vector<std::string_view> parts;

@@ -1,5 +1,6 @@
 // What was meant by words that are misspelt: a letter wrong, or spaces where others put none ("bed side lamp", "cofee table").
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "fastscene/rooms/lexicon_table.h"
@@ -7,9 +8,9 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kShortest = 4;   // letters of a word that may hold a typo
-constexpr std::size_t kLong = 8;       // from here on two letters may be wrong
-constexpr std::size_t kFewLetters = 6; // of a term that may be spelt with other spaces
+constexpr std::size_t kShortest = 4;    // letters of a word that may hold a typo
+constexpr std::size_t kLong = 8;        // from here on two letters may be wrong
+constexpr std::size_t kFewLetters = 6;  // of a term that may be spelt with other spaces
 
 // Damerau-Levenshtein distance (optimal string alignment), or more than `most`.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t most) {
@@ -44,7 +45,8 @@ bool is_near(std::string_view word, std::string_view meant, std::size_t& far) {
 
 // How gladly a typo is read as this word; smaller is better.
 int rank_of(const Word& word, char first_letter, const std::string& term, std::size_t far) {
-    const bool shown = word.kind != WordKind::nuance && word.kind != WordKind::filler && word.kind != WordKind::function && word.kind != WordKind::relation;
+    const bool shown =
+        word.kind != WordKind::nuance && word.kind != WordKind::filler && word.kind != WordKind::function && word.kind != WordKind::relation;
     return 4 * static_cast<int>(far) + (shown ? 0 : 2) + (term[0] == first_letter ? 0 : 1);
 }
 
@@ -58,30 +60,44 @@ std::vector<std::string> words_of(std::string_view term) {
     return out;
 }
 
-// Calls f(term, word) for every term of this language.
-template <class F>
-void each_term(Language language, F&& f) {
-    for (const auto& [key, word] : lexicon_table().words) {
-        const auto colon = key.find(':');
-        const bool foreign = colon != std::string::npos;
-        if (foreign ? key.substr(0, colon) != language : !language.empty()) continue;
-        if (word.kind != WordKind::other) f(foreign ? key.substr(colon + 1) : key, word);
-    }
+// A term that may be meant.
+struct Term {
+    std::string term;
+    std::vector<std::string> words;
+    const Word* word;
+};
+
+// Those of a language, by how many words they have; made once: a prompt is compared with thousands.
+const std::vector<Term>& terms_of(Language language, std::size_t words) {
+    using ByLength = std::array<std::vector<Term>, kLongestTerm + 1>;
+    static const std::map<std::string, ByLength, std::less<>> kAll = [] {
+        std::map<std::string, ByLength, std::less<>> all;
+        for (const auto& [key, word] : lexicon_table().words) {
+            if (word.kind == WordKind::other) continue;
+            const auto colon = key.find(':');
+            const bool foreign = colon != std::string::npos;
+            const std::string term = foreign ? key.substr(colon + 1) : key;
+            std::vector<std::string> parts = words_of(term);
+            const std::size_t count = std::min(parts.size(), kLongestTerm);
+            all[foreign ? key.substr(0, colon) : std::string()][count].push_back({term, std::move(parts), &word});
+        }
+        return all;
+    }();
+    static const std::vector<Term> kNone;
+    const auto at = kAll.find(language);
+    return at == kAll.end() || words > kLongestTerm ? kNone : at->second[words];
 }
 
 // The last word of a term may stand in the plural.
 bool fits(const std::vector<std::string>& words, const std::vector<bool>& known, const std::vector<std::string>& term, Language language) {
     std::size_t far = 0;
-    for (std::size_t k = 0; k < words.size(); ++k) {
-        std::vector<std::string> forms{words[k]};
-        if (k + 1 == words.size())
-            for (std::string& form : base_forms(words[k], language)) forms.push_back(std::move(form));
-        const bool fit = std::any_of(forms.begin(), forms.end(), [&](const std::string& form) {
-            return form == term[k] || (!known[k] && is_near(form, term[k], far));
-        });
-        if (!fit) return false;
-    }
-    return true;
+    const auto fit = [&](const std::string& word, std::size_t k) { return word == term[k] || (!known[k] && is_near(word, term[k], far)); };
+    const std::size_t last = words.size() - 1;
+    for (std::size_t k = 0; k < last; ++k)
+        if (!fit(words[k], k)) return false;
+    if (fit(words[last], last)) return true;
+    const std::vector<std::string> forms = base_forms(words[last], language);
+    return std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return fit(form, last); });
 }
 
 }  // namespace
@@ -91,25 +107,24 @@ std::optional<std::string> nearest_term(const std::string& word, Language langua
     Word best_word{WordKind::other, ""};
     int best_rank = 99;
     bool ambiguous = false;
-    const auto consider = [&](const std::string& term, const std::string& spelt, const Word& candidate) {
-        std::size_t far = 0;
-        if (!is_near(word, spelt, far)) return;
+    const auto consider = [&](const std::string& term, const std::string& spelt, const Word& candidate, std::size_t far) {
         const int rank = rank_of(candidate, word[0], spelt, far);
         if (rank > best_rank) return;
         const bool same = best && rank == best_rank && best_word.kind == candidate.kind && best_word.meaning == candidate.meaning;
         ambiguous = rank == best_rank && best && !same;
         if (rank < best_rank) best = term, best_word = candidate, best_rank = rank;
     };
-    each_term(language, [&](const std::string& term, const Word& candidate) {
-        if (term.find(' ') == std::string::npos) consider(term, term, candidate);
-    });
+    std::size_t far = 0;
+    for (const Term& term : terms_of(language, 1))
+        if (is_near(word, term.term, far)) consider(term.term, term.term, *term.word, far);
     if (language.empty())
         for (const auto& [name, rgb] : lexicon_table().colors)
-            if (!lexicon_table().words.contains(name)) consider(name, name, Word{WordKind::color, name});
-    // "cofeetable", without its space too.
-    if (!best && word.size() >= kLong)
+            if (is_near(word, name, far) && !lexicon_table().words.contains(name)) consider(name, name, Word{WordKind::color, name}, far);
+    // "coffetable", without its space too.
+    if (!best && word.size() >= kLong && language.empty())
         for (const auto& [key, term] : lexicon_table().letters)
-            if (term.find(' ') != std::string::npos && key.find(':') == std::string::npos && language.empty()) consider(term, key, *look_up(term));
+            if (term.find(' ') != std::string::npos && key.find(':') == std::string::npos && is_near(word, key, far))
+                consider(term, key, *look_up(term), far);
     return ambiguous ? std::nullopt : best;  // two meanings are as near: do not guess
 }
 
@@ -118,13 +133,12 @@ std::optional<std::string> nearest_phrase(const std::vector<std::string>& words,
     std::optional<std::string> found;
     std::string meaning;
     bool ambiguous = false;
-    each_term(language, [&](const std::string& term, const Word& word) {
-        if (std::count(term.begin(), term.end(), ' ') + 1 != static_cast<std::ptrdiff_t>(words.size())) return;
-        if (word.kind == WordKind::function || !fits(words, known, words_of(term), language)) return;
-        ambiguous = ambiguous || (found && meaning != word.meaning);
-        found = term;
-        meaning = word.meaning;
-    });
+    for (const Term& term : terms_of(language, words.size())) {
+        if (term.word->kind == WordKind::function || !fits(words, known, term.words, language)) continue;
+        ambiguous = ambiguous || (found && meaning != term.word->meaning);
+        found = term.term;
+        meaning = term.word->meaning;
+    }
     return ambiguous ? std::nullopt : found;
 }
 

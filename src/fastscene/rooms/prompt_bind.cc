@@ -21,12 +21,47 @@ bool is_article(const Match& m) { return m.is(WordKind::count) && m.word->meanin
 
 // "in", "of", "painted in" … lead an adjective that follows its noun.
 bool leads_back(const Match& m) {
-    static constexpr std::array<std::string_view, 41> kLeads{
-        "in",           "of",           "with",        "painted",    "painted in",     "made of",    "made from", "made out of", "upholstered in",
-        "covered with", "covered in",   "finished in", "clad in",    "done in",        "is",         "are",       "built from",  "crafted from",
-        "carved from",  "decorated in", "from",        "wrapped in", "lined with",     "dressed in", "aus",       "mit",         "en",
-        "de",           "di",           "con",         "in the",     "decorated with", "as",         "was",
-        "that is",      "which is",     "that are",    "which are",  "should be",      "must be",   "be"};
+    static constexpr std::array<std::string_view, 41> kLeads{"in",
+                                                             "of",
+                                                             "with",
+                                                             "painted",
+                                                             "painted in",
+                                                             "made of",
+                                                             "made from",
+                                                             "made out of",
+                                                             "upholstered in",
+                                                             "covered with",
+                                                             "covered in",
+                                                             "finished in",
+                                                             "clad in",
+                                                             "done in",
+                                                             "is",
+                                                             "are",
+                                                             "built from",
+                                                             "crafted from",
+                                                             "carved from",
+                                                             "decorated in",
+                                                             "from",
+                                                             "wrapped in",
+                                                             "lined with",
+                                                             "dressed in",
+                                                             "aus",
+                                                             "mit",
+                                                             "en",
+                                                             "de",
+                                                             "di",
+                                                             "con",
+                                                             "in the",
+                                                             "decorated with",
+                                                             "as",
+                                                             "was",
+                                                             "that is",
+                                                             "which is",
+                                                             "that are",
+                                                             "which are",
+                                                             "should be",
+                                                             "must be",
+                                                             "be"};
     return m.is(WordKind::function) && std::find(kLeads.begin(), kLeads.end(), m.words) != kLeads.end();
 }
 
@@ -53,7 +88,7 @@ bool can_be_counted(const Match& noun) {
 void give(Reading& r, std::size_t at, std::size_t noun) {
     Match& a = r.m[at];
     const Match& n = r.m[noun];
-    if (a.noun >= 0 || !a.word || a.settled) return;
+    if (a.noun >= 0 || !a.word || a.settled || a.word->adds == "seats") return;
     a.noun = static_cast<int>(noun);
     if (n.is(WordKind::detail)) {
         if (!a.is(WordKind::count) && !is_article(a)) r.tell_near(at, "of the " + n.words + ", which are as the piece has them");
@@ -66,7 +101,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         object.not_color = a.word->meaning;
         return r.tell(at, "not " + a.word->meaning + whose, object.id);
     }
-    const auto take = [&](std::string PromptObject::* field, const char* name) {
+    const auto take = [&](std::string PromptObject::*field, const char* name) {
         if ((object.*field).empty() || object.*field == a.word->meaning) {
             object.*field = a.word->meaning;
             r.tell(at, std::string(name) + " " + a.word->meaning + whose, object.id);
@@ -112,8 +147,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
 bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     if (connector == 0 || connector + 1 >= r.m.size()) return false;
     const Match &left = r.m[connector - 1], &right = r.m[connector + 1];
-    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left) || !left.word) || right.is(WordKind::count) ||
-        right.is(WordKind::function))
+    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left)) || right.is(WordKind::count) || right.is(WordKind::function))
         return false;
     if (left.comma) return false;
     // "with white linen, blue walls": a material ends its own phrase.
@@ -172,6 +206,12 @@ void bind_after(Reading& r, std::size_t noun) {
     }
 }
 
+// … between a noun and an adjective that looks back at it.
+bool may_stand_between(const Match& m) {
+    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || is_shade(m) || is_and(m) || is_article(m) || m.is_function("but") ||
+           m.is_function("that") || m.is_function("which") || m.is_function("the");
+}
+
 // The noun that an adjective nobody took looks back at: "sofa in dark blue", "the walls are white", "bed with white linen".
 std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
     std::size_t i = at;
@@ -181,8 +221,7 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
         if (leads_back(before)) led = true;
         else if (before.is(WordKind::negation) && r.m[i].negated) led = true;  // "not brown", "aren't white"
-        else if (!(is_adjective(before) || before.is(WordKind::nuance) || before.is(WordKind::style) || is_shade(before) || is_and(before) ||
-                   before.is_function("but") || is_article(before) || before.is_function("the") || (before.comma && !led && i <= at && (is_adjective(r.m[i]) || r.m[i].is(WordKind::negation)) && i < at)))
+        else if (!may_stand_between(before) && !(before.comma && !led && i < at && (is_adjective(r.m[i]) || r.m[i].is(WordKind::negation))))
             return {};
         --i;
     }

@@ -8,7 +8,7 @@ namespace fastscene::reading {
 namespace {
 
 // The first to speak is heard; who contradicts is reported.
-void choose(Reading& r, std::size_t i, std::string PromptSpec::* field, const char* name, const std::string& title) {
+void choose(Reading& r, std::size_t i, std::string PromptSpec::*field, const char* name, const std::string& title) {
     Match& m = r.m[i];
     if (m.negated) return r.tell(i, "not " + title);
     std::string& value = r.spec.*field;

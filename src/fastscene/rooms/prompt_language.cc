@@ -9,8 +9,16 @@ namespace {
 
 constexpr std::array<Language, 4> kRead{"de", "fr", "es", "it"};
 // Of these the lexicon has the little words, to know them by.
-constexpr std::array<std::pair<Language, std::string_view>, 10> kUnread{{{"nl", "Dutch"}, {"pl", "Polish"}, {"pt", "Portuguese"}, {"sv", "Swedish"}, {"da", "Danish or Norwegian"},
-    {"fi", "Finnish"}, {"cs", "Czech or Slovak"}, {"tr", "Turkish"}, {"ro", "Romanian"}, {"hu", "Hungarian"}}};
+constexpr std::array<std::pair<Language, std::string_view>, 10> kUnread{{{"nl", "Dutch"},
+                                                                         {"pl", "Polish"},
+                                                                         {"pt", "Portuguese"},
+                                                                         {"sv", "Swedish"},
+                                                                         {"da", "Danish or Norwegian"},
+                                                                         {"fi", "Finnish"},
+                                                                         {"cs", "Czech or Slovak"},
+                                                                         {"tr", "Turkish"},
+                                                                         {"ro", "Romanian"},
+                                                                         {"hu", "Hungarian"}}};
 
 // Ranges of letters that tell a language or a script, the telling ones first.
 struct Script {
@@ -18,8 +26,18 @@ struct Script {
     char32_t first, last;
 };
 constexpr Script kScripts[] = {
-    {"Japanese", 0x3040, 0x30ff}, {"Korean", 0x1100, 0x11ff},  {"Korean", 0xac00, 0xd7af}, {"Chinese", 0x3400, 0x9fff}, {"a language in Cyrillic letters", 0x400, 0x52f}, {"Greek", 0x370, 0x3ff},
-    {"Hebrew", 0x590, 0x5ff},     {"Arabic or Persian", 0x600, 0x77f}, {"an Indian language", 0x900, 0xdff}, {"Thai", 0xe00, 0xe7f}, {"Georgian", 0x10a0, 0x10ff}, {"Armenian", 0x530, 0x58f},
+    {"Japanese", 0x3040, 0x30ff},
+    {"Korean", 0x1100, 0x11ff},
+    {"Korean", 0xac00, 0xd7af},
+    {"Chinese", 0x3400, 0x9fff},
+    {"a language in Cyrillic letters", 0x400, 0x52f},
+    {"Greek", 0x370, 0x3ff},
+    {"Hebrew", 0x590, 0x5ff},
+    {"Arabic or Persian", 0x600, 0x77f},
+    {"an Indian language", 0x900, 0xdff},
+    {"Thai", 0xe00, 0xe7f},
+    {"Georgian", 0x10a0, 0x10ff},
+    {"Armenian", 0x530, 0x58f},
 };
 
 char32_t next_letter(const std::string& text, std::size_t& at) {
@@ -49,7 +67,8 @@ std::string_view script_of(const std::vector<std::string>& tokens) {
 }
 
 std::size_t little_words(const std::vector<std::string>& tokens, Language language) {
-    return static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), [&](const std::string& t) { return t != "," && is_function_word(t, language); }));
+    return static_cast<std::size_t>(
+        std::count_if(tokens.begin(), tokens.end(), [&](const std::string& t) { return t != "," && is_function_word(t, language); }));
 }
 
 // The read language of most of its words.

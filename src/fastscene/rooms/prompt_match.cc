@@ -92,7 +92,8 @@ class Matcher {
             return take({.words = term, .word = look_up(*meant, tongue_.language)}, n), true;
         if (n == 1) return false;
         const auto begin = static_cast<std::ptrdiff_t>(at_), end = begin + static_cast<std::ptrdiff_t>(n);
-        const auto meant = nearest_phrase({tokens_.begin() + begin, tokens_.begin() + end}, {known_.begin() + begin, known_.begin() + end}, tongue_.language);
+        const auto meant =
+            nearest_phrase({tokens_.begin() + begin, tokens_.begin() + end}, {known_.begin() + begin, known_.begin() + end}, tongue_.language);
         if (!meant) return false;
         take({.words = term, .word = look_up(*meant, tongue_.language), .note = "read as \"" + *meant + "\""}, n);
         return true;
@@ -107,7 +108,9 @@ class Matcher {
         forms.insert(forms.begin(), token);
         for (const std::string& form : forms)
             if (const auto term = tongue_.unread.empty() && !known_[at_] ? nearest_term(form, tongue_.language) : std::nullopt)
-                return take({.words = token, .word = look_up(*term, tongue_.language), .note = "read as \"" + *term + "\"", .misspelt_plural = form != token}, 1);
+                return take(
+                    {.words = token, .word = look_up(*term, tongue_.language), .note = "read as \"" + *term + "\"", .misspelt_plural = form != token},
+                    1);
         take({.words = token}, 1);
     }
 

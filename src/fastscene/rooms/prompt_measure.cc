@@ -55,7 +55,8 @@ Extent extent_of(const Match& m) {
 }
 
 bool takes_measure(const Match& m) {
-    return (has_object(m) && (m.is(WordKind::object) || m.is(WordKind::structure))) || m.is(WordKind::room) || (m.is(WordKind::filler) && m.word->meaning == "room");
+    return (has_object(m) && (m.is(WordKind::object) || m.is(WordKind::structure))) || m.is(WordKind::room) ||
+           (m.is(WordKind::filler) && m.word->meaning == "room");
 }
 
 // "a two metre wide bed": the noun behind, with nothing but adjectives between.
@@ -70,7 +71,8 @@ std::optional<std::size_t> owner_behind(const Reading& r, std::size_t at) {
 std::optional<std::size_t> owner_before(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0;) {
         if (takes_measure(r.m[k])) return k;
-        const bool goes_on = r.m[k].is(WordKind::function) || r.m[k].comma || modifies(r.m[k]) || r.m[k].is(WordKind::detail) || !r.m[k].metres.empty();
+        const bool goes_on =
+            r.m[k].is(WordKind::function) || r.m[k].comma || modifies(r.m[k]) || r.m[k].is(WordKind::detail) || !r.m[k].metres.empty();
         if (!goes_on) return {};
     }
     return {};
@@ -90,7 +92,8 @@ Extent extent_near(Reading& r, std::size_t at) {
 }
 
 bool stands_tall(std::string_view klass) {
-    static constexpr std::array<std::string_view, 8> kTall{"plant", "plant_tree", "floor_lamp", "bookshelf", "wardrobe", "statue", "ladder", "sculpture"};
+    static constexpr std::array<std::string_view, 8> kTall{"plant",    "plant_tree", "floor_lamp", "bookshelf",
+                                                           "wardrobe", "statue",     "ladder",     "sculpture"};
     return std::find(kTall.begin(), kTall.end(), klass) != kTall.end();
 }
 
@@ -150,6 +153,7 @@ void bind_measure(Reading& r, std::size_t at) {
     if (!owner) owner = owner_before(r, at);
     r.m[at].settled = true;
     r.m[at].measure = true;
+    if (at + 1 < r.m.size() && r.m[at + 1].is(WordKind::relation)) return r.tell_near(at, "how far: as far as such pieces stand apart");
     const bool ceiling = owner && has_object(r.m[*owner]) && r.object_of(*owner).klass == "ceiling";
     if (ceiling && r.m[at].metres.size() == 1) return give_room(r, at, Extent::height);
     if (r.m[at].area || !owner || !has_object(r.m[*owner])) {
@@ -167,7 +171,8 @@ std::vector<std::string> with_numbers_apart(const std::vector<std::string>& toke
     for (const std::string& token : tokens) {
         // "20m2": all behind the digits may be one unit.
         const std::size_t digits = std::min(token.find_first_not_of("0123456789."), token.size());
-        if (const auto unit = digits > 0 && digits < token.size() ? look_up(token.substr(digits)) : std::nullopt; unit && unit->kind == WordKind::unit) {
+        if (const auto unit = digits > 0 && digits < token.size() ? look_up(token.substr(digits)) : std::nullopt;
+            unit && unit->kind == WordKind::unit) {
             out.insert(out.end(), {token.substr(0, digits), token.substr(digits)});
             continue;
         }
@@ -177,10 +182,11 @@ std::vector<std::string> with_numbers_apart(const std::vector<std::string>& toke
             if (parts.empty() || number != (is_digit(parts.back().back()) || parts.back().back() == '.')) parts.emplace_back();
             parts.back() += c;
         }
-        const bool apart = parts.size() > 1 && is_digit(token[0]) && !look_up(token) && std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
-                               const auto word = is_digit(part[0]) ? std::nullopt : look_up(part);
-                               return is_digit(part[0]) || part == "x" || (word && word->kind == WordKind::unit);
-                           });
+        const bool apart =
+            parts.size() > 1 && is_digit(token[0]) && !look_up(token) && std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
+                const auto word = is_digit(part[0]) ? std::nullopt : look_up(part);
+                return is_digit(part[0]) || part == "x" || (word && word->kind == WordKind::unit);
+            });
         // "2x armchair": two of them.
         if (apart && parts.size() == 2 && parts[1] == "x") parts.pop_back();
         if (apart) out.insert(out.end(), parts.begin(), parts.end());

@@ -78,7 +78,8 @@ bool negation_goes_on(const Matches& m, std::size_t comma) {
 
 // Words that take back what was said of all or of none: "no windows except one skylight", "all white except a red chair".
 bool excepts(const Match& m) {
-    static constexpr std::array<std::string_view, 9> kExcept{"except", "except for", "excluding", "apart from", "other than", "save for", "aside from", "besides", "but for"};
+    static constexpr std::array<std::string_view, 9> kExcept{"except",   "except for", "excluding", "apart from", "other than",
+                                                             "save for", "aside from", "besides",   "but for"};
     return m.is(WordKind::negation) && std::find(kExcept.begin(), kExcept.end(), m.words) != kExcept.end();
 }
 bool is_described(const Match& m) {
@@ -117,7 +118,8 @@ void mark_negated(Matches& m) {
             negated = false;
         // "no tv and a piano": what has its own article is wanted.
         if (negated && m[i].is_function("and") && i + 1 < m.size() && m[i + 1].is(WordKind::count)) negated = false;
-        if (adjectives && (is_noun(m[i]) || m[i].is(WordKind::room) || m[i].is(WordKind::relation) || m[i].is(WordKind::count))) negated = adjectives = false;
+        if (adjectives && (is_noun(m[i]) || m[i].is(WordKind::room) || m[i].is(WordKind::relation) || m[i].is(WordKind::count)))
+            negated = adjectives = false;
         m[i].negated = negated;
     }
 }
@@ -155,8 +157,9 @@ void heed_the_room(Matches& m) {
         if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "faucet" || w == "tap" || w == "counter" || w == "countertop"))
             m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
         const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
-                                return x.is(WordKind::object) && (x.word->meaning == "toilet" || x.word->meaning == "bathtub" || x.word->meaning == "shower");
-                            }));
+                                                       return x.is(WordKind::object) && (x.word->meaning == "toilet" ||
+                                                                                         x.word->meaning == "bathtub" || x.word->meaning == "shower");
+                                                   }));
         if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dresser", false};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {
@@ -174,11 +177,34 @@ void heed_the_room(Matches& m) {
     }
 }
 
+// "a clock shaped like a rooster", "a portrait of a lady", "the family kitchen": no rooster, no lady, no family stands there.
+void name_likenesses(Matches& m) {
+    const auto shows = [](const Match& x) {
+        return x.is(WordKind::object) &&
+               (x.word->meaning == "picture" || x.word->meaning == "photo_frame" || x.word->meaning == "statue" || x.word->meaning == "sculpture");
+    };
+    const auto is_person = [](const Match& x) {
+        return x.is(WordKind::object) && (x.word->meaning == "person" || x.word->meaning == "man" || x.word->meaning == "woman");
+    };
+    for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        if (is_person(m[i]) && (m[i + 1].is(WordKind::room) || is_noun(m[i + 1]))) m[i].word = Word{WordKind::nuance, "owner"};
+        const bool likeness = m[i].is(WordKind::nuance) && m[i].word->meaning == "likeness";
+        if (!likeness && !(shows(m[i]) && m[i + 1].is_function("of"))) continue;
+        for (std::size_t k = i + (likeness ? 1 : 2); k < m.size() && (modifies(m[k]) || is_noun(m[k])); ++k) {
+            if (!is_noun(m[k])) continue;
+            m[k].word = Word{WordKind::nuance, "motif"};
+            break;
+        }
+    }
+}
+
 // "monstera plant", "antler chandelier": a noun right before a noun says its kind.
 void name_kinds(Matches& m) {
+    name_likenesses(m);
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
         // "Barcelona chairs" look out on nothing.
-        if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object)) m[i].word = Word{WordKind::nuance, "kind", false};
+        if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))
+            m[i].word = Word{WordKind::nuance, "kind", false};
         if (!m[i].is(WordKind::object) || !m[i + 1].is(WordKind::object)) continue;
         const std::vector<std::string> single = base_forms(m[i].words);
         const bool plural = std::any_of(single.begin(), single.end(), [&](const std::string& s) {
@@ -192,7 +218,9 @@ void name_kinds(Matches& m) {
 // Words that are colors too ("fern", "midnight", "coffee") are colors right before an adjective or a noun they are no part of, and where
 // a color is said: "in coffee and cream".
 void name_colors(Matches& m) {
-    const auto colored = [](const Match& x) { return is_noun(x) || x.is(WordKind::material) || x.is(WordKind::pattern) || x.is(WordKind::color) || x.words == "colored"; };
+    const auto colored = [](const Match& x) {
+        return is_noun(x) || x.is(WordKind::material) || x.is(WordKind::pattern) || x.is(WordKind::color) || x.words == "colored";
+    };
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word || !m[i].word->also_color || m[i].is(WordKind::material) || m[i].is(WordKind::color)) continue;
         const bool before = i + 1 < m.size() && colored(m[i + 1]);
@@ -207,6 +235,10 @@ void name_colors(Matches& m) {
 void name_lights(Matches& m) {
     for (std::size_t i = 1; i < m.size(); ++i)  // "the only light comes from a lamp"
         if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::scope)) m[i].word = Word{WordKind::nuance, "feel"};
+    for (std::size_t i = 1; i < m.size(); ++i)  // "red light"
+        if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::color) &&
+            (i + 1 == m.size() || m[i + 1].comma || m[i + 1].is(WordKind::function)))
+            m[i].word = Word{WordKind::nuance, "feel"};
     for (std::size_t i = 0; i < m.size(); ++i)
         if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 && (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") &&
             (i + 1 >= m.size() || !(is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
@@ -220,7 +252,8 @@ bool shapes_another(const Matches& m, std::size_t at) {
     const auto serves = [&](const Match& x) { return x.is(WordKind::room) && x.word->meaning != structure && !x.negated; };
     // "an attic study", "an attic turned into a study"; not "an attic with a study corner".
     const auto leads_on = [&](const Match& x) {
-        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") || x.is_function("used as");
+        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") ||
+               x.is_function("used as");
     };
     for (std::size_t k = at + 1; k < m.size() && (serves(m[k]) || leads_on(m[k])); ++k)
         if (serves(m[k])) return true;
@@ -237,7 +270,8 @@ bool shapes_another(const Matches& m, std::size_t at) {
 void count_other_rooms(Matches& m) {
     const auto is_house = [](const Match& x) { return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living"; };
     for (std::size_t i = 1; i + 1 < m.size(); ++i) {
-        const bool bedroom = m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
+        const bool bedroom =
+            m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
         if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
         m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
     }

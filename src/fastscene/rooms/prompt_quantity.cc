@@ -53,7 +53,8 @@ void merge_seats(Matches& m) {
         const bool led = m[i].is_function("for") || m[i].is_function("seats") || m[i].is_function("seating for") || m[i].words == "sleeps";
         if (led && is_number(m[i + 1])) {
             const bool people = i + 2 < m.size() && is_people(m[i + 2]);
-            const bool ends = i + 2 == m.size() || m[i + 2].comma || m[i + 2].is(WordKind::function) || m[i + 2].is(WordKind::relation) || m[i + 2].is(WordKind::count);
+            const bool ends = i + 2 == m.size() || m[i + 2].comma || m[i + 2].is(WordKind::function) || m[i + 2].is(WordKind::relation) ||
+                              m[i + 2].is(WordKind::count);
             if (people || ends) merge(m, i, people ? 3 : 2, number_of(m[i + 1]), kSeats);
         } else if (is_number(m[i]) && is_seater(m[i + 1]) && i + 2 < m.size() && is_noun(m[i + 2])) {
             merge(m, i, 2, number_of(m[i]), kSeats);

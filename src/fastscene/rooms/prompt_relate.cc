@@ -71,7 +71,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     object.relation = relation;
     std::string to;
     // "a picture above each bed": as many pictures as beds.
-    if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted) object.count = r.object_of(target).count, object.counted = true;
+    if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted)
+        object.count = r.object_of(target).count, object.counted = true;
     if (placed && !takes_no_target(relation)) {
         object.relation_to = r.object_of(target).klass;
         to = " the " + r.m[target].words;
@@ -117,9 +118,8 @@ std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at)
 // "coffee steaming on the counter, …": who stands there was named, and is nothing that rooms have.
 bool names_other_things(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0 && !ends_clause(r.m[k]);)
-        if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) || r.m[k].is(WordKind::time) ||
-            r.m[k].is(WordKind::light) ||
-            (r.m[k].is(WordKind::nuance) && r.m[k].word->meaning == "thing"))
+        if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) ||
+            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) || (r.m[k].is(WordKind::nuance) && r.m[k].word->meaning == "thing"))
             return true;
     return false;
 }

@@ -32,10 +32,13 @@ void read_only(Reading& r, std::size_t at) {
 }
 
 bool is_link(const Match& m) {
-    static constexpr std::array<std::string_view, 16> kLinks{"is", "are", "be", "in", "of", "should", "must", "painted", "painted in", "made of", "made from", "has", "to", "was", "made out of", "should be"};
+    static constexpr std::array<std::string_view, 16> kLinks{"is",         "are",     "be",        "in",  "of", "should", "must",        "painted",
+                                                             "painted in", "made of", "made from", "has", "to", "was",    "made out of", "should be"};
     return m.is(WordKind::function) && std::find(kLinks.begin(), kLinks.end(), m.words) != kLinks.end();
 }
-bool colors_all(const Match& m) { return (m.is(WordKind::color) || m.is(WordKind::material) || m.is(WordKind::pattern)) && m.noun < 0 && !m.listed && !m.negated; }
+bool colors_all(const Match& m) {
+    return (m.is(WordKind::color) || m.is(WordKind::material) || m.is(WordKind::pattern)) && m.noun < 0 && !m.listed && !m.negated;
+}
 
 // What "everything" or "all" is said to be: the adjectives behind it ("everything is pink"), unless a noun takes them
 // ("all white walls"); else the one before it ("pink everything", "yellow everywhere").
@@ -61,7 +64,9 @@ void read_all(Reading& r, std::size_t at) {
     all.klass = "everything";
     for (const std::size_t i : said) {
         const Match& m = r.m[i];
-        std::string& field = m.is(WordKind::color) ? (all.color.empty() ? all.color : all.color2) : m.is(WordKind::material) ? all.material : all.pattern;
+        std::string& field = m.is(WordKind::color)      ? (all.color.empty() ? all.color : all.color2)
+                             : m.is(WordKind::material) ? all.material
+                                                        : all.pattern;
         const bool first = field.empty();
         if (first) field = m.word->meaning;
         if (first && m.is(WordKind::color) && &field == &all.color) r.tell(i, "color of walls, floor, ceiling, wood and cloth: " + field);
