@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "fastscene/cli/flags.h"
@@ -28,7 +30,26 @@ ImageF at_size_of(const ImageF& found, const ImageF& truth) {
 
 Json json_of(const DepthScores& s) {
     return {{"abs_rel", s.abs_rel}, {"sq_rel", s.sq_rel}, {"rmse_m", s.rmse}, {"rmse_log", s.rmse_log}, {"delta1", s.delta[0]},
-            {"delta2", s.delta[1]}, {"delta3", s.delta[2]}, {"scale", s.scale}, {"shift_m", s.shift}, {"pixels", s.pixels}};
+            {"delta2", s.delta[1]}, {"delta3", s.delta[2]}, {"scale", s.scale}, {"shift_m", s.shift}, {"pixels", s.pixels}, {"missing", s.missing}};
+}
+
+// Found / true in the middle: 1000 is no error of an estimate, but one of units.
+void tell_what_looks_wrong(const DepthScores& s, const ImageF& found, const ImageF& truth, double farthest, DepthAlignment alignment,
+                           const std::string& name, const Run& run) {
+    constexpr float kOtherUnit = 100;
+    if (s.missing > 0)
+        run.warn(fmt::format("{}: {} of {} measured pixels have no estimate (NaN or infinite) and are not counted", name, s.missing, s.missing + s.pixels));
+    if (alignment != DepthAlignment::none) return;   // units are set right then
+    std::vector<float> ratios;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (const float f = found.pixels[i], t = truth.pixels[i]; f > 0 && std::isfinite(f) && t > 0 && static_cast<double>(t) <= farthest)
+            ratios.push_back(f / t);
+    if (ratios.empty()) return;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    if (*middle > kOtherUnit || *middle < 1 / kOtherUnit)
+        run.warn(fmt::format("{}: expected metres as in the truth, found {:.4g} times as much (in the middle): are these millimetres, or no metres at all?",
+                             name, *middle));
 }
 
 }  // namespace
@@ -59,7 +80,9 @@ Verb add_metrics_depth(CLI::App& metrics) {
                 const ImageF truth = load_float(map_of(flags->truth)), found = load_float(map_of(flags->found));
                 if (static_cast<std::int64_t>(found.width) * truth.height != static_cast<std::int64_t>(found.height) * truth.width)
                     throw Error("{}: expected the shape of {} ({} x {}), found {} x {}", flags->found, flags->truth, truth.width, truth.height, found.width, found.height);
-                const DepthScores s = depth_scores(at_size_of(found, truth), truth, {kAlignments.at(flags->align), farthest, flags->solid_angle});
+                const ImageF seen = at_size_of(found, truth);
+                const DepthScores s = depth_scores(seen, truth, {kAlignments.at(flags->align), farthest, flags->solid_angle});
+                tell_what_looks_wrong(s, seen, truth, farthest, kAlignments.at(flags->align), flags->found, session.run(0));
                 session.print(fmt::format("AbsRel {:.4f}  SqRel {:.4f}  RMSE {:.4f} m  RMSElog {:.4f}  d1 {:.4f}  d2 {:.4f}  d3 {:.4f}   ({} pixels; range = {:.4f} x + {:.4f} m)",
                                           s.abs_rel, s.sq_rel, s.rmse, s.rmse_log, s.delta[0], s.delta[1], s.delta[2], s.pixels, s.scale, s.shift),
                               json_of(s));

@@ -65,7 +65,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("--range", flags->range_map,
                      "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")
         ->type_name("FILE");
-    verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/formats.md).")
+    verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/depth.md).")
         ->type_name("FILE");
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")

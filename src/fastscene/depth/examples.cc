@@ -60,6 +60,18 @@ void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
     if (fs::exists(color.parent_path() / name)) out.push_back({color, color.parent_path() / name, place, drawn_for_holding_out(place)});
 }
 
+// Downloads lie in folders of their own: Structured3D_panorama_00/Structured3D/scene_00000.
+constexpr int kDeepest = 4;
+
+void find_below(const fs::path& path, int deep, std::vector<DepthFiles>& out) {
+    const std::string name = path.filename().string();
+    if (!fs::is_directory(path)) return find_pano3d(path, out);
+    if (name.starts_with("shard-")) return find_rooms(path, out);
+    if (name.starts_with("scene_") && fs::is_directory(path / "2D_rendering")) return find_structured3d(path, out);
+    if (deep == 0) return;
+    for (const fs::path& inner : sorted_entries(path)) find_below(inner, deep - 1, out);
+}
+
 // The pixel in the middle: a mean of two surfaces lies on neither.
 ImageF picked(const ImageF& range, EquirectSize size) {
     ImageF out(size.width, size.height);
@@ -76,13 +88,7 @@ ImageF picked(const ImageF& range, EquirectSize size) {
 std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw Error("{}: expected a folder of pictures with range, found none", folder.string());
     std::vector<DepthFiles> out;
-    for (const fs::path& path : sorted_entries(folder)) {
-        const std::string name = path.filename().string();
-        if (name.starts_with("shard-") && fs::is_directory(path)) find_rooms(path, out);
-        else if (name.starts_with("scene_") && fs::is_directory(path / "2D_rendering")) find_structured3d(path, out);
-        else if (fs::is_directory(path)) for (const fs::path& inner : sorted_entries(path)) find_pano3d(inner, out);
-        else find_pano3d(path, out);
-    }
+    find_below(folder, kDeepest, out);
     if (out.empty())
         throw Error(
             "{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, scene_00000/2D_rendering of Structured3D, or "

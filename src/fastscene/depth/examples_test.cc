@@ -8,6 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/depth/photo_look.h"
+#include "fastscene/depth/train.h"
 #include "fastscene/io/image_io.h"
 
 namespace fastscene {
@@ -66,6 +67,13 @@ TEST(Examples, Structured3dAndPano3d) {
     EXPECT_FALSE(rooms[0].held_out);
     EXPECT_TRUE(rooms[1].held_out);
     EXPECT_FLOAT_EQ(load_example(rooms[0], {32, 16}).range.at(1, 1), 2.5f);
+    // As the archives unpack, and a scene alone.
+    const fs::path downloads = fresh("downloads");
+    for (const char* archive : {"Structured3D_panorama_00", "Structured3D_panorama_01"})
+        make_pair(downloads / archive / "Structured3D/scene_00012/2D_rendering/1/panorama/full/rgb_rawlight.png",
+                  downloads / archive / "Structured3D/scene_00012/2D_rendering/1/panorama/full/depth.png");
+    EXPECT_EQ(find_depth_files(downloads).size(), 2u);
+    EXPECT_EQ(find_depth_files(s3d / "scene_00012").size(), 1u);
     const fs::path pano3d = fresh("pano3d");
     make_pair(pano3d / "0_ab12_color_0_Left_Down_0.0.png", pano3d / "0_ab12_depth_0_Left_Down_0.0.exr");
     make_pair(pano3d / "0_cd34_color_0_Left_Down_0.0.png", pano3d / "elsewhere.exr");
@@ -84,6 +92,30 @@ TEST(Examples, BadFoldersAndPictures) {
     for (DepthFiles& f : files) f.held_out = false;
     EXPECT_EQ(load_examples(files, false, {32, 16}, {}).size(), 1u);
     EXPECT_THROW(load_example(files[2], {32, 16}), Error);
+}
+
+// The first archives of Structured3D hold no scene from 3000 on.
+TEST(Examples, WithoutHeldOutPicturesTheFiguresSayWhatTheyAre) {
+    const fs::path s3d = fresh("s3d-first"), scene = s3d / "scene_00012/2D_rendering/1/panorama/full";
+    make_pair(scene / "rgb_rawlight.png", scene / "depth.png");
+    Image<std::uint16_t> range(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) range.at(x, y) = static_cast<std::uint16_t>(2000 + 10 * x + 30 * y);
+    save_png16(scene / "depth.png", range);
+    struct : EventSink {
+        std::string warnings;
+        void tell(const Event& event) override {
+            if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings += warning->text;
+        }
+    } heard;
+    DepthTraining training{{s3d}, {}, {}};
+    training.params.height = 32;
+    training.params.channels = 4;
+    training.params.training.steps = training.params.training.batch = 1;
+    const EgformerTrained trained = train_depth(training, fresh("s3d-trained"), {0, &heard, {}});
+    EXPECT_GT(trained.abs_rel, 0);
+    EXPECT_GT(trained.delta1, 0);
+    EXPECT_NE(heard.warnings.find("expected held-out pictures, found none"), std::string::npos) << heard.warnings;
 }
 
 TEST(Examples, MeanRangeFillsWhatNobodyKnows) {

@@ -57,6 +57,12 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);
     if (examples.empty() && !files.empty())
         throw Error("{}: expected pictures to train on, found held-out ones only: more rooms are needed", names.dump());
+    if (held_out.empty() && !files.empty()) {
+        run.warn(fmt::format("{}: expected held-out pictures, found none (each tenth room of ours, Structured3D's scenes from 3000 on): the figures are of "
+                             "pictures that are trained on",
+                             names.dump()));
+        held_out = thinned(examples, kMostHeldOut);
+    }
     if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
     const double painted = files.empty() ? 1 : p.painted;
 

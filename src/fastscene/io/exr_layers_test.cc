@@ -44,7 +44,8 @@ TEST(ExrLayers, RangeIsWhatIsCalledDepth) {
 }
 
 TEST(ExrLayers, ColorIsTheCombinedLayer) {
-    const ImageColor color = load_light(exr_with({"Glossy.R", "Glossy.G", "Glossy.B", "V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Combined.A"}));
+    const ImageColor color =
+        load_light(exr_with({"Glossy.R", "Glossy.G", "Glossy.B", "V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Combined.A"}));
     EXPECT_EQ(color.at(1, 0), (Vec3f{4, 5, 6}));
     EXPECT_EQ(load_light(exr_with({"left.R", "left.G", "left.B"})).at(0, 0), (Vec3f{1, 2, 3}));
 }

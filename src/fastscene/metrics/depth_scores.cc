@@ -13,7 +13,7 @@ struct Pair {
     double found, truth, weight;
 };
 
-std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options) {
+std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options, std::size_t& missing) {
     if (!found.same_size(truth))
         throw Error("range maps: expected one size, found {} x {} and {} x {}", found.width, found.height, truth.width, truth.height);
     std::vector<Pair> pairs;
@@ -22,10 +22,14 @@ std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const Depth
         const double weight = options.solid_angle ? pixel_solid_angle(y, {truth.width, truth.height}) : 1.;
         for (int x = 0; x < truth.width; ++x) {
             const float t = truth.at(x, y), f = found.at(x, y);
-            if (t > 0 && t <= options.farthest_m && std::isfinite(f)) pairs.push_back({f, t, weight});
+            if (!(t > 0 && t <= options.farthest_m)) continue;
+            if (std::isfinite(f)) pairs.push_back({f, t, weight});
+            else ++missing;
         }
     }
-    if (pairs.empty()) throw Error("range maps: expected pixels with a true range up to {} m, found none", options.farthest_m);
+    if (pairs.empty() && missing == 0) throw Error("range maps: expected pixels with a true range up to {} m, found none", options.farthest_m);
+    if (std::none_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.found > 0; }))
+        throw Error("range maps: expected estimates above 0 where the truth is measured, found none");
     return pairs;
 }
 
@@ -60,8 +64,8 @@ void align(std::vector<Pair>& pairs, DepthAlignment alignment, DepthScores& scor
 }  // namespace
 
 DepthScores depth_scores(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options) {
-    std::vector<Pair> pairs = pairs_of(found, truth, options);
     DepthScores s;
+    std::vector<Pair> pairs = pairs_of(found, truth, options, s.missing);
     s.pixels = pairs.size();
     align(pairs, options.alignment, s);
     double total = 0;

@@ -23,6 +23,7 @@ struct DepthScores {
     double rmse_log = 0;  // of natural logarithms
     double delta[3]{};    // share of pixels with max(found / true, true / found) < 1.25, 1.25^2, 1.25^3
     double scale = 1, shift = 0;
+    std::size_t missing = 0; // of the measured pixels, those for which the estimate holds no number: they are not counted
     std::size_t pixels = 0;  // compared: where the truth is finite, > 0 and at most `farthest_m`
 };
 

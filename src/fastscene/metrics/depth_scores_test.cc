@@ -27,6 +27,17 @@ TEST(DepthScores, ItselfIsPerfect) {
     }
 }
 
+TEST(DepthScores, WhatIsNotEstimatedIsCounted) {
+    const ImageF truth = some_range();
+    ImageF found = truth;
+    for (std::size_t i = 0; i < 100; ++i) found.pixels[i] = i % 2 ? std::numeric_limits<float>::infinity() : std::nanf("");
+    const DepthScores s = depth_scores(found, truth);
+    EXPECT_EQ(s.missing, 100u);
+    EXPECT_EQ(s.pixels, 1948u);
+    EXPECT_THROW(depth_scores(ImageF(64, 32, 0.f), truth), Error);   // nothing was estimated
+    EXPECT_THROW(depth_scores(ImageF(64, 32, std::nanf("")), truth), Error);
+}
+
 TEST(DepthScores, AlignmentTakesOutWhatItSays) {
     const ImageF truth = some_range();
     ImageF scaled = truth, affine = truth;

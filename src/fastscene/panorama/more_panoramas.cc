@@ -79,7 +79,7 @@ class Entry {
 std::vector<MorePanorama> read_more_panoramas(const fs::path& list) {
     const Json json = read_json(list);
     if (!json.is_object() || !json.contains("panoramas") || !json["panoramas"].is_array() || json["panoramas"].empty())
-        throw Error("{}: expected {{\"panoramas\": [...]}} with one entry or more (docs/formats.md), found none", list.string());
+        throw Error("{}: expected {{\"panoramas\": [...]}} with one entry or more (docs/depth.md), found none", list.string());
     std::vector<MorePanorama> out;
     for (const Json& one : json["panoramas"]) {
         const Entry entry(list, out.size() + 1, one);

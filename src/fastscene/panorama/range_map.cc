@@ -12,7 +12,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr double kSpeckShare = 1.5e-4;   // of the sphere: a patch of 3 degrees across
+constexpr double kSpeckShare = 1.5e-4;  // of the sphere: a patch of 3 degrees across
 
 using Pixels = std::vector<std::pair<int, int>>;
 
@@ -65,7 +65,7 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
     gaps = {};
     ImageMask left(range.width, range.height);
     for (std::size_t i = 0; i < range.size(); ++i) {
-        left.pixels[i] = !(range.pixels[i] > 0.f);   // true for NaN
+        left.pixels[i] = !(range.pixels[i] > 0.f);  // true for NaN
         gaps.unmeasured += left.pixels[i];
     }
     if (gaps.unmeasured == 0) return range;
@@ -74,8 +74,10 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
         for (int x = 0; x < range.width; ++x) {
             if (!left.at(x, y)) continue;
             const Pixels patch = patch_from(x, y, left);
-            const auto lowest = std::max_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
-            const auto highest = std::min_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+            const auto lowest =
+                std::max_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+            const auto highest =
+                std::min_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
             const bool speck = share_of_sphere(patch, size) < kSpeckShare;
             // Below the horizon and as far down as there is: the camera stood on it. The floor goes on level.
             const bool tripod = lowest == range.height - 1 && highest > range.height * 2 / 3;
@@ -104,8 +106,9 @@ ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, cons
     RangeGaps gaps;
     ImageF out = completed_range(range, gaps);
     if (gaps.unmeasured > 0)
-        run.warn(fmt::format("{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies about them (specks, and straight below)",
-                             map.string(), gaps.unmeasured, gaps.far, gaps.closed));
+        run.warn(fmt::format(
+            "{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies about them (specks, and straight below)",
+            map.string(), gaps.unmeasured, gaps.far, gaps.closed));
     return out;
 }
 

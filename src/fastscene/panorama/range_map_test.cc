@@ -24,13 +24,13 @@ TEST(RangeMap, WhatWasNotMeasuredIsFarBackground) {
     for (const float nothing : {0.f, kNan}) {
         ImageF range(kWidth, kHeight, 2.f);
         for (int y = 40; y < 60; ++y)
-            for (int x = -15; x < 15; ++x) range.at(wrap_column(x, kWidth), y) = nothing;   // a window over the seam
+            for (int x = -15; x < 15; ++x) range.at(wrap_column(x, kWidth), y) = nothing;  // a window over the seam
         range.at(100, 50) = kInf;
         RangeGaps gaps;
         const ImageF out = completed_range(range, gaps);
         EXPECT_EQ(out.at(0, 50), kInf);
         EXPECT_EQ(out.at(kWidth - 10, 50), kInf);
-        EXPECT_EQ(out.at(100, 50), kInf);   // the sky stays what it is
+        EXPECT_EQ(out.at(100, 50), kInf);  // the sky stays what it is
         EXPECT_EQ(out.at(20, 50), 2.f);
         EXPECT_EQ(gaps.unmeasured, 600);
         EXPECT_EQ(gaps.far, 600);

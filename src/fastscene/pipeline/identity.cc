@@ -99,12 +99,18 @@ void remove_owned(const RunFolder& folder) {
     }
 }
 
-void check_more(const SceneSource& source, const WalkParams& walk) {
+void tell_doubts(const fs::path& picture, const ImageColor& color, const Run& run) {
+    for (const std::string& remark : remarks_on_file(picture)) run.note(fmt::format("{}: {}", picture.string(), remark));
+    for (const std::string& doubt : doubts_about_panorama(color)) run.warn(fmt::format("{}: {}", picture.string(), doubt));
+}
+
+void check_more(const SceneSource& source, const WalkParams& walk, const Run& run) {
     if (source.picture.empty()) throw UsageError("--more: expected together with --panorama FILE, found alone");
-    if (walk.kind != "ours") throw UsageError("--walk-kind {}: expected ours together with --more, the published walks know one panorama", walk.kind);
+    if (walk.kind != "ours") throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", walk.kind);
     for (const MorePanorama& more : read_more_panoramas(source.more)) {
-        const EquirectSize size = panorama_size(more.color);
-        if (!more.range.empty()) range_from_file(more.range, size);
+        const Panorama one = panorama_from_image(more.color);
+        tell_doubts(more.color, one.color, run);
+        if (!more.range.empty()) range_from_file(more.range, one.size());
     }
 }
 
@@ -112,7 +118,7 @@ void check_more(const SceneSource& source, const WalkParams& walk) {
 
 void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run) {
     depth_backend(source, params.depth);
-    if (!source.more.empty()) check_more(source, params.walk);
+    if (!source.more.empty()) check_more(source, params.walk, run);
     if (!source.weights.empty() && !source.range_map.empty())
         throw UsageError("--range: expected together with --panorama FILE as it is, found with {}",
                          source.is_painted() ? "--panorama diffusion360" : "--panorama-upscale");
@@ -132,8 +138,7 @@ void check_source(const SceneSource& source, const SceneParams& params, const st
         return;
     }
     const Panorama panorama = panorama_from_image(source.picture);
-    for (const std::string& remark : remarks_on_file(source.picture)) run.note(fmt::format("{}: {}", source.picture.string(), remark));
-    for (const std::string& doubt : doubts_about_panorama(panorama.color)) run.warn(fmt::format("{}: {}", source.picture.string(), doubt));
+    tell_doubts(source.picture, panorama.color, run);
     if (!source.weights.empty() && params.panorama.diffusion.upscale != "none")
         check_enlarging({source.prompt, source.weights, {}}, params.panorama, std::min(panorama.size().width, params.panorama.width), run);
     if (!source.range_map.empty()) {

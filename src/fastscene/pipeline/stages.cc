@@ -220,10 +220,13 @@ std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
 void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out,
                const Run& run) {
     RangeEstimator estimate;
-    if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image")
-        estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(depth))](const ImageColor& color, const Run& r) {
+    if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
+        DepthParams published = depth;   // after each of 48 steps: one look, as published
+        if (published.looks == 0) published.looks = 1;
+        estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](const ImageColor& color, const Run& r) {
             return estimator->estimate(color, r).range;
         };
+    }
     const auto [walked, about] = walk_through(load_first_panorama(folder), params, run, estimate, load_more_panoramas(folder));
     std::vector<Viewpoint> viewpoints;
     for (std::size_t i = 0; i < walked.size(); ++i) {

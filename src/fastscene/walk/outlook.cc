@@ -51,7 +51,7 @@ Level coarser(const Level& fine) {
 std::vector<float> weights_across(const Level& level) {
     const int w = level.color.width, h = level.color.height;
     std::vector<Vec3f> mean(static_cast<std::size_t>(h));
-    std::vector<float> spread(static_cast<std::size_t>(h), -1.f);   // below 0: nothing is known
+    std::vector<float> spread(static_cast<std::size_t>(h), -1.f);  // below 0: nothing is known
     for (int y = 0; y < h; ++y) {
         Vec3f sum;
         float squares = 0, count = 0;

@@ -22,11 +22,11 @@ TEST(Outlook, GoesOnAlongTheRows) {
     const ImageColor out = outside_picture(color, range);
     for (int y = 12; y < 20; ++y)
         for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(out.at(x, y).x, static_cast<float>(y), 1.5f) << x;   // layers stay layers
-            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                            // nothing of the wall
+            EXPECT_NEAR(out.at(x, y).x, static_cast<float>(y), 1.5f) << x;  // layers stay layers
+            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                           // nothing of the wall
         }
     EXPECT_FLOAT_EQ(out.at(0, 0).z, 1.f);
-    for (const Vec3f& c : out.pixels) EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);   // what was seen with nothing else about it
+    for (const Vec3f& c : out.pixels) EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);  // what was seen with nothing else about it
     EXPECT_EQ(out.at(30, 16), color.at(30, 16));
 }
 

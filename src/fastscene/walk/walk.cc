@@ -115,7 +115,7 @@ Walked walk_through(const Panorama& given, const WalkParams& params, const Run& 
                     const std::vector<Panorama>& more) {
     const Panorama first = ready_to_walk(given, run);
     if (!more.empty() && params.kind != "ours")
-        throw UsageError("--walk-kind {}: expected ours together with --more, the published walks know one panorama", params.kind);
+        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.kind);
     std::vector<Panorama> others;
     for (const Panorama& one : more) {
         FASTSCENE_CHECK(one.color.same_size(first.color) && one.world_from_pano.rotation == first.world_from_pano.rotation);
