@@ -56,6 +56,10 @@ same_walk() { cmp -s "other/walk/$1" "picture/walk/$1" || fail "walk/$1 differs 
 same_walk 002/color.png
 same_walk 002/range.exr
 
+# Threads that wait sleep, however the program was started (libgomp says how it was set when it loads).
+(unset OMP_WAIT_POLICY; OMP_DISPLAY_ENV=true "$fastscene" depth picture >printed 2>log) || fail "without OMP_WAIT_POLICY"
+grep -qi "OMP_WAIT_POLICY = 'PASSIVE'" log || fail "waiting threads spin"
+
 # And with a second one beside it, which is observed as it came.
 echo "{\"panoramas\": [{\"color\": \"$PWD/other/walk/001/color.png\", \"range\": \"$PWD/other/walk/001/range.exr\", \"position\": [0.3, 0, 0.2]}]}" >more.json
 expect 0 "$fastscene" panorama --panorama other/panorama/color.png --range other/depth/range.exr --more more.json -o several --seed 1 "${tiny[@]:0:8}"

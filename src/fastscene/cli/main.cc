@@ -2,6 +2,9 @@
 // 128 + signal when stopped.
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <iostream>
 
 #include "fastscene/base/check.h"
@@ -77,6 +80,16 @@ int usage(const std::string& text) {
     return 2;
 }
 
+// libtorch's threads read when they are loaded whether to spin or to sleep while they wait, and spinning ones take the core from those that
+// work: beside another program a depth map costs ten times as much. So a verb with networks begins anew with the word said, unless somebody
+// (the start script, the user) said one. Where that is not possible it goes on as it is.
+void begin_with_sleeping_threads(const std::string& verb, char** argv) {
+    static constexpr std::array<std::string_view, 7> with_networks{"make", "panorama", "depth", "walk", "inpaint", "metrics", "evaluate"};
+    if (std::find(with_networks.begin(), with_networks.end(), verb) == with_networks.end()) return;
+    if (std::getenv("OMP_WAIT_POLICY") || ::setenv("OMP_WAIT_POLICY", "passive", 0) != 0) return;
+    ::execv("/proc/self/exe", argv);
+}
+
 int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
     ProgressDisplay display(std::cerr, progress_style(common.progress, ::isatty(STDERR_FILENO) == 1));
     const auto fail = [&](const std::string& text, int code) {
@@ -134,7 +147,10 @@ int run(int argc, char** argv) {
         return usage(e.what());
     }
     for (const Verb& verb : verbs)
-        if (verb.app->parsed()) return act(verb, *common, signals);
+        if (verb.app->parsed()) {
+            begin_with_sleeping_threads(verb.app->get_name(), argv);
+            return act(verb, *common, signals);
+        }
     return 2;
 }
 

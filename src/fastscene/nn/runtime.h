@@ -1,5 +1,5 @@
-// How libtorch runs here. The start scripts set OMP_WAIT_POLICY=passive before it loads: threads that wait at a barrier sleep, where
-// spinning ones take the core from those that work.
+// How libtorch runs here. The start scripts, or else cli/main.cc, set OMP_WAIT_POLICY=passive before it loads: threads that wait at a barrier
+// sleep, where spinning ones take the core from those that work.
 #pragma once
 
 #include <exception>
