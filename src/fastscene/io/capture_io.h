@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "fastscene/scene/capture.h"
 
@@ -21,6 +23,11 @@ Capture load_nerfstudio_capture(const std::filesystem::path& file, const Capture
 
 // Cameras, poses and names of a model alone: text or binary, in exactly this folder.
 Capture load_colmap_model(const std::filesystem::path& model);
+// Where a capture's folder keeps its model: sparse/0, sparse, colmap/sparse/0 or the folder itself. Absent: nowhere.
+std::optional<std::filesystem::path> colmap_model_in(const std::filesystem::path& dir);
+// cameras.json of INRIA's trainer, principal points in the middle. Reading throws Error naming the file and the camera.
+void save_cameras_json(const std::filesystem::path& path, const std::vector<Photo>& photos);
+Capture load_cameras_json(const std::filesystem::path& path);
 // Whether the folder holds cameras and images, as .bin or .txt.
 bool is_colmap_model(const std::filesystem::path& dir);
 

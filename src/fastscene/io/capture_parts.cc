@@ -20,8 +20,13 @@ void sort_by_name(std::vector<Photo>& photos) {
 
 fs::path mask_for(const fs::path& masks, const std::string& name) {
     if (!fs::is_directory(masks)) return {};
-    for (const fs::path& file : {masks / (name + ".png"), masks / name, (masks / name).replace_extension(".png")})
-        if (fs::is_regular_file(file)) return file;
+    const fs::path whole = masks / name;
+    if (const fs::path file = whole.string() + ".png"; fs::is_regular_file(file)) return file;  // COLMAP's way
+    if (fs::is_regular_file(whole)) return whole;
+    for (const char* ending : {".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"}) {
+        if (const fs::path file = fs::path(whole).replace_extension(ending); fs::is_regular_file(file)) return file;
+        if (const fs::path file = whole.string() + ending; fs::is_regular_file(file)) return file;
+    }
     return {};
 }
 

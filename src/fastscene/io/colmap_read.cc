@@ -38,6 +38,12 @@ class Line {
         if (code != std::errc() || end != text.data() + text.size()) refuse("expected a number, found \"" + std::string(text) + "\"");
         return value;
     }
+    bool skip_number() {
+        const std::string_view text = word();
+        double value = 0;
+        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return code == std::errc() && end == text.data() + text.size();
+    }
     [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: line {}: {}", path_.string(), number_, what); }
 
   private:
@@ -92,7 +98,8 @@ Cameras cameras_of_text(const fs::path& path) {
         if (!model) in.refuse(fmt::format("expected a camera model among {}, found {}", lens_model_names(), name));
         const auto width = in.number<std::uint64_t>(), height = in.number<std::uint64_t>();
         std::vector<double> parameters;
-        for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(in.number<double>());
+        const bool sphere = model->name == "EQUIRECTANGULAR";  // its size says all; some writers leave the parameters away
+        for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(sphere && in.empty() ? 0 : in.number<double>());
         out[id] = checked_lens(in, *model, width, height, parameters);
     });
     return out;
@@ -122,13 +129,21 @@ Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const 
     return {name, {}, {}, found->second, world_from_camera};
 }
 
+// x, y and a point's number, again and again. Files without these lines would lose every second picture.
+void check_points_line(Line& in) {
+    bool all_numbers = true;
+    int words = 0;
+    for (; !in.empty(); ++words) all_numbers = in.skip_number() && all_numbers;
+    if (!all_numbers || words % 3 != 0) in.refuse("expected the points of the picture above (x, y, number), or an empty line; found another line");
+}
+
 std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) {
     std::vector<Photo> out;
     bool points_follow = false;  // each image has a second line, of its points; it may be empty
     each_line(path, true, [&](Line& in) {
         if (points_follow) {
             points_follow = false;
-            return;
+            return check_points_line(in);
         }
         if (in.empty()) return;
         (void)in.number<std::int64_t>();
@@ -213,10 +228,15 @@ Capture load_colmap_model(const fs::path& model) {
     return capture;
 }
 
+std::optional<fs::path> colmap_model_in(const fs::path& dir) {
+    for (const fs::path& place : {dir / "sparse" / "0", dir / "sparse", dir / "colmap" / "sparse" / "0", dir})
+        if (is_colmap_model(place)) return place;
+    return {};
+}
+
 Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) {
-    for (const fs::path& place : {dir / "sparse" / "0", dir / "sparse", dir / "colmap" / "sparse" / "0", dir}) {
-        if (!is_colmap_model(place)) continue;
-        Capture capture = load_colmap_model(place);
+    if (const auto place = colmap_model_in(dir)) {
+        Capture capture = load_colmap_model(*place);
         capture.source = dir.string();
         name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks,
                    folders.downscale);

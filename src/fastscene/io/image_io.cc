@@ -72,6 +72,17 @@ ImageMask load_alpha(const fs::path& path) {
     return format_of(path, read_file(path)) == Format::png ? load_png_alpha(path) : ImageMask{};
 }
 
+ImageMask load_mask(const fs::path& path) {
+    if (format_of(path, read_file(path)) != Format::jpeg) return load_mask_png(path);
+    const ImageRgb8 picture = load_rgb8(path);
+    ImageMask mask(picture.width, picture.height);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        const Rgb8 p = picture.pixels[i];
+        mask.pixels[i] = static_cast<std::uint8_t>((54 * p.r + 183 * p.g + 19 * p.b) / 256);
+    }
+    return mask;
+}
+
 ImageF load_float(const fs::path& path, float png_unit) {
     switch (format_of(path, read_file(path))) {
         case Format::png: return load_png_float(path, png_unit);

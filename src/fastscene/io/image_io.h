@@ -31,6 +31,7 @@ ImageMask load_alpha(const std::filesystem::path& path);
 void save_png(const std::filesystem::path& path, const ImageRgb8& image);
 void save_png(const std::filesystem::path& path, const ImageMask& image);                // 8-bit gray
 ImageMask load_mask_png(const std::filesystem::path& path);                              // 8-bit gray
+ImageMask load_mask(const std::filesystem::path& path);                                  // of .png or .jpg, colors as gray
 void save_png16(const std::filesystem::path& path, const Image<std::uint16_t>& image);   // 16-bit gray
 void save_jpeg(const std::filesystem::path& path, const ImageRgb8& image, int quality = 92);
 std::string encode_jpeg(const ImageRgb8& image, int quality = 92);

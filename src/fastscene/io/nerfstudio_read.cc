@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -25,12 +27,18 @@ class Transforms {
         std::size_t number = 0;
         for (const Json& frame : json_.at("frames")) out.photos.push_back(photo(frame, fmt::format("frames[{}]", number++)));
         if (json_.contains("ply_file_path") && json_.at("ply_file_path").is_string())
-            if (const fs::path points = dir_ / json_.at("ply_file_path").get<std::string>(); fs::exists(points)) out.points = points_of_ply(points);
+            read_points(dir_ / json_.at("ply_file_path").get<std::string>(), out);
         sort_by_name(out.photos);
         return out;
     }
 
   private:
+    static void read_points(const fs::path& file, Capture& out) {
+        if (fs::exists(file))
+            out.points = points_of_ply(file);
+        else
+            out.missing_points = file;
+    }
     [[noreturn]] void refuse(const std::string& where, const std::string& what) const {
         throw Error("{}: {}{}{}", file_.string(), where, where.empty() ? "" : ": ", what);
     }
@@ -65,10 +73,9 @@ class Transforms {
 
     Lens lens(const Json& frame, const std::string& where, const fs::path& file) const {
         const std::string name = text(frame, "camera_model").value_or("OPENCV");
-        const bool known = name == "OPENCV" || name == "PINHOLE" || name == "SIMPLE_PINHOLE" || name == "PERSPECTIVE" || name == "OPENCV_FISHEYE" ||
-                           name == "EQUIRECTANGULAR";
-        if (!known)
-            refuse(where, fmt::format("expected camera_model OPENCV, PINHOLE, SIMPLE_PINHOLE, OPENCV_FISHEYE or EQUIRECTANGULAR, found {}", name));
+        static constexpr std::array kKnown{"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "PERSPECTIVE", "OPENCV_FISHEYE", "EQUIRECTANGULAR"};
+        if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
+            refuse(where, fmt::format("expected camera_model {}, found {}", fmt::join(kKnown, ", "), name));
         double width = number(frame, where, "w").value_or(0), height = number(frame, where, "h").value_or(0);
         if (width == 0 || height == 0) {
             if (!fs::exists(file)) refuse(where, fmt::format("expected w and h, or the picture to ask; found neither w and h nor {}", file.string()));

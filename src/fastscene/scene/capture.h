@@ -26,6 +26,7 @@ struct Capture {
     std::string source;          // for messages
     std::vector<Photo> photos;   // sorted by name
     std::vector<CapturePoint> points;
+    std::filesystem::path missing_points;  // a file that should have held them and is not there
 };
 
 }  // namespace fastscene

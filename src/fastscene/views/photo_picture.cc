@@ -4,15 +4,11 @@
 #include <cmath>
 
 #include "fastscene/base/error.h"
-#include "fastscene/geometry/cubemap.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 
 namespace fastscene {
 namespace {
-
-// Faces see 5 degrees beyond the cube's edges: a loss over windows needs what lies beside.
-constexpr float kFaceFovDeg = 100.f;
 
 struct Picture {
     ImageRgb8 color;
@@ -40,12 +36,12 @@ Picture load(const Photo& photo, const PhotosParams& params) {
                  expected = static_cast<double>(photo.lens.width) / photo.lens.height;
     // A pixel of rounding on either side, and a little.
     if (!(std::fabs(shape / expected - 1) < 0.02 + 1.0 / std::min(picture.color.width, picture.color.height)))
-        throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height, picture.color.width,
-                    picture.color.height);
+        throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height,
+                    picture.color.width, picture.color.height);
     if (params.alpha == "mask")
         if (ImageMask alpha = load_alpha(photo.file); !alpha.empty()) picture.weight = std::move(alpha);
     if (!photo.mask.empty()) {
-        ImageMask mask = load_mask_png(photo.mask);
+        ImageMask mask = load_mask(photo.mask);
         if (params.invert_masks)
             for (std::uint8_t& v : mask.pixels) v = static_cast<std::uint8_t>(255 - v);
         combine(picture.weight, mask.same_size(picture.color) ? mask : resized(mask, picture.color.width, picture.color.height));
@@ -95,41 +91,55 @@ void straighten(const Picture& source, const Lens& lens, View& view) {
     if (!all_count) view.weight = std::move(weight);
 }
 
-std::vector<View> cut_sphere(const Picture& source, const std::string& name, const Rigid& world_from_camera, int longest) {
-    const ImageColor color = linear_from_srgb8(source.color);
-    const EquirectSize size{color.width, color.height};
-    // As fine as the sphere's own picture at its middle.
-    const double side = 2 * size.width / (2 * std::numbers::pi) * std::tan(static_cast<double>(kFaceFovDeg) * std::numbers::pi / 360);
-    const int pixels = std::clamp(static_cast<int>(side), 16, longest);
-    const Pinhole camera = Pinhole::with_fov(pixels, pixels, kFaceFovDeg);
-    std::vector<View> out;
-    for (const CubeFace face : kCubeFaces) {
-        View view;
-        const Mat3f turn = pano_from_face(face);
-        view.name = fmt::format("{}.{}.png", name, name_of(face));
-        view.camera = camera;
-        view.world_from_camera = {world_from_camera.rotation * turn, world_from_camera.translation};
-        view.color = srgb8_from_linear(pinhole_from_equirect(color, camera, turn));
-        if (!source.weight.empty()) {
-            view.weight = ImageMask(pixels, pixels);
-            for (int y = 0; y < pixels; ++y)
-                for (int x = 0; x < pixels; ++x) {
-                    const Vec2f at =
-                        pixel_of_direction(turn * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
-                    view.weight.at(x, y) =
-                        source.weight.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1));
+// Smaller: the mean of as many samples as there are pixels in one of the new ones.
+Picture shrunk(const Picture& source, int width, int height) {
+    const double step_x = static_cast<double>(source.color.width) / width, step_y = static_cast<double>(source.color.height) / height;
+    const int n = std::clamp(static_cast<int>(std::ceil(std::max(step_x, step_y) - 0.05)), 1, 32);
+    Picture out{ImageRgb8(width, height), source.weight.empty() ? ImageMask() : ImageMask(width, height)};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            Vec3f sum;
+            float counts = 0;
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    const Vec2d at{(x + (i + 0.5) / n) * step_x, (y + (j + 0.5) / n) * step_y};
+                    sum += sample(source.color, at);
+                    if (!source.weight.empty())
+                        counts += static_cast<float>(source.weight.at(std::min(static_cast<int>(at.x), source.color.width - 1),
+                                                                      std::min(static_cast<int>(at.y), source.color.height - 1)));
                 }
+            const auto samples = static_cast<float>(n * n);
+            out.color.at(x, y) = {byte_from_unit(sum.x / samples), byte_from_unit(sum.y / samples), byte_from_unit(sum.z / samples)};
+            if (!source.weight.empty()) out.weight.at(x, y) = static_cast<std::uint8_t>(counts / samples + 0.5f);
         }
-        out.push_back(std::move(view));
-    }
     return out;
+}
+
+// The trainer draws spheres as they are. A degree has fewer pixels on a sphere than on other pictures of the same width.
+constexpr int kSphereWider = 2;
+
+View whole_sphere(Picture picture, const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
+    const int stored = picture.color.width;
+    const double wanted = std::min(
+        {static_cast<double>(kSphereWider * params.max_size) / stored, static_cast<double>(photo.lens.width) / params.downscale / stored, 1.0});
+    if (wanted < 1)  // an even width: columns on both sides of the middle
+        picture = shrunk(picture, std::max(2, static_cast<int>(std::lround(stored * wanted / 2)) * 2),
+                         std::max(1, static_cast<int>(std::lround(picture.color.height * wanted))));
+    View view;
+    view.name = photo.name;
+    view.camera = {picture.color.width, picture.color.height, 0, 0, 0, 0};
+    view.world_from_camera = world_from_camera;
+    view.color = std::move(picture.color);
+    view.weight = std::move(picture.weight);
+    view.model = CameraModel::equirectangular;
+    return view;
 }
 
 }  // namespace
 
-std::vector<View> views_of_photo(const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
+View view_of_photo(const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
     Picture picture = load(photo, params);
-    if (photo.lens.kind == LensKind::equirectangular) return cut_sphere(picture, photo.name, world_from_camera, params.max_size);
+    if (photo.lens.kind == LensKind::equirectangular) return whole_sphere(std::move(picture), photo, world_from_camera, params);
     const Lens lens = photo.lens.resized(picture.color.width, picture.color.height);
     // Smaller copies on disk count towards the downscale that was asked for.
     const double wanted = std::min({static_cast<double>(params.max_size) / std::max(lens.width, lens.height),
@@ -146,7 +156,7 @@ std::vector<View> views_of_photo(const Photo& photo, const Rigid& world_from_cam
     } else {
         straighten(picture, lens, view);
     }
-    return {std::move(view)};
+    return view;
 }
 
 }  // namespace fastscene

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/sphere.h"
 #include "fastscene/views/photo_picture.h"
 #include "fastscene/views/spacing.h"
 
@@ -63,14 +64,14 @@ std::vector<const Photo*> present_photos(const Capture& capture, const Run& run)
     std::vector<const Photo*> present;
     std::string first_missing;
     for (const Photo& photo : capture.photos)
-        if (std::filesystem::is_regular_file(photo.file))
-            present.push_back(&photo);
-        else if (first_missing.empty())
-            first_missing = photo.file.string();
+        if (std::filesystem::is_regular_file(photo.file)) present.push_back(&photo);
+        else if (first_missing.empty()) first_missing = photo.file.string();
     if (capture.photos.empty()) throw Error("{}: expected photographs with cameras, found none", capture.source);
-    if (present.empty()) throw Error("{}: expected the pictures of {} cameras, found none; {} is missing", capture.source, capture.photos.size(), first_missing);
+    if (present.empty())
+        throw Error("{}: expected the pictures of {} cameras, found none; {} is missing", capture.source, capture.photos.size(), first_missing);
     if (present.size() < capture.photos.size())
-        run.warn(fmt::format("{}: {} of {} pictures are missing and left out, {} first", capture.source, capture.photos.size() - present.size(), capture.photos.size(), first_missing));
+        run.warn(fmt::format("{}: {} of {} pictures are missing and left out, {} first", capture.source, capture.photos.size() - present.size(),
+                             capture.photos.size(), first_missing));
     return present;
 }
 
@@ -103,7 +104,9 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
         const View& view = set.views[static_cast<std::size_t>(random.index(static_cast<int>(set.views.size())))];
         const int x = random.index(view.camera.width), y = random.index(view.camera.height);
         const float distance = static_cast<float>(distance_m) * std::exp(random.uniform(-1.6f, 1.6f));
-        const Vec3f ray = normalize(view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+        const Vec3f ray = view.model == CameraModel::equirectangular
+                              ? direction_of_pixel(x, y, {view.camera.width, view.camera.height})
+                              : normalize(view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
         out.push_back({view.world_from_camera * (ray * distance), {}, view.color.at(x, y), 0});
     }
     std::vector<Vec3f> places;
@@ -113,6 +116,13 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
     return out;
 }
 
+void check_something_counts(const Capture& capture, const std::vector<View>& views) {
+    for (const View& view : views)
+        if (view.weight.empty() || std::any_of(view.weight.pixels.begin(), view.weight.pixels.end(), [](std::uint8_t w) { return w > 0; })) return;
+    throw Error("{}: expected a pixel that counts, found none in {} pictures: masks are black where nothing counts (--invert-masks turns them round)",
+                capture.source, views.size());
+}
+
 }  // namespace
 
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run) {
@@ -120,26 +130,25 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     const std::vector<const Photo*> photos = present_photos(capture, run);
     PhotoViews out;
     out.world_from_capture = world_from_capture(capture);
-    std::vector<std::vector<View>> cut(photos.size());
+    out.set.views.resize(photos.size());
     Progress progress(run, "pictures", static_cast<std::int64_t>(photos.size()));
     parallel_for(static_cast<std::int64_t>(photos.size()), 1, [&](std::int64_t begin, std::int64_t) {
         run.check_stop();
         const Photo& photo = *photos[static_cast<std::size_t>(begin)];
-        cut[static_cast<std::size_t>(begin)] = views_of_photo(photo, pose_of(out.world_from_capture, photo.world_from_camera), params);
+        out.set.views[static_cast<std::size_t>(begin)] = view_of_photo(photo, pose_of(out.world_from_capture, photo.world_from_camera), params);
         progress.advance();
     });
     Vec3f up;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        up -= pose_of(out.world_from_capture, photos[i]->world_from_camera).rotation.column(1);
-        for (View& view : cut[i]) out.set.views.push_back(std::move(view));
-    }
+    for (const View& view : out.set.views) up -= view.world_from_camera.rotation.column(1);
+    check_something_counts(capture, out.set.views);
     out.up = length(up) > 0.1f * static_cast<float>(photos.size()) ? normalize(up) : Vec3f{0, -1, 0};
     out.set.points = sized_points(capture, out.world_from_capture, run);
     if (out.set.points.empty()) {
         const double spread = radius_of({capture.source, capture.photos, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
         out.set.points = made_up_points(out.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
-        run.warn(fmt::format("{}: has no points to start from; {} random ones are used, which takes more steps for less", capture.source,
-                             out.set.points.size()));
+        const std::string why =
+            capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";
+        run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source, why, out.set.points.size()));
     }
     return out;
 }

@@ -1,5 +1,5 @@
 // Photos: captures (photographs with cameras, scene/capture.h) become views that a trainer can use: pictures loaded, made smaller,
-// lenses straightened, spheres cut, masks turned into weights; points with sizes, or made up where there are none.
+// lenses straightened, masks turned into weights; points with sizes, or made up where there are none.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct PhotosParams {
 };
 template <class V>
 void visit_fields(PhotosParams& p, V&& v) {
-    v("max-size", p.max_size, Bounds{16, 16384}, "Larger pictures are made smaller: their longer side in pixels.");
+    v("max-size", p.max_size, Bounds{16, 16384}, "Larger pictures are made smaller: their longer side in pixels; spheres may be twice as wide.");
     v("downscale", p.downscale, Bounds{1, 32}, "Pictures this many times smaller; images_2, images_4 … are taken where they are.");
     v("alpha", p.alpha, Choices{{"black", "mask"}}, "Transparent pixels are black, or do not count.");
     v("invert-masks", p.invert_masks, "White in a mask means: does not count.");

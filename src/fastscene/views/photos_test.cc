@@ -175,7 +175,8 @@ TEST(Photos, ScenesFarOffAndWithStrayCamerasComeClose) {
         if (i == 10) photo.world_from_camera.translation = {-1e9, 0, 0};
         capture.photos.push_back(photo);
     }
-    for (int i = 0; i < 500; ++i) capture.points.push_back({Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 100, {}});
+    for (int i = 0; i < 500; ++i)
+        capture.points.push_back({Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 100, {}});
     const PhotoViews views = views_of_capture(capture, {}, fastscene::Run{});
     int near = 0;
     for (const SurfacePoint& p : views.set.points) near += length(p.position_m) < 10;
@@ -215,7 +216,8 @@ TEST(Photos, NerfstudioCamerasLookAlongMinusZ) {
     EXPECT_GT(views_of_capture(capture, {}, fastscene::Run{}).up.y, 0.99f);
 }
 
-TEST(Photos, SpheresAreCutAllAround) {
+// The trainer knows spheres: they come to it whole, with their masks, and smaller where asked.
+TEST(Photos, SpheresStayWhole) {
     const fs::path dir = scratch("sphere");
     ImageRgb8 sphere(128, 64);
     for (int y = 0; y < 64; ++y)
@@ -224,19 +226,105 @@ TEST(Photos, SpheresAreCutAllAround) {
             sphere.at(x, y) = color_of({d.x, d.y, d.z});
         }
     save_png(dir / "s.png", sphere);
+    ImageMask mask(128, 64, 255);
+    for (int x = 0; x < 128; ++x) mask.at(x, 63) = mask.at(x, 62) = 0;  // the tripod
+    fs::create_directories(dir / "masks");
+    save_png(dir / "masks/s.png", mask);
     write_file(dir / "transforms.json", std::string_view(R"({"camera_model": "EQUIRECTANGULAR", "w": 128, "h": 64, "frames": [{"file_path": "s.png",
-        "transform_matrix": [[1,0,0,0],[0,-1,0,0],[0,0,-1,0],[0,0,0,1]]}]})"));
-    const PhotoViews views = views_of_capture(load_nerfstudio_capture(dir, {}), {}, fastscene::Run{});
-    ASSERT_EQ(views.set.views.size(), 6u);
-    for (View view : views.set.views) {
-        double sum = 0;
-        for (int y = 0; y < view.camera.height; ++y)
-            for (int x = 0; x < view.camera.width; ++x) {
-                const Vec3f d =
-                    view.world_from_camera.rotation * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-                sum += std::abs(view.color.at(x, y).g - color_of({d.x, d.y, d.z}).g);
-            }
-        EXPECT_LT(sum / static_cast<double>(view.color.size()), 2.0) << view.name;
+        "transform_matrix": [[1,0,0,1],[0,-1,0,2],[0,0,-1,3],[0,0,0,1]]}]})"));
+    const View whole = views_of_capture(load_nerfstudio_capture(dir, {}), {}, fastscene::Run{}).set.views.at(0);
+    EXPECT_EQ(whole.model, CameraModel::equirectangular);
+    EXPECT_EQ(whole.color.pixels, sphere.pixels);
+    EXPECT_EQ(whole.weight.pixels, mask.pixels);
+    EXPECT_EQ(whole.camera.width, 128);
+    PhotosParams params;
+    params.max_size = 32;  // a sphere may be twice as wide
+    const PhotoViews smaller = views_of_capture(load_nerfstudio_capture(dir, {}), params, fastscene::Run{});
+    const View& small = smaller.set.views.at(0);
+    ASSERT_EQ(small.color.width, 64);
+    ASSERT_EQ(small.color.height, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, {64, 32});
+            EXPECT_NEAR(small.color.at(x, y).g, color_of({d.x, d.y, d.z}).g, 4);
+        }
+    EXPECT_EQ(small.weight.at(5, 31), 0);
+    EXPECT_EQ(small.weight.at(5, 30), 255);
+    // Made up starting points take the color of where they are seen.
+    for (const SurfacePoint& p : smaller.set.points) {
+        const Vec3f d = inverse(small.world_from_camera) * p.position_m;
+        EXPECT_NEAR(p.color.g, color_of({d.x, d.y, d.z}).g, 30);
+    }
+}
+
+TEST(Photos, MasksOfAnyKindAndMasksOfNothing) {
+    const fs::path dir = scratch("masks");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72, {1, 2, 3}));
+    fs::create_directories(dir / "masks/sub");
+    ImageRgb8 jpeg(96, 72, {255, 255, 255});
+    for (int y = 0; y < 72; ++y)
+        for (int x = 0; x < 48; ++x) jpeg.at(x, y) = {0, 0, 0};
+    for (const char* name : {"a b.jpg", "a b.png.jpg"}) {
+        save_jpeg(dir / "masks/sub" / name, jpeg);
+        const ImageMask weight = views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0].weight;
+        ASSERT_FALSE(weight.empty()) << name;
+        EXPECT_LT(weight.at(5, 6), 5);
+        EXPECT_GT(weight.at(80, 6), 250);
+        fs::remove(dir / "masks/sub" / name);
+    }
+    save_png(dir / "masks/sub/a b.png", ImageMask(96, 72, 0));
+    EXPECT_THROW(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}), Error);
+    PhotosParams params;
+    params.invert_masks = true;
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{}).set.views.size(), 1u);
+}
+
+TEST(Photos, AModelWithoutLinesOfPointsIsRefusedNotHalved) {
+    const fs::path dir = scratch("lines");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
+    const auto images = [&](std::string_view text) {
+        write_file(dir / "sparse/0/images.txt", text);
+        return load_colmap_capture(dir, {}).photos.size();
+    };
+    EXPECT_EQ(images("1 1 0 0 0 0 0 0 7 a.png\n\n2 1 0 0 0 0 0 0 7 b.png\n1 2 -1 3.5 4e1 7\n"), 2u);
+    EXPECT_THROW(images("1 1 0 0 0 0 0 0 7 a.png\n2 1 0 0 0 0 0 0 7 b.png\n"), Error);
+    EXPECT_THROW(images("1 1 0 0 0 0 0 0 7 a.png\n1 2 -1 5\n"), Error);
+    write_file(dir / "sparse/0/cameras.txt", std::string_view("7 EQUIRECTANGULAR 128 64\n"));
+    EXPECT_EQ(images("1 1 0 0 0 0 0 0 7 a.png\n\n"), 1u);
+}
+
+TEST(Photos, CamerasJsonComesBack) {
+    const fs::path dir = scratch("cameras");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
+    std::vector<Photo> photos = load_colmap_capture(dir, {}).photos;
+    photos.push_back(photos[0]);
+    photos[1].lens.kind = LensKind::equirectangular;
+    save_cameras_json(dir / "cameras.json", photos);
+    const Capture back = load_cameras_json(dir / "cameras.json");
+    ASSERT_EQ(back.photos.size(), 2u);
+    EXPECT_EQ(back.photos[0].name, photos[0].name);
+    EXPECT_EQ(back.photos[0].lens.fy, photos[0].lens.fy);
+    EXPECT_EQ(back.photos[1].lens.kind, LensKind::equirectangular);
+    EXPECT_NEAR(length(back.photos[0].world_from_camera.translation - photos[0].world_from_camera.translation), 0, 1e-12);
+    EXPECT_NEAR(length(back.photos[0].world_from_camera.rotation.row1 - photos[0].world_from_camera.rotation.row1), 0, 1e-12);
+    for (const char* bad : {"{}", "[1]", "[{\"img_name\": \"a\"}]",
+                            R"([{"img_name":"a","width":2,"height":2,"fx":1,"fy":1,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,5]]}])",
+                            R"([{"img_name":"a","width":1e30,"height":2,"fx":1,"fy":1,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]]}])"}) {
+        write_file(dir / "cameras.json", std::string_view(bad));
+        EXPECT_THROW(load_cameras_json(dir / "cameras.json"), Error) << bad;
+    }
+}
+
+TEST(Photos, NerfstudioKnowsColmapsRadialLenses) {
+    const fs::path dir = scratch("radial");
+    for (const char* model : {"SIMPLE_RADIAL", "RADIAL"}) {
+        write_file(dir / "transforms.json",
+                   fmt::format(R"({{"camera_model": "{}", "w": 40, "h": 30, "fl_x": 20, "k1": -0.1, "ply_file_path": "absent.ply", "frames":
+            [{{"file_path": "a.png", "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}}]}})",
+                               model));
+        const Capture capture = load_nerfstudio_capture(dir, {});
+        EXPECT_EQ(capture.photos.at(0).lens.k[0], -0.1);
+        EXPECT_EQ(capture.missing_points, dir / "absent.ply");
     }
 }
 
