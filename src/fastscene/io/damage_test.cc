@@ -146,6 +146,27 @@ TEST(Damage, Ply) {
     EXPECT_THROW(load_splats(file), Error);
 }
 
+TEST(Damage, PlyHeadersAsProgramsWriteThem) {
+    const fs::path file = scratch("h.ply");
+    save_splat_ply(file, some_splats(1), PlyBands::present);
+    const std::string whole = read_file(file);
+    const auto with = [&](const std::string& old_text, const std::string& new_text) {
+        std::string text = whole;
+        text.replace(text.find(old_text), old_text.size(), new_text);
+        write_file(file, text);
+        return load_splats(file).splats.size();
+    };
+    const std::string count = fmt::format("element vertex {}\n", some_splats(1).size());
+    EXPECT_EQ(with("ply\n", "ply\ncomment before the format\n"), some_splats(1).size());
+    EXPECT_EQ(with(count, "comment " + std::string(5000, 'x') + "\n" + count), some_splats(1).size());
+    for (const char* number : {"-1", "2.5", "0x10", "1e3", ""}) EXPECT_THROW(with(count, fmt::format("element vertex {}\n", number)), Error) << number;
+    write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n+-1\n"));
+    EXPECT_THROW(Ply{file}, Error);
+    write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n+1.5\n"));
+    const Ply plus(file);
+    EXPECT_EQ(plus.value(plus.element("vertex"), 0, 0), 1.5);
+}
+
 TEST(Damage, ColmapTextAndBinary) {
     ViewSet set;
     for (int i = 0; i < 3; ++i) {

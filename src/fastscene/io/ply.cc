@@ -18,6 +18,7 @@ struct Type {
 };
 constexpr Type kTypes[] = {{"char", "int8", 1, 'i'},   {"uchar", "uint8", 1, 'u'},   {"short", "int16", 2, 'i'}, {"ushort", "uint16", 2, 'u'},
                            {"int", "int32", 4, 'i'},   {"uint", "uint32", 4, 'u'},   {"float", "float32", 4, 'f'}, {"double", "float64", 8, 'f'}};
+constexpr std::size_t kLongestComment = 1 << 20;
 // A row of more is no row of points.
 constexpr std::size_t kMostProperties = 1000;
 
@@ -47,8 +48,8 @@ Ply::Ply(const std::filesystem::path& path) : path_(path), bytes_(read_file(path
 
 std::string Ply::next_line() {
     const std::size_t end = bytes_.find('\n', at_);
-    // A header line is short; anything longer is not a header.
-    if (end == std::string::npos || end - at_ > 1000) throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
+    // A header line is short, but for what programs note about themselves; anything longer is not a header.
+    if (end == std::string::npos || end - at_ > (bytes_.compare(at_, 8, "comment ") == 0 ? kLongestComment : 1000)) throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
     std::string line = bytes_.substr(at_, end - at_);
     if (!line.empty() && line.back() == '\r') line.pop_back();
     at_ = end + 1;
@@ -57,8 +58,12 @@ std::string Ply::next_line() {
 
 Ply::Encoding Ply::parse_header() {
     if (next_line() != "ply") throw Error("{}: expected a PLY file, found another first line", path_.string());
-    const std::string format = next_line();
-    for (std::string line = next_line(); line != "end_header"; line = next_line()) parse_header_line(line);
+    std::string format;
+    for (std::string line = next_line(); line != "end_header"; line = next_line())
+        if (line.starts_with("format ") && format.empty())
+            format = line;
+        else
+            parse_header_line(line);
     if (format == "format binary_little_endian 1.0") return Encoding::little;
     if (format == "format binary_big_endian 1.0") return Encoding::big;
     if (format == "format ascii 1.0") return Encoding::text;
@@ -73,7 +78,10 @@ void Ply::parse_header_line(const std::string& line) {
     if (word == "obj_info") return;
     if (word == "element") {
         PlyElement element;
-        if (!(words >> element.name >> element.count)) throw Error("{}: expected \"element NAME COUNT\", found \"{}\"", path_.string(), line);
+        std::string count;
+        words >> element.name >> count;
+        const auto [end, code] = std::from_chars(count.data(), count.data() + count.size(), element.count);
+        if (count.empty() || code != std::errc() || end != count.data() + count.size()) throw Error("{}: expected \"element NAME COUNT\", found \"{}\"", path_.string(), line);
         elements_.push_back(element);
     } else if (word == "property" && words >> type && type == "list" && !elements_.empty()) {
         elements_.back().has_list = true;
@@ -125,6 +133,7 @@ void Ply::read_text_rows() {
                         element.name, bytes_.size() - at_);
         for (std::size_t k = 0; k < element.count * element.properties.size(); ++k) {
             while (at_ < bytes_.size() && (bytes_[at_] == ' ' || bytes_[at_] == '\t' || bytes_[at_] == '\r' || bytes_[at_] == '\n')) ++at_;
+            if (at_ + 1 < bytes_.size() && bytes_[at_] == '+' && bytes_[at_ + 1] != '-') ++at_;
             double value = 0;
             const auto [end, code] = std::from_chars(bytes_.data() + at_, bytes_.data() + bytes_.size(), value);
             if (code != std::errc() && code != std::errc::result_out_of_range)
