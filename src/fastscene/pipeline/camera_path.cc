@@ -59,6 +59,10 @@ CameraPath load_camera_path(const std::filesystem::path& path) {
         throw Error("{}: expected fov_deg from 1 to 170, found {}", path.string(), camera.fov_deg);
     if (camera.width < 1 || camera.height < 1 || camera.width > 16384 || camera.height > 16384)
         throw Error("{}: expected a size from 1 to 16384, found {} x {}", path.string(), camera.width, camera.height);
+    constexpr double kMostFrames = 1e6;
+    const double seconds = static_cast<double>(camera.keys.back().time_s) - static_cast<double>(camera.keys.front().time_s);
+    if (!(seconds * static_cast<double>(camera.fps) < kMostFrames))
+        throw Error("{}: expected less than {} frames, found {} s of {} a second", path.string(), kMostFrames, seconds, camera.fps);
     return camera;
 }
 

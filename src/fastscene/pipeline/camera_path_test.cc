@@ -52,6 +52,7 @@ TEST(CameraPath, BadFilesAreRefusedWithTheirName) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "fastscene-path.json";
     for (const char* text : {"[]", "{}", R"({"keys": []})", R"({"keys": [{"position_m": [0, 0]}]})", R"({"keys": [{"position_m": [0,0,0]}], "fps": 0})",
                              R"({"keys": [{"position_m": [0,0,0]}], "size": [0, 5]})",
+                             R"({"keys": [{"position_m": [0,0,0]}, {"time_s": 1e9, "position_m": [0,0,0]}]})",
                              R"({"keys": [{"time_s": 1, "position_m": [0,0,0]}, {"time_s": 1, "position_m": [0,0,0]}]})"}) {
         write_file(file, text);
         try {

@@ -23,6 +23,19 @@ Capture load_capture(const CaptureRequest& request) {
     return request.kind == "colmap" ? load_colmap_capture(request.source, folders) : load_nerfstudio_capture(request.source, folders);
 }
 
+// Masks that fit no picture are a mistake that would show only in the result.
+void check_masks(const CaptureRequest& request, const Capture& capture, const Run& run) {
+    const std::string folder = request.folders.masks.string();
+    if (folder.empty()) return;
+    if (!fs::is_directory(folder)) throw Error("--masks {}: expected a folder, found none", folder);
+    const auto without = std::count_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return p.mask.empty(); });
+    if (without == 0) return;
+    const std::string name = std::find_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return p.mask.empty(); })->name;
+    if (static_cast<std::size_t>(without) == capture.photos.size())
+        throw Error("--masks {}: expected masks named like the pictures, such as {}.png, found none", folder, name);
+    run.warn(fmt::format("--masks {}: {} of {} pictures have no mask and count fully, {} first", folder, without, capture.photos.size(), name));
+}
+
 // The model's numbers, and of each picture its name, size and time: pictures are not read to know that nothing changed.
 std::string identity_of(const Capture& capture) {
     Hash hash;
@@ -99,14 +112,15 @@ Json json_of(const Rigid& pose) {
 }
 
 // All files of the stage. viewer.json: where a visitor stands first, in the frame of viewer.compressed.ply.
-void make_capture_splat(const CaptureRequest& request, const Capture& capture, const fs::path& out, const Run& run) {
+void make_capture_splat(const CaptureRequest& request, const Capture& capture, const RunFolder& folder, const fs::path& out, const Run& run) {
     const PhotoViews photos = views_of_capture(capture, request.photos, run);
     run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(), capture.photos.size(), photos.set.points.size()));
-    FittedSplats fitted = fit_splats(photos.set, request.splat, run);
+    FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run);
     Splats own = fitted.splats;
     transform(own, inverse(photos.world_from_capture));
     std::swap(own, fitted.splats);
     save_fit(fitted, out);
+    save_cameras_json(out / "cameras.json", capture.photos);
 
     const Mat3d upright = upright_from(photos.up);
     transform(own, {upright, 1, {}});
@@ -115,16 +129,19 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     const Mat3f turn{{float(upright.row0.x), float(upright.row0.y), float(upright.row0.z)}, {float(upright.row1.x), float(upright.row1.y), float(upright.row1.z)},
                      {float(upright.row2.x), float(upright.row2.y), float(upright.row2.z)}};
     Json viewer = json_of({turn * first.world_from_camera.rotation, turn * first.world_from_camera.translation});
-    viewer["fov_deg"] = std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) * 57.29578f, 50.f, 90.f);
+    const bool sphere = first.model == CameraModel::equirectangular;
+    viewer["fov_deg"] =
+        sphere ? 75.f : std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) * 57.29578f, 50.f, 90.f);
     write_json(out / "viewer.json", viewer);
 }
 
 }  // namespace
 
 Json train_capture(const CaptureRequest& request, const RunFolder& folder, const Run& run) {
-    check_fields("splat", request.splat);
+    check_splat_params(request.splat);
     check_fields("", request.photos);
     const Capture capture = load_capture(request);
+    check_masks(request, capture, run);
     const std::string identity = identity_of(capture);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
@@ -132,7 +149,7 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
 
     const Json params{{"splat", fields_json(request.splat)}, {"photos", fields_json(request.photos)}};
     const StageRecord record = run_stage(folder.root, "splat", stage_key("splat", params, {identity}, run.seed), run,
-                                         [&](const fs::path& out) { make_capture_splat(request, capture, out, run); });
+                                         [&](const fs::path& out) { make_capture_splat(request, capture, folder, out, run); });
     if (record.skipped) run.note("splat: already made");
     run.check_stop();
     share_capture(folder, request.source.filename().empty() ? request.source.parent_path().filename().string() : request.source.filename().string(),

@@ -32,6 +32,8 @@ struct RunFolder {
     std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }
     std::filesystem::path walk() const { return root / "walk"; }
     std::filesystem::path views() const { return root / "views"; }
+    // Where a training that was stopped goes on; gone when it is done.
+    std::filesystem::path splat_place() const { return root / ".splat.unfinished"; }
     std::filesystem::path scene_ply() const { return root / "splat" / "scene.ply"; }
     std::filesystem::path scene_compressed_ply() const { return root / "splat" / "scene.compressed.ply"; }
     std::filesystem::path metrics() const { return root / "metrics"; }

@@ -279,7 +279,18 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
 }
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
-    save_fit(fit_splats(load_views(folder.views()), params, run), out);
+    save_fit(fit_and_keep_place(load_views(folder.views()), params, folder, run), out);
+}
+
+FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run) {
+    if (!params.checkpoint.empty()) return fit_splats(views, params, run);
+    const fs::path place = folder.splat_place();  // a folder, so that what a kill leaves half written goes with it
+    params.checkpoint = (place / "checkpoint").string();
+    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // of other settings
+    make_directories(place);
+    FittedSplats fitted = fit_splats(views, params, run);
+    fs::remove_all(place);
+    return fitted;
 }
 
 void save_fit(const FittedSplats& fitted, const fs::path& out) {

@@ -80,11 +80,17 @@ struct FittedSplats {
     int steps = 0;                           // taken, those before a checkpoint included
 };
 
+// Throws UsageError naming the flag of what is out of bounds or does not fit together.
+void check_splat_params(const SplatParams& params);
+
 // Starting Gaussians: flat discs on the surfaces, `count` of them drawn from the points.
 Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run);
-// Throws Error for views that do not fit together, for a checkpoint of other settings or a damaged one; Stopped (after writing the
+// Throws Error for views that do not fit together, for more Gaussians than there is memory for, for a checkpoint of other settings, a
+// damaged one or one that cannot be written (later on, with a full disk, it only warns); Stopped (after writing the
 // checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the bytes of a run that was never stopped.
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run);
+// Whether `file` is a checkpoint that fit_splats would go on from with these views, settings and seed. Not whether it is whole.
+bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed);
 
 // A picture of the splats: sRGB-encoded floats 0..1 on `background` (sRGB), and if asked the expected depth.
 struct SplatPicture {

@@ -3,12 +3,14 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include <unistd.h>
 
 #include "bench/textured_room.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/memory.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/splat/classic.h"
 #include "fastscene/splat/coarse.h"
@@ -134,6 +136,54 @@ TEST_F(SplatOptions, CheckpointOfSomethingElseIsRefused) {
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_file(params.checkpoint, std::string_view(bytes));
     EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error);
+}
+
+// A disk that fills in the middle costs the checkpoint, not the training; one that cannot be written at all is said before it.
+TEST_F(SplatOptions, TrainingOutlivesItsCheckpoint) {
+    struct Listener : EventSink {
+        std::vector<std::string> warnings;
+        std::function<void()> at_half;
+        void tell(const Event& event) override {
+            if (const auto* w = std::get_if<WarningEvent>(&event)) warnings.push_back(w->text);
+            if (const auto* p = std::get_if<ProgressEvent>(&event); p && p->done == p->total / 2 && at_half) std::exchange(at_half, nullptr)();
+        }
+    } listener;
+    SplatParams params = short_run(500, 20);
+    const Splats wanted = fit_splats(room().train, params, fastscene::Run{}).splats;
+    params.checkpoint = folder_ / "gone" / "c.checkpoint";
+    EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error);
+    std::filesystem::create_directories(folder_ / "gone");
+    listener.at_half = [&] { std::filesystem::remove_all(folder_ / "gone"); };
+    EXPECT_TRUE(fit_splats(room().train, params, {0, &listener, {}}).splats == wanted);
+    ASSERT_EQ(listener.warnings.size(), 1u);
+    EXPECT_NE(listener.warnings[0].find("c.checkpoint"), std::string::npos);
+}
+
+TEST_F(SplatOptions, CheckpointsKnowWhoseTheyAre) {
+    SplatParams params = short_run(500, 20);
+    params.checkpoint = folder_ / "whose.checkpoint";
+    EXPECT_FALSE(is_checkpoint_of(params.checkpoint, room().train, params, 0));
+    fit_splats(room().train, params, fastscene::Run{});
+    EXPECT_TRUE(is_checkpoint_of(params.checkpoint, room().train, params, 0));
+    EXPECT_FALSE(is_checkpoint_of(params.checkpoint, room().train, params, 1));
+    params.until = 30;
+    EXPECT_TRUE(is_checkpoint_of(params.checkpoint, room().train, params, 0));
+    params.sh_degree = 1;
+    EXPECT_FALSE(is_checkpoint_of(params.checkpoint, room().train, params, 0));
+}
+
+TEST_F(SplatOptions, WhatCannotBeIsSaidAtOnce) {
+    SplatParams params = short_run(500, 20);
+    params.patience = 3;
+    EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), UsageError);
+    params.patience = 0, params.sh_degree = 3, params.count = 20000000;  // 16 GiB and more
+    if (available_memory() == 0 || available_memory() > (std::int64_t{15} << 30)) return;
+    try {
+        fit_splats(room().train, params, fastscene::Run{});
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("--splat-count"), std::string::npos) << e.what();
+    }
 }
 
 TEST_F(SplatOptions, HeldOutViewsAreMeasuredAndStopTraining) {

@@ -8,6 +8,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/base/memory.h"
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/splat/classic.h"
@@ -53,7 +54,8 @@ void check_views(const ViewSet& set) {
         if (v.color.empty() || v.color.width != v.camera.width || v.color.height != v.camera.height)
             throw Error("splat: view {}: camera is {}x{}, picture is {}x{}", v.name, v.camera.width, v.camera.height, v.color.width, v.color.height);
         if (!v.weight.empty() && !v.weight.same_size(v.color))
-            throw Error("splat: view {}: weights are {}x{}, picture is {}x{}", v.name, v.weight.width, v.weight.height, v.color.width, v.color.height);
+            throw Error("splat: view {}: weights are {}x{}, picture is {}x{}", v.name, v.weight.width, v.weight.height, v.color.width,
+                        v.color.height);
     }
 }
 
@@ -115,12 +117,31 @@ std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<c
     return out;
 }
 
+// What is known in advance: parameters with two moments each, what density control remembers, a record for the picture in progress; and
+// the splats at the end.
+void check_memory(const SplatParams& params, std::size_t points) {
+    const auto rest = static_cast<std::int64_t>(3 * rest_functions(params.sh_degree));
+    const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
+    const std::int64_t a_splat = 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record));
+    const std::int64_t have = available_memory();
+    if (have <= 0 || count * a_splat <= have) return;
+    constexpr double kGiB = 1 << 30;
+    throw Error("--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB free: enough for {}",
+                count, params.sh_degree, static_cast<double>(count * a_splat) / kGiB, static_cast<double>(have) / kGiB, have / a_splat);
+}
+
 // One run of training: the state and what does not change while it goes on.
 class Training {
   public:
     Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run)
-        : params_(params), tuning_(tuning), run_(run), views_(split_views(set, params)), order_(views_.train.size(), run.seed),
-          stepper_(make_stepper(params.backend)), extent_m_(scene_extent_m(set)), state_(start(set)) {
+        : params_(params),
+          tuning_(tuning),
+          run_(run),
+          views_(split_views(set, params)),
+          order_(views_.train.size(), run.seed),
+          stepper_(make_stepper(params.backend)),
+          extent_m_(scene_extent_m(set)),
+          state_(start(set)) {
         last_ = params.until > 0 ? params.until : params.steps;
         coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
         if (params.depth > 0) depth_.emplace(set, params.count, run);
@@ -156,12 +177,15 @@ class Training {
         if (!params_.checkpoint.empty()) {
             key_ = key_of(set, params_, run_.seed);
             if (std::filesystem::exists(params_.checkpoint)) {
-                TrainState found = checkpoint_from(read_file(params_.checkpoint), key_, params_.checkpoint);
+                TrainState found = load_checkpoint(params_.checkpoint, key_);
                 found.cloud.antialias = params_.antialias;  // settings stand in the key
                 run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
+            write_file(params_.checkpoint, std::string_view());  // whether it can be written is better known now than hours later
+            std::filesystem::remove(params_.checkpoint);
         }
+        check_memory(params_, set.points.size());
         Splats splats = initial_splats(set.points, params_.count, run_);
         if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
@@ -242,9 +266,15 @@ class Training {
         return since >= params_.patience;
     }
 
+    // The training is worth more than its checkpoint: a full disk must not end it.
     void save() {
-        if (!params_.checkpoint.empty() && saved_ != state_.step) write_file(params_.checkpoint, std::string_view(checkpoint_bytes(state_, key_)));
+        if (params_.checkpoint.empty() || saved_ == state_.step) return;
         saved_ = state_.step;
+        try {
+            save_checkpoint(params_.checkpoint, state_, key_);
+        } catch (const Error& e) {
+            run_.warn(fmt::format("{}; training goes on, an older checkpoint stays as it was", e.what()));
+        }
     }
 
     const SplatParams& params_;
@@ -273,8 +303,18 @@ FittedSplats fit(const ViewSet& set, const SplatParams& params, const TrainTunin
 
 namespace fastscene {
 
-FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run) {
+void check_splat_params(const SplatParams& params) {
     check_fields("splat", params);
+    if (params.patience > 0 && params.eval_every == 0)
+        throw UsageError("--splat-patience: expected --splat-eval-every beside it, which says when to measure; found 0");
+}
+
+bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed) {
+    return splat::has_checkpoint_key(file, splat::key_of(views, params, seed));
+}
+
+FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run) {
+    check_splat_params(params);
     return splat::fit(views, params, {}, run);
 }
 

@@ -1,34 +1,46 @@
 #include "fastscene/splat/train_state.h"
 
+#include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 
 namespace fastscene::splat {
 namespace {
 
-constexpr std::string_view kMagic = "fastscene splat checkpoint 1\n";
+constexpr std::string_view kMagic = "fastscene splat checkpoint 2\n";
 constexpr std::size_t kHashChars = 32;
 
-// One description for both directions: Out appends, In takes.
+// One description for both directions: Out writes, In reads. Piece by piece: a second copy of the state may not fit in memory. What went
+// through is hashed; a checkpoint ends in the hash.
 struct Out {
-    std::string bytes;
-    void raw(void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
+    std::ofstream file;
+    Hash hash;
+    void raw(void* data, std::size_t size) {
+        hash.add_bytes(data, size);
+        file.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+    }
     std::uint64_t size_of(std::uint64_t n, std::size_t) { return raw(&n, sizeof n), n; }
 };
 struct In {
-    std::string_view bytes;
-    const std::string& file;
+    std::ifstream file;
+    const std::string& name;
+    std::uint64_t left;  // bytes before the hash
+    Hash hash;
     void raw(void* data, std::size_t size) {
-        if (size > bytes.size()) throw Error("{}: expected {} more bytes of a checkpoint, found {}", file, size, bytes.size());
-        std::memcpy(data, bytes.data(), size);
-        bytes.remove_prefix(size);
+        if (size > left || !file.read(static_cast<char*>(data), static_cast<std::streamsize>(size)))
+            throw Error("{}: expected {} more bytes of a checkpoint, found {}", name, size, left);
+        left -= size;
+        hash.add_bytes(data, size);
     }
     std::uint64_t size_of(std::uint64_t, std::size_t item) {
         std::uint64_t n = 0;
         raw(&n, sizeof n);
-        if (n > bytes.size() / item) throw Error("{}: expected {} numbers of a checkpoint, found {} bytes", file, n, bytes.size());
+        if (n > left / item) throw Error("{}: expected {} numbers of a checkpoint, found {} bytes", name, n, left);
         return n;
     }
 };
@@ -54,27 +66,44 @@ void everything(Stream& s, TrainState& t) {
 
 }  // namespace
 
-std::string checkpoint_bytes(TrainState& state, std::string_view key) {
-    Out out;
-    out.bytes = fmt::format("{}{}\n", kMagic, key);
-    everything(out, state);
-    out.bytes += Hash().add(out.bytes).hex();
-    return std::move(out.bytes);
+void save_checkpoint(const std::string& file, TrainState& state, std::string_view key) {
+    write_renamed(file, [&](const std::filesystem::path& temporary) {
+        errno = 0;
+        Out out{std::ofstream(temporary, std::ios::binary), {}};
+        out.file << kMagic << key << '\n';
+        everything(out, state);
+        out.file << out.hash.hex();
+        out.file.close();
+        if (!out.file) throw Error("{}: cannot be written: {}", file, errno ? std::strerror(errno) : "the disk may be full");
+    });
 }
 
-TrainState checkpoint_from(std::string_view bytes, std::string_view key, const std::string& file) {
-    if (!bytes.starts_with(kMagic)) throw Error("{}: expected a checkpoint of fastscene splat, found another file", file);
-    if (bytes.size() < kMagic.size() + kHashChars ||
-        Hash().add(bytes.substr(0, bytes.size() - kHashChars)).hex() != bytes.substr(bytes.size() - kHashChars))
-        throw Error("{}: the checkpoint is damaged (its {} bytes do not match their hash)", file, bytes.size());
-    bytes.remove_suffix(kHashChars);
-    bytes.remove_prefix(kMagic.size());
-    const std::string_view found = bytes.substr(0, bytes.find('\n'));
+bool has_checkpoint_key(const std::string& file, std::string_view key) {
+    const std::string wanted = fmt::format("{}{}\n", kMagic, key);
+    std::string found(wanted.size(), '\0');
+    std::ifstream in(file, std::ios::binary);
+    return in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == wanted;
+}
+
+TrainState load_checkpoint(const std::string& file, std::string_view key) {
+    In in{std::ifstream(file, std::ios::binary), file, 0, {}};
+    std::string magic(kMagic.size(), '\0'), found;
+    if (!in.file.read(magic.data(), static_cast<std::streamsize>(magic.size())) || magic != kMagic)
+        throw Error("{}: expected a checkpoint of fastscene splat, found another file", file);
+    found.resize(key.size() + 1);
+    in.file.read(found.data(), static_cast<std::streamsize>(found.size()));
+    if (!in.file || found.back() != '\n') throw Error("{}: the checkpoint is damaged: it ends in its first lines", file);
+    found.pop_back();
     if (found != key) throw Error("{}: expected a checkpoint of the same views and settings (key {}), found key {}", file, key, found);
-    bytes.remove_prefix(found.size() + 1);
-    In in{bytes, file};
+    const std::uint64_t size = std::filesystem::file_size(file), head = kMagic.size() + key.size() + 1;
+    if (size < head + kHashChars) throw Error("{}: the checkpoint is damaged: it ends after {} bytes", file, size);
+    in.left = size - head - kHashChars;
     TrainState state{0, Cloud(Splats{}, true), 0, 0, 0, {}, {}};
     everything(in, state);
+    std::string seal(kHashChars, '\0');
+    in.file.read(seal.data(), static_cast<std::streamsize>(seal.size()));
+    if (in.left != 0 || !in.file || seal != in.hash.hex())
+        throw Error("{}: the checkpoint is damaged (its {} bytes do not match their hash)", file, size);
     return state;
 }
 

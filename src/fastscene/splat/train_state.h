@@ -20,8 +20,10 @@ struct TrainState {
 };
 
 // A checkpoint is for one machine and one set of settings, named by `key`: raw numbers, sealed by a hash.
-std::string checkpoint_bytes(TrainState& state, std::string_view key);  // not const: one walk over it serves both directions
-// Throws Error naming `file` when the bytes are damaged or belong to another key.
-TrainState checkpoint_from(std::string_view bytes, std::string_view key, const std::string& file);
+void save_checkpoint(const std::string& file, TrainState& state, std::string_view key);  // not const: one walk over it serves both directions
+// Whether the file begins as a checkpoint of this key does.
+bool has_checkpoint_key(const std::string& file, std::string_view key);
+// Throws Error naming `file` when its bytes are damaged or belong to another key.
+TrainState load_checkpoint(const std::string& file, std::string_view key);
 
 }  // namespace fastscene::splat
