@@ -44,6 +44,21 @@ has stopped/views/stage.json stopped/walk/stage.json
 lacks stopped/splat
 no_rest stopped
 
+# A training that was stopped goes on from where it was, and ends as one that never was.
+"$fastscene" splat --colmap whole/views -o photos --splat-count 2000 --splat-steps 3000 >out 2>log &
+pid=$!
+for i in $(seq 600); do [ -e photos/.splat.part ] && break; sleep 0.1; done
+sleep 0.5
+kill -INT "$pid"
+code=0; wait "$pid" || code=$?
+[ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130"
+has photos/.splat.unfinished
+expect 0 "$fastscene" splat --colmap whole/views -o photos --splat-count 2000 --splat-steps 3000
+says "going on from step"
+lacks photos/.splat.unfinished
+expect 0 "$fastscene" splat --colmap whole/views -o straight --splat-count 2000 --splat-steps 3000
+cmp photos/splat/scene.ply straight/splat/scene.ply || fail "a stopped training ends otherwise"
+
 # Two at once on one folder: the second is turned away.
 "$fastscene" make "$prompt" -o stopped "${tiny[@]}" --splat-steps 200000 >out 2>/dev/null &
 pid=$!

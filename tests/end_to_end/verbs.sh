@@ -37,6 +37,25 @@ expect 0 "$fastscene" splat --nerfstudio run/views/transforms.json -o n "${photo
 expect 0 "$fastscene" splat --colmap run/views -o c "${photos[@]}"
 says "already made"
 expect 0 "$fastscene" splat c --splat-steps 25
+expect 0 "$fastscene" splat c --steps 26 --eval-every 13 --holdout 4
+grep -q '^26,' c/splat/curve.csv || fail "--steps and --eval-every are not --splat-steps and --splat-eval-every"
+has c/splat/cameras.json c/splat/eval
+expect 0 "$fastscene" render c --path c/splat/cameras.json -o again
+expect 0 "$fastscene" render c --path run/views -o again2
+[ "$(ls again | wc -l)" = "$(ls run/views/images | wc -l)" ] && [ "$(ls again2 | wc -l)" = "$(ls again | wc -l)" ] || fail "not a picture of every camera"
+# What would change nothing is refused.
+expect 2 "$fastscene" splat --colmap run/views -o p --views-size 64
+says "--views-size"
+expect 2 "$fastscene" splat c --seed 3
+says "--seed"
+expect 2 "$fastscene" splat run --max-size 64
+expect 2 "$fastscene" splat --colmap run/views -o p --splat-patience 3
+says "--splat-eval-every"
+expect 2 "$fastscene" render c --path path.json --yaw 3
+expect 2 "$fastscene" render c --position nan 0 0
+mkdir -p none && expect 1 "$fastscene" splat --colmap run/views -o p --masks none
+says "--masks none"
+lacks p
 mkdir -p text/sparse && cp run/views/sparse/0/*.txt text/sparse && cp -r run/views/images text/
 rm -f "text/images/$(ls text/images | head -1)" text/sparse/points3D.txt
 expect 0 "$fastscene" splat --colmap text -o t "${photos[@]}" --random-points 3000

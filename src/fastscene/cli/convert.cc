@@ -1,3 +1,6 @@
+#include <cmath>
+#include <optional>
+
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/splat_files.h"
@@ -10,7 +13,7 @@ namespace fs = std::filesystem;
 struct Flags {
     std::string from, to, up, from_up, handed = "right";
     std::vector<float> crop, translate{0, 0, 0};
-    std::int64_t max_splats = 0;
+    std::optional<std::int64_t> max_splats;
     int sh_degree = 3, spz_version = 3;
     float scale = 1, min_opacity = 0;
     bool compact = false;
@@ -34,7 +37,9 @@ void check(const Flags& flags) {
     if (!is_splat_file_name(flags.to)) throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
     if (!(flags.scale > 0 && flags.scale < 1e6f)) throw UsageError("--scale: expected a number above 0, found {}", flags.scale);
     if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1)) throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
-    if (flags.max_splats < 0) throw UsageError("--max-splats: expected 1 or more, found {}", flags.max_splats);
+    if (flags.max_splats && *flags.max_splats < 1) throw UsageError("--max-splats: expected 1 or more, found {}", *flags.max_splats);
+    for (const float v : flags.translate)
+        if (!std::isfinite(v)) throw UsageError("--translate: expected three finite numbers, found {}", v);
     if (flags.handed == "left" && flags.up.empty()) throw UsageError("--handed left: expected --up y, z or -y beside it");
     for (std::size_t a = 0; a < 3 && !flags.crop.empty(); ++a)
         if (!(flags.crop[a] < flags.crop[a + 3]))
@@ -45,13 +50,14 @@ void convert(const Flags& flags, const Session& session) {
     check(flags);
     const Run run = session.run(0);
     Progress progress(run, "convert", 3);
-    Splats splats = load_scene(flags.from, run).splats;
-    const std::size_t found = splats.size();
+    LoadedSplats loaded = load_scene(flags.from, run);
+    Splats splats = std::move(loaded.splats);
+    const std::size_t found = splats.size() + loaded.cleaned.dropped;
     progress.advance();
     transform(splats, inverse(world_for(scene_file(flags.from), flags.from_up, false)));
     if (flags.min_opacity > 0) splats = opaque(splats, flags.min_opacity);
     if (!flags.crop.empty()) splats = cropped(splats, {flags.crop[0], flags.crop[1], flags.crop[2]}, {flags.crop[3], flags.crop[4], flags.crop[5]});
-    if (flags.max_splats > 0) splats = strongest(splats, static_cast<std::size_t>(flags.max_splats));
+    if (flags.max_splats) splats = strongest(splats, static_cast<std::size_t>(*flags.max_splats));
     reduce_sh(splats, flags.sh_degree);
     if (splats.size() == 0 && found > 0) throw Error("{}: none of {} splats is left; nothing was written", flags.from, found);
     if (found == 0) run.warn(fmt::format("{}: has no splats", flags.from));
@@ -102,6 +108,7 @@ Verb add_convert(CLI::App& app) {
         ->check(CLI::Range(2, 4).description(""))
         ->capture_default_str();
     verb->add_flag("--compact", flags->compact, "PLY: only the bands there are, instead of always 62 floats a splat.");
+    verb->footer("Example:\n  fastscene convert out/bedroom bedroom.spz --max-splats 100000");
     return {verb, [flags](const Session& session) { convert(*flags, session); }};
 }
 

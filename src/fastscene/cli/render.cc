@@ -1,3 +1,6 @@
+#include <cmath>
+#include <optional>
+
 #include "fastscene/base/file.h"
 #include "fastscene/base/program.h"
 #include "fastscene/cli/flags.h"
@@ -19,6 +22,7 @@ struct Flags {
     std::vector<float> position{0, 0, 0}, background{0, 0, 0};
     float yaw_deg = 0, pitch_deg = 0, fov_deg = 75;
     bool sphere = false;
+    CLI::App* verb = nullptr;  // which flags were given
 };
 
 void parse_size(const std::string& text, int& width, int& height) {
@@ -109,6 +113,18 @@ void render_cameras(const Splats& splats, const Capture& capture, const fs::path
     session.print(out.string(), {{"frames", out.string()}, {"count", capture.photos.size()}});
 }
 
+// Cameras of a COLMAP model, a capture's folder, a transforms.json or a cameras.json; absent: a path of our own.
+std::optional<Capture> cameras_of(const fs::path& place) {
+    if (fs::is_directory(place)) {
+        if (const auto model = colmap_model_in(place)) return load_colmap_model(*model);
+        return load_nerfstudio_capture(place, {});
+    }
+    const Json json = read_json(place);
+    if (json.is_array()) return load_cameras_json(place);
+    if (json.contains("frames")) return load_nerfstudio_capture(place, {});
+    return {};
+}
+
 void render_one(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
     const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
     const Rigid pose = world_from_camera_at({flags.position[0], flags.position[1], flags.position[2]}, flags.yaw_deg, flags.pitch_deg);
@@ -141,12 +157,22 @@ void render(const Flags& flags, const Session& session) {
     if (!flags.path.empty() && !(flags.depth.empty() && flags.alpha.empty()))
         throw UsageError("--path: expected neither --depth nor --alpha beside it");
 
-    const bool of_colmap = fs::is_directory(flags.path) && is_colmap_model(flags.path);
-    const bool of_capture = !flags.path.empty() && (of_colmap || fs::is_directory(flags.path) || read_json(flags.path).contains("frames"));
-    const Capture capture = of_colmap ? load_colmap_model(flags.path) : of_capture ? load_nerfstudio_capture(flags.path, {}) : Capture{};
-    if (!flags.path.empty() && !of_capture) camera = load_camera_path(flags.path);
+    for (const float v : {flags.position[0], flags.position[1], flags.position[2], flags.yaw_deg, flags.pitch_deg})
+        if (!(std::fabs(v) < 1e6f)) throw UsageError("--position, --yaw, --pitch: expected numbers below a million, found {}", v);
+    if (!flags.path.empty())
+        for (const char* flag : {"--position", "--yaw", "--pitch", "--fov"})
+            if (flags.verb->count(flag)) throw UsageError("{}: expected not beside --path, whose file says it", flag);
+
+    const auto capture = flags.path.empty() ? std::nullopt : cameras_of(flags.path);
+    if (capture && (!flags.size.empty() || flags.sphere))
+        throw UsageError("{}: expected not beside cameras of --path, which have their own", flags.sphere ? "--sphere" : "--size");
+    if (!flags.path.empty() && !capture) {
+        const int width = camera.width, height = camera.height;
+        camera = load_camera_path(flags.path);
+        if (!flags.size.empty()) camera.width = width, camera.height = height;
+    }
     const Splats splats = load_scene(flags.scene, session.run(0)).splats;
-    if (of_capture) return render_cameras(splats, capture, out, flags, session);
+    if (capture) return render_cameras(splats, *capture, out, flags, session);
     if (!flags.path.empty()) return render_film(splats, camera, out, flags, session);
     render_one(splats, camera, out, flags, session);
 }
@@ -176,8 +202,10 @@ Verb add_render(CLI::App& app) {
     verb->add_option("--alpha", flags->alpha, "Also how opaque each pixel is (.png).")->type_name("FILE");
     verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")->type_name("R G B")->expected(3)->default_str("0 0 0");
     verb->add_option("--path", flags->path,
-                     "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to render from: a transforms.json or a COLMAP model's folder.")
+                     "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
         ->type_name("FILE|DIR");
+    verb->footer("Example:\n  fastscene render out/bedroom --yaw 40 --position 0.2 0 0.3 -o still.png");
+    flags->verb = verb;
     return {verb, [flags](const Session& session) { render(*flags, session); }};
 }
 

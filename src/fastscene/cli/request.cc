@@ -116,9 +116,11 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
             }};
 }
 
-Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence, std::shared_ptr<RequestFlags> flags) {
+Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence, std::shared_ptr<RequestFlags> flags,
+                    const std::function<void(CLI::App&)>& first) {
     CLI::App* verb = app.add_subcommand(name, sentence);
     verb->add_option("folder", flags->out, "Folder of a run.")->type_name("DIR")->required();
+    if (first) first(*verb);
     add_param_flags(*verb, flags, name);
     return {verb, [flags, name](const Session& session) {
                 const RunFolder folder{flags->out};

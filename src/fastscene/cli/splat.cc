@@ -1,4 +1,6 @@
 // splat: a stage of a run, and a verb of its own for photographs with cameras.
+#include <array>
+
 #include "fastscene/cli/request.h"
 #include "fastscene/pipeline/capture_run.h"
 
@@ -35,44 +37,78 @@ CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) 
     return request;
 }
 
+// What is said of photographs alone.
+constexpr std::array kCaptureOnly{"--out", "--images", "--masks", "--seed", "--force"};
+
+void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
+    const std::string group = "Photographs with cameras (instead of a run's folder)";
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* sentence) {
+        return verb.add_option(name, value, sentence)->type_name(type)->group(group);
+    };
+    add("--colmap", flags.colmap, "DIR", "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.");
+    add("--nerfstudio", flags.nerfstudio, "FILE", "transforms.json of nerfstudio or NeRF, or the folder it lies in.");
+    add("-o,--out", flags.out, "DIR", "Folder to make; default: out/ and the name of the source.");
+    add("--images", flags.images, "DIR", "Folder of the pictures; default: images beside the model.");
+    add("--masks", flags.masks, "DIR", "Folder of masks, white = counts; default: masks beside the model, where it is.");
+    add("--seed", flags.seed, "N", "Same seed, same splats, byte for byte.")->default_str("0");
+    verb.add_flag("--force", flags.force, "Throw away what another run has left in the folder.")->group(group);
+    PhotosParams photos;
+    photos.max_size = max_size_of("standard");
+    add_fields(verb, "", photos, flags.given, group);
+}
+
+// This verb's own settings are understood without its name, too: --until for --splat-until.
+void add_short_names(CLI::App& verb, const std::shared_ptr<Given>& given) {
+    const std::string prefix = "--splat-";
+    for (const CLI::Option* option : verb.get_options()) {
+        const std::string name = option->get_lnames().empty() ? "" : "--" + option->get_lnames().front();
+        if (!name.starts_with(prefix)) continue;
+        const std::string own = "--" + name.substr(prefix.size());
+        if (option->get_type_size() == 0) verb.add_flag_callback(own, [given, name] { (*given)[name] = "true"; })->group("");
+        else verb.add_option_function<std::string>(own, [given, name](const std::string& text) { (*given)[name] = text; })->group("");
+    }
+}
+
+// Flags that would change nothing are a mistake of somebody.
+void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFlags& capture, bool from_capture, bool recorded_capture) {
+    if (from_capture || recorded_capture)
+        for (const auto& [flag, text] : stage_flags)
+            if (!flag.starts_with("--splat-")) throw UsageError("{}: expected with the folder of a made scene; photographs have no such stage", flag);
+    if (from_capture) return;
+    for (const char* flag : kCaptureOnly)
+        if (verb.count(flag)) throw UsageError("{}: expected with --colmap or --nerfstudio, found with the folder of a run, which has its own", flag);
+    if (!recorded_capture && !capture.given->empty())
+        throw UsageError("{}: expected with photographs, found with the folder of a made scene", capture.given->begin()->first);
+}
+
 }  // namespace
 
 Verb add_splat(CLI::App& app) {
     auto stage = std::make_shared<RequestFlags>();
     auto flags = std::make_shared<CaptureFlags>();
-    Verb verb = add_stage_verb(app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.", stage);
+    Verb verb = add_stage_verb(app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.", stage,
+                               [&](CLI::App& help) { add_capture_flags(help, *flags); });
     verb.app->get_option("folder")->required(false);
-    const std::string group = "Photographs with cameras (instead of a run's folder)";
-    verb.app->add_option("--colmap", flags->colmap, "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.")
-        ->type_name("DIR")
-        ->group(group);
-    verb.app->add_option("--nerfstudio", flags->nerfstudio, "transforms.json of nerfstudio or NeRF, or the folder it lies in.")
-        ->type_name("FILE")
-        ->group(group);
-    verb.app->add_option("-o,--out", flags->out, "Folder to make; default: out/ and the name of the source.")->type_name("DIR")->group(group);
-    verb.app->add_option("--images", flags->images, "Folder of the pictures; default: images beside the model.")->type_name("DIR")->group(group);
-    verb.app->add_option("--masks", flags->masks, "Folder of masks, white = counts; default: masks beside the model, where it is.")
-        ->type_name("DIR")
-        ->group(group);
-    verb.app->add_option("--seed", flags->seed, "Same seed, same splats, byte for byte.")->type_name("N")->default_str("0")->group(group);
-    verb.app->add_flag("--force", flags->force, "Throw away what another run has left in the folder.")->group(group);
-    PhotosParams photos;
-    photos.max_size = max_size_of("standard");
-    add_fields(*verb.app, "", photos, flags->given, group);
+    add_short_names(*verb.app, stage->given);
+    verb.app->footer(
+        "--splat- may be left away: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos -o out/photos\n"
+        "  fastscene splat out/bedroom --splat-steps 5000");
 
     const auto continue_run = verb.act;
-    verb.act = [stage, flags, continue_run](const Session& session) {
+    verb.act = [stage, flags, continue_run, app = verb.app](const Session& session) {
         const int sources = !stage->out.empty() + !flags->colmap.empty() + !flags->nerfstudio.empty();
         if (sources != 1) throw UsageError("splat: expected one of the folder of a run, --colmap DIR and --nerfstudio FILE, found {}", sources);
         if (!stage->out.empty()) {
             const RunFolder folder{stage->out};
             auto recorded = recorded_capture(folder);
+            check_flags(*app, *stage->given, *flags, false, recorded.has_value());
             if (!recorded) return continue_run(session);
             if (stage->has_quality) recorded->request.splat = params_of_quality(stage->quality).splat;
             apply_fields("splat", recorded->request.splat, *stage->given);
             apply_fields("", recorded->request.photos, *flags->given);
             return train(recorded->request, folder, recorded->seed, session);
         }
+        check_flags(*app, *stage->given, *flags, true, false);
         CaptureRequest request = request_of(*flags, *stage);
         apply_fields("splat", request.splat, *stage->given);
         apply_fields("", request.photos, *flags->given);
