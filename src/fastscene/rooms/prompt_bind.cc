@@ -221,7 +221,7 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
         if (leads_back(before)) led = true;
         else if (before.is(WordKind::negation) && r.m[i].negated) led = true;  // "not brown", "aren't white"
-        else if (!may_stand_between(before) && !(before.comma && !led && i < at && (is_adjective(r.m[i]) || r.m[i].is(WordKind::negation))))
+        else if (!may_stand_between(before) && !(before.comma && i < at && ((!led && is_adjective(r.m[i])) || r.m[i].is(WordKind::negation))))
             return {};
         --i;
     }

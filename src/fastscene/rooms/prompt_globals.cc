@@ -42,6 +42,7 @@ std::vector<std::size_t> adjectives_of_surface(const Reading& r, std::size_t i) 
     const auto joins = [&](std::size_t k) { return r.m[k].is_function("and") && k > 0 && is_free(r.m[k - 1]); };
     for (std::size_t k = i; k-- > 0 && (is_free(r.m[k]) || r.m[k].is(WordKind::nuance) || r.m[k].is(WordKind::size) || joins(k));)
         if (is_free(r.m[k])) out.insert(out.begin(), k);
+    for (std::size_t k = i + 1; adjectives_follow(r.language) && k < r.m.size() && is_free(r.m[k]); ++k) out.push_back(k);  // "azulejos azules"
     const std::size_t behind = i + 2;
     const bool in = behind < r.m.size() && r.m[i + 1].is_function("in") && is_free(r.m[behind]);
     if (in && (behind + 1 == r.m.size() || !is_noun(r.m[behind + 1]))) out.push_back(behind);
@@ -90,6 +91,7 @@ void read_nuance(Reading& r, std::size_t i) {
     } else if (what == "outside") r.tell_near(i, "what lies outside");
     else if (what == "house") r.tell(i, "the house around the room");
     else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
+    else if (what == "round") r.tell(i, "shape: round");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");
     else r.tell_near(i, "nothing in the room shows it");

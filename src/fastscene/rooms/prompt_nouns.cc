@@ -137,7 +137,7 @@ void name_tables(Matches& m) {
             continue;
         bool round = false;  // "a round marble table"
         for (std::size_t k = i; k-- > 0 && (is_adjective(m[k]) || m[k].is(WordKind::nuance) || m[k].is(WordKind::style)) && !round;)
-            round = m[k].words == "round" || m[k].words == "circular";
+            if (m[k].words == "round" || m[k].words == "circular") round = true, m[k].word = Word{WordKind::nuance, "round"};
         bool chairs = false;  // who names chairs with it means to eat at it
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
             chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));

@@ -70,7 +70,9 @@ bool is_seat(std::string_view klass) { return klass == "chair" || klass == "benc
 // So many seats of a kind that was named without a number, or so many new ones.
 int want(Reading& r, std::size_t at, const char* klass, int count) {
     for (PromptObject& o : r.spec.objects)
-        if (!o.forbidden && (o.klass == klass || (is_seat(klass) && is_seat(o.klass)))) {
+        if (!o.forbidden && o.klass == "bench" && is_seat(klass) && !o.counted && o.count == 1) {
+            count = std::max(1, count - 2);  // two sit on the bench that was named
+        } else if (!o.forbidden && (o.klass == klass || (is_seat(klass) && is_seat(o.klass)))) {
             if (!o.counted) o.count = o.klass == "bench" ? (count + 1) / 2 : count, o.counted = true;
             return o.id;
         }

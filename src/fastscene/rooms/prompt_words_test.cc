@@ -107,6 +107,7 @@ TEST(PromptWords, NotBelongsToTheAdjective) {
     ASSERT_TRUE(object_of(sofa, "sofa"));
     EXPECT_EQ(object_of(sofa, "sofa")->color, "green");
     EXPECT_EQ(object_of(sofa, "sofa")->not_color, "brown");
+    EXPECT_EQ(object_of(read("a sofa, not brown but green"), "sofa")->color, "green");
     const PromptSpec curtains = read("the curtains aren't white but navy");
     EXPECT_EQ(object_of(curtains, "curtain")->color, "navy");
     EXPECT_EQ(object_of(read("walls that aren't gray"), "wall")->not_color, "gray");
@@ -134,6 +135,7 @@ TEST(PromptWords, ShapeAndMaterialOfATable) {
     const PromptSpec spec = read("a dining room with a round marble table");
     ASSERT_TRUE(object_of(spec, "dining_table_round"));
     EXPECT_EQ(object_of(spec, "dining_table_round")->material, "marble");
+    EXPECT_TRUE(is_told(spec, "round", "understood"));
 }
 
 TEST(PromptWords, BoundsAndRangesOfCounts) {
@@ -295,6 +297,7 @@ TEST(PromptWords, ForeignWordsAreReadOrReported) {
     const PromptSpec tiles = read("un baño con azulejos azules y una ventana");
     EXPECT_EQ(tiles.room, "bathroom");
     EXPECT_TRUE(is_told(tiles, "azulejos", "understood"));
+    EXPECT_EQ(object_of(tiles, "wall")->color, "blue");
     const PromptSpec unknown = read("una cocina con una zarzuela grande y una mesa");
     EXPECT_TRUE(is_told(unknown, "zarzuela", "not understood"));
 }
