@@ -133,6 +133,7 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     viewer["fov_deg"] =
         sphere ? 75.f : std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) * 57.29578f, 50.f, 90.f);
     write_json(out / "viewer.json", viewer);
+    forget_place(folder);
 }
 
 }  // namespace

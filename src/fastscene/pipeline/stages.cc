@@ -280,6 +280,7 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
     save_fit(fit_and_keep_place(load_views(folder.views()), params, folder, run), out);
+    forget_place(folder);
 }
 
 FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run) {
@@ -288,10 +289,10 @@ FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const 
     params.checkpoint = (place / "checkpoint").string();
     if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // of other settings
     make_directories(place);
-    FittedSplats fitted = fit_splats(views, params, run);
-    fs::remove_all(place);
-    return fitted;
+    return fit_splats(views, params, run);
 }
+
+void forget_place(const RunFolder& folder) { fs::remove_all(folder.splat_place()); }
 
 void save_fit(const FittedSplats& fitted, const fs::path& out) {
     save_splat_ply(out / "scene.ply", fitted.splats);

@@ -37,8 +37,10 @@ void make_walk(const SceneSource& source, const DepthParams& depth, const RunFol
                const std::filesystem::path& out, const Run& run);
 void make_views(const RunFolder& folder, const ViewsParams& params, const std::filesystem::path& out, const Run& run);
 void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
-// As fit_splats, but where the user named no checkpoint a stopped training goes on from one in the run's folder.
+// As fit_splats, but where the user named no checkpoint a stopped training goes on from one in the run's folder: until its splats are
+// saved, which a full disk may prevent, and the place is forgotten.
 FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run);
+void forget_place(const RunFolder& folder);
 
 // scene.ply, scene.compressed.ply and curve.json.
 void save_fit(const FittedSplats& fitted, const std::filesystem::path& out);
