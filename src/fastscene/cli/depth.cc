@@ -26,6 +26,7 @@ CLI::App* add_train(CLI::App& depth, const std::shared_ptr<TrainFlags>& flags) {
         ->type_name("FILE");
     verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", DepthTrainParams{}, flags->given, "Settings of the training");
+    verb->footer("Example:\n  fastscene depth train --data data/rooms --data /media/Structured3D -o out/depth");
     return verb;
 }
 
@@ -48,6 +49,7 @@ CLI::App* add_check(CLI::App& depth, const std::shared_ptr<CheckFlags>& flags) {
     verb->add_option("--data", flags->data, "Folder of panoramas with range, as for `depth train`.")->type_name("DIR")->required();
     verb->add_option("--count", flags->count, "Places to look at.")->type_name("N")->capture_default_str();
     add_fields(*verb, "depth", DepthParams{}, flags->given, "Settings of depth");
+    verb->footer("Example:\n  fastscene depth check --data data/rooms --depth-weights out/depth/egformer.safetensors");
     return verb;
 }
 
@@ -69,6 +71,7 @@ Verb add_depth(CLI::App& app) {
     auto training = std::make_shared<TrainFlags>();
     auto checking = std::make_shared<CheckFlags>();
     CLI::App *train_verb = add_train(*depth.app, training), *check_verb = add_check(*depth.app, checking);
+    depth.app->footer("Example:\n  fastscene depth out/photo --depth-camera-height 1.4");
     for (CLI::App* verb : {train_verb, check_verb}) verb->fallthrough();   // --json, --threads and --progress are the verb's
     // A run's folder is needed for the stage only.
     CLI::Option* folder = depth.app->get_option("folder")->required(false);

@@ -18,6 +18,7 @@ Verb add_inpaint_train(CLI::App& inpaint) {
         ->required();
     verb->add_option("--seed", flags->seed, "Same seed and settings, same training.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", InpaintTrainParams{}, flags->given, "Settings of the training");
+    verb->footer("Example:\n  fastscene inpaint train data/holes -o out/inpainter --width 16 --blocks 4 --skips --size 128 --holes harmonic");
     return {verb, [flags](const Session& session) {
                 InpaintTrainParams params;
                 apply_fields("", params, *flags->given);

@@ -74,6 +74,7 @@ Verb add_metrics_depth(CLI::App& metrics) {
         ->type_name("M")
         ->capture_default_str();
     verb->add_flag("--solid-angle", flags->solid_angle, "Weigh pixels by their solid angle; published figures count them alike.");
+    verb->footer("Example:\n  fastscene metrics depth out/photo measured.png --align scale");
     return {verb, [flags](const Session& session) {
                 const double farthest = number_from<double>("--farthest", flags->farthest);
                 if (!(farthest > 0)) throw UsageError("--farthest: expected metres above 0, found {}", farthest);

@@ -36,6 +36,8 @@ Verb add_walk(CLI::App& app) {
     table->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, 16-bit .png in millimetres).")->type_name("FILE");
     table->add_flag("--truth", flags->truth, "Also compare our holes with those of the traced room behind the prompt.");
     table->add_option("-o,--out", flags->out, "Write hole_table.txt, .json and .svg into this folder.")->type_name("DIR");
+    walk.app->footer("Example:\n  fastscene walk out/bedroom --walk-viewpoints 20\n  fastscene walk table out/bedroom -o out/holes");
+    table->footer("Example:\n  fastscene walk table out/bedroom -o out/holes");
     table->fallthrough();   // --json, --threads and --progress are the verb's
     // A run's folder is needed for the walk only.
     CLI::Option* folder = walk.app->get_option("folder")->required(false);

@@ -138,6 +138,7 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
     const int face_size = std::max(16, w / 4);
     const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
     for (const CubeFace face : kCubeFaces) {
+        run.check_stop();
         const Mat3f pano_from_camera = pano_from_face(face);
         ImageColor color(face_size, face_size), inverse(face_size, face_size);
         ImageMask hole(face_size, face_size);

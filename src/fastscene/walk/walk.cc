@@ -96,6 +96,7 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
         const Vec3f position = inverse(first.world_from_pano) * world_position;
         Panorama next;
         CoarseView view = compose(observed, invented, position, size, next.known);
+        run.check_stop();   // a large picture's steps take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         complete_holes(view, hole, position, world, run);
