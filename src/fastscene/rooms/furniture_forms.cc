@@ -129,6 +129,7 @@ void wing_chair(Kit& k) {
     Mesh cushion = shapes::pillow({0.42f, 0.3f, 0.13f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -18);
     k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.46f, z0 + 0.36f});
+    k.top(0.465f, 0, 0.2f, 0.22f, 0.14f);
     k.piece.clearance_front_m = 0.5f;
 }
 

@@ -136,6 +136,7 @@ void shell_chair(Kit& k) {
     Mesh back = shapes::soft_box({0.62f, 0.56f, 0.14f}, {0.05f, 0.03f, 0.004f, 9, k.seed()});
     shapes::turn(back, {1, 0, 0}, -17);
     k.add(std::move(back), cloth, {0, 0.64f, -0.3f});
+    k.top(0.455f, 0, 0.08f, 0.24f, 0.18f);
     k.piece.clearance_front_m = 0.5f;
 }
 
@@ -198,6 +199,8 @@ void chair(Kit& k) {
             rail(0.7f, 0.17f);
         }
     }
+    const bool padded = metal || k.style.sofa == SofaType::rolled || type == LegType::turned;
+    k.top(padded ? y + 0.044f : y, 0, 0.03f, 0.18f, 0.16f);
     k.piece.clearance_front_m = 0.3f;
 }
 void round_seat(Kit& k, float y, float r) {
@@ -297,6 +300,8 @@ void bed_of(Kit& k, float width) {
                        {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j), k.dice.uniform(-4, 4));
         }
     put_pillow(k, throw_cloth, {k.dice.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f}, 38.f, k.dice.uniform(-10, 10));
+    // Between the pillows and the throw.
+    k.top(0.58f, 0, 0.06f, 0.4f * width, 0.3f);
     k.piece.clearance_front_m = 0.5f;
     k.piece.clearance_side_m = 0.5f;
     k.piece.against_wall = true;
@@ -321,6 +326,7 @@ void crib(Kit& k) {
     }
     k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 8});
     k.soft(cloth, {0.2f, 0.4f, 0}, {0.7f, 0.05f, 0.6f}, {0.02f, 0.015f, 0.006f, 14});
+    k.top(0.45f, 0.2f, 0, 0.3f, 0.24f);
     k.piece.clearance_front_m = 0.6f;
     k.piece.against_wall = true;
 }

@@ -148,8 +148,8 @@ void desk(Kit& k) {
     put_small(k, "book_stack", {0.5f * s.x - 0.25f, s.y, -0.08f}, 12);
     const std::array<Vec2f, 2> cup{Vec2f{0.036f, 0}, {0.04f, 0.09f}};
     k.add(shapes::vessel(cup, 0.004f, 18), k.material(plain("mug", k.accent(), 0.3f)), {0.3f, s.y, 0.14f});
-    // Room for a lamp at the left.
-    k.top(s.y, -0.5f * s.x + 0.25f, -0.04f, 0.2f, 0.22f);
+    // Room for a lamp and more at the left.
+    k.top(s.y, -0.25f * s.x - 0.09f, -0.01f, 0.25f * s.x - 0.1f, 0.5f * s.z - 0.04f);
     k.piece.clearance_front_m = 0.8f;
     k.piece.against_wall = true;
 }

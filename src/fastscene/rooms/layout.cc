@@ -1,7 +1,6 @@
 #include "fastscene/rooms/layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -31,10 +30,10 @@ Footprint footprint_of(const Placed& p, float margin) {
     return f;
 }
 
-// In the door's way, tall before a window, or in its sill.
-bool Layout::blocks_opening(const Footprint& box, float height) const {
-    for (const Opening& o : plan_.openings) {
-        const WallFace face = plan_.wall(o.wall);
+bool blocks_opening(const Plan& plan, const Footprint& box) {
+    const float height = box.y1;
+    for (const Opening& o : plan.openings) {
+        const WallFace face = plan.wall(o.wall);
         if (o.kind == Opening::Kind::window && height > o.y0 - kSillThickness) {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);
             if (overlap(box, {flat(middle), {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2}, yaw_of(face.inward), o.y0 - kSillThickness, o.y0}))
@@ -55,11 +54,17 @@ bool Layout::blocks_opening(const Footprint& box, float height) const {
     return false;
 }
 
+bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1) {
+    return std::none_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
+        return o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f && y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f;
+    });
+}
+
 bool Layout::fits(const Placed& placed, bool with_clearance) const {
     const Footprint box = footprint_of(placed);
     if (!plan_.holds(box)) return false;
     if (placed.flat || placed.overhead) return true;
-    if (placed.piece.mount == Mount::floor && blocks_opening(box, box.y1)) return false;
+    if (placed.piece.mount == Mount::floor && blocks_opening(plan_, box)) return false;
     Footprint room_for = box;
     if (with_clearance && placed.piece.mount == Mount::floor && placed.piece.clearance_front_m > 0) {
         const float front = std::min(placed.piece.clearance_front_m, 0.55f);
@@ -68,7 +73,7 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
         room_for.center = room_for.center + flat(f);
     }
     for (const Placed& other : placed_) {
-        if (other.flat || other.on >= 0) continue;
+        if (other.flat || other.on >= 0 || other.below >= 0) continue;
         const Footprint b = footprint_of(other);
         if (overlap(box, b)) return false;
         if (with_clearance && other.piece.mount == Mount::floor && overlap(room_for, b)) return false;
@@ -91,48 +96,36 @@ std::optional<int> Layout::keep(Placed placed, const PromptObject& from) {
     return static_cast<int>(placed_.size()) - 1;
 }
 
-// What a room of its kind needs does not leave, nor does what carries something that was asked for.
-bool Layout::may_leave(std::size_t index) const {
-    static constexpr std::array<const char*, 10> kNeeded{"bed",    "bed_single", "sofa",    "dining_table",    "desk",
-                                                         "toilet", "washbasin",  "bathtub", "kitchen_counter", "washing_machine"};
-    const Placed& p = placed_[index];
-    if (!p.wish.klass.empty() || p.on >= 0 || p.flat || p.piece.mount != Mount::floor || p.piece.klass == "curtain") return false;
-    if (std::find(kNeeded.begin(), kNeeded.end(), p.piece.klass) != kNeeded.end()) return false;
-    return std::none_of(placed_.begin(), placed_.end(),
-                        [&](const Placed& other) { return other.on == static_cast<int>(index) && !other.wish.klass.empty(); });
-}
-
-void Layout::remove(std::size_t index) {
-    std::vector<Placed> left;
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-        if (i == index || placed_[i].on == static_cast<int>(index)) continue;
-        left.push_back(placed_[i]);
-    }
-    // Who stands on what, by the new numbers.
-    for (Placed& p : left) {
-        if (p.on < 0) continue;
-        int gone = 0;
-        for (int i = 0; i < p.on; ++i) gone += i == static_cast<int>(index) || placed_[static_cast<std::size_t>(i)].on == static_cast<int>(index);
-        p.on -= gone;
-    }
-    placed_ = std::move(left);
+void Layout::undo(std::size_t mark) {
+    if (placed_.size() == mark) return;
+    placed_.resize(mark);
     ways_ = Ways(plan_);
     for (const Placed& p : placed_) ways_.add(p);
 }
 
-bool Layout::give_way(const std::function<bool()>& place) {
-    const std::vector<Placed> before = placed_;
-    const Ways ways = ways_;
-    for (int tries = 0; tries < 6; ++tries) {
-        std::size_t last = placed_.size();
-        while (last > 0 && !may_leave(last - 1)) --last;
-        if (last == 0) break;
-        remove(last - 1);
-        if (place()) return true;
+// Whether the floor about it, and the wall above it, are free too.
+bool Layout::has_spare(const Placed& placed, const Spare& spare) const {
+    if (spare.left > 0 || spare.right > 0 || spare.front > 0 || spare.behind > 0) {
+        Footprint box = footprint_of(placed);
+        const auto axes = axes_of(box);
+        box.center = box.center + axes[0] * ((spare.right - spare.left) / 2) + axes[1] * ((spare.front - spare.behind) / 2);
+        box.half = box.half + Vec2f{(spare.left + spare.right) / 2, (spare.front + spare.behind) / 2};
+        if (!plan_.holds(box) || blocks_opening(plan_, box)) return false;
+        for (const Placed& other : placed_)
+            if (!other.flat && other.on < 0 && overlap(box, footprint_of(other))) return false;
     }
-    placed_ = before;
-    ways_ = ways;
-    return false;
+    if (!spare.above) return true;
+    // A hand's breadth of the wall's height above the piece, as wide as half of it.
+    Footprint above = footprint_of(placed);
+    above.y0 = above.y1 + 0.1f, above.y1 = above.y0 + 0.5f;
+    above.half.x *= 0.5f;
+    for (const Opening& o : plan_.openings) {
+        const WallFace face = plan_.wall(o.wall);
+        const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
+        if (overlap(above, {flat(middle), {(o.u1 - o.u0) / 2 + 0.15f, 0.3f}, yaw_of(face.inward), o.y0, o.y1})) return false;
+    }
+    return plan_.holds(above) &&
+           std::none_of(placed_.begin(), placed_.end(), [&](const Placed& p) { return !p.flat && overlap(above, footprint_of(p)); });
 }
 
 namespace {
@@ -170,9 +163,9 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
 }
 
 float Layout::as_asked(const Placed& placed, const PromptObject& wish) const {
-    const std::optional<bool> holds = stands_as_asked(plan_, placed_, placed, wish);
+    const std::optional<bool> holds = stands_as_asked(plan_, placed_, placed, insisted_ ? *insisted_ : wish);
     constexpr float kWorth = 5.f;  // more than all that other wishes of taste add up to
-    return !holds ? 0.f : *holds ? kWorth : insist_ ? -std::numeric_limits<float>::infinity() : 0.f;
+    return !holds ? 0.f : *holds ? kWorth : insisted_ ? -std::numeric_limits<float>::infinity() : 0.f;
 }
 
 std::string Layout::why_not(const std::string& klass) const {

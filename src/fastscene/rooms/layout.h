@@ -1,8 +1,7 @@
-// Layout: where the furniture stands. Works in the room frame of plan.h. Pieces are placed one after the other, the
-// important ones first, each into the best free slot; nothing is moved afterwards, so a layout costs milliseconds.
+// Layout: where the furniture stands. Works in the room frame of plan.h. Pieces are placed one after the other, what was asked
+// for first, each into the best free slot; then groups of pieces move together until they stand well (layout_anneal.h).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,16 +19,39 @@ struct Placed {
     Vec3f position;
     float yaw = 0;
     int on = -1;               // index of the piece it stands on
+    int below = -1;            // index of the table it stands under
+    int with = -1;             // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
     bool flat = false;         // rugs: one may stand on them
     bool overhead = false;     // lamps that hang: one may stand below them
 };
 
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
+// In the door's way, tall before a window, or in its sill.
+bool blocks_opening(const Plan& plan, const Footprint& box);
+// No door and no window in this part of a wall face.
+bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1);
+
+// The search after the slot scan (layout_anneal.h). Temperatures are in units of its cost.
+struct AnnealParams {
+    int steps = 1500;   // 0: pieces stay in their slots
+    float hot = 0.5f, cold = 0.01f;
+};
+struct AnnealReport {
+    float before = 0, after = 0;   // cost
+    double seconds = 0;            // of this thread's time
+};
+
+// Floor kept free about a piece, and the wall above it, for what is to stand or hang there.
+struct Spare {
+    float left = 0, right = 0, front = 0, behind = 0;
+    bool above = false;
+};
 
 // The room being furnished.
 class Layout {
   public:
-    Layout(const Plan& plan, PromptSpec& spec, Random& dice) : plan_(plan), spec_(spec), dice_(dice), faces_(plan.faces()), ways_(plan) {}
+    Layout(const Plan& plan, PromptSpec& spec, Random& dice, const AnnealParams& annealing = {})
+        : plan_(plan), spec_(spec), dice_(dice), annealing_(annealing), faces_(plan.faces()), ways_(plan) {}
 
     // Each returns the index of the new piece, or nothing when there is no room for it.
     struct WallWish {
@@ -41,14 +63,20 @@ class Layout {
         bool clear_of_windows = false;  // not below one either
         float at_most_from_near = 1e9f; // metres
         float apart_pull = 0.f;         // how much it seeks distance from all that stands
+        Spare spare{};                  // kept if any slot has it
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
     std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {});
     std::optional<int> beside(int anchor, const PieceRequest& request, int side, float gap_m, const PromptObject& from = {});
-    std::optional<int> free_standing(const PieceRequest& request, const PromptObject& from = {});
+    std::optional<int> behind(int anchor, const PieceRequest& request, const PromptObject& from = {});
+    // Below a table's top, between its legs.
+    std::optional<int> below(int anchor, const PieceRequest& request, const PromptObject& from = {});
+    std::optional<int> free_standing(const PieceRequest& request, const PromptObject& from = {}, const Spare& spare = {});
     std::optional<int> angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from = {});
     int around(int table, const PieceRequest& request, int count, const PromptObject& from = {});
+    // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m, const PromptObject& from = {});
+    std::optional<int> lay(Vec2f at, float yaw, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_top(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // … with its middle at this point of the floor plan, turned as asked.
     std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw);
@@ -56,18 +84,22 @@ class Layout {
     std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
+    // Above a door or window of this class, below the ceiling.
+    std::optional<int> over_opening(const std::string& klass, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // A pair at every window where they find room; returns how many. They end above what stands below a window.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
 
-    // Takes away a piece nobody asked for, and another, the last ones first, until `place` succeeds; if it never does, all stay.
-    // True when `place` did.
-    bool give_way(const std::function<bool()>& place);
+    // How much stands; and back to that.
+    std::size_t mark() const { return placed_.size(); }
+    void undo(std::size_t mark);
+    // Says that one piece was placed by another.
+    void join(int piece, int anchor) { placed_[static_cast<std::size_t>(piece)].with = anchor; }
 
     // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand in.
     PieceRequest request(std::string klass, const PromptObject* wish = nullptr);
-    // While insisting, a piece stands where its wish says ("opposite the bed") or not at all; else only rather there.
-    void insist(bool on) { insist_ = on; }
+    // While insisting, a piece stands where this wish says ("opposite the bed") or not at all; else only rather where its own says.
+    void insist(const PromptObject* where) { insisted_ = where; }
     // Why nothing of this class can be made; empty: it can.
     std::string why_not(const std::string& klass) const;
     std::optional<int> find(std::string_view klass) const;
@@ -76,6 +108,9 @@ class Layout {
     const Plan& plan() const { return plan_; }
     PromptSpec& spec() { return spec_; }
     Random& dice() { return dice_; }
+    // Moves groups of pieces to where they stand better, if anywhere and if nothing is wrong with the room then.
+    void improve();
+    const AnnealReport& annealed() const { return annealed_; }
 
     // Where the camera stands: eye height, free of things, in sight of what was asked for.
     Vec3f camera_position() const;
@@ -88,18 +123,17 @@ class Layout {
     float as_asked(const Placed& placed, const PromptObject& wish) const;
     // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
-    bool blocks_opening(const Footprint& box, float height) const;
-    bool may_leave(std::size_t index) const;
-    void remove(std::size_t index);
+    bool has_spare(const Placed& placed, const Spare& spare) const;
     std::optional<int> keep(Placed placed, const PromptObject& from);
-    bool wall_is_free(const WallFace& face, float u0, float u1, float y0, float y1) const;
 
     const Plan& plan_;
     PromptSpec& spec_;
     Random& dice_;
+    AnnealParams annealing_;
+    AnnealReport annealed_;
     std::vector<WallFace> faces_;
     std::vector<Placed> placed_;
-    bool insist_ = false;
+    const PromptObject* insisted_ = nullptr;
     Ways ways_;
 };
 
@@ -117,8 +151,11 @@ struct FurnishedRoom {
     // The room behind the doorway, if there is one.
     std::vector<Placed> placed_next;
     int hidden_wishes = 0;   // pieces asked for that other pieces hide from the camera
+    AnnealReport annealed;
 };
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).
-FurnishedRoom furnish_room(PromptSpec& spec, const Run& run);
+FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing = {});
+// … and as triangles.
+Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run);
 
 }  // namespace fastscene

@@ -30,7 +30,14 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
         });
         return at_sill ? std::max(gap, kSillReach + 0.005f) : gap;
     };
-    for (const bool clearance : {true, false}) {
+    const Spare& want = wish.spare;
+    const bool spares = want.above || want.left > 0 || want.right > 0 || want.front > 0 || want.behind > 0;
+    struct Strictness {
+        bool spare, clearance;
+    };
+    for (const Strictness must : {Strictness{true, true}, {true, false}, {false, true}, {false, false}}) {
+        if (must.spare && !spares) continue;
+        const float off_wall = must.spare ? want.behind : 0.f;
         std::optional<Placed> best;
         float best_score = -std::numeric_limits<float>::infinity();
         for (const WallFace& face : faces_) {
@@ -38,10 +45,10 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
             if (wish.wall >= 0 && dot(face.inward, plan_.wall(wish.wall).inward) < 0.99f) continue;
             p.yaw = yaw_of(face.inward);
             for (float u = size.x / 2 + gap; u <= face.length - size.x / 2 - gap; u += kSlotStep) {
-                p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u));
+                p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u) + off_wall);
                 if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
-                if (!fits(p, clearance)) continue;
-                if (p.piece.mount == Mount::wall && !wall_is_free(face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
+                if (!fits(p, must.clearance) || (must.spare && !has_spare(p, want))) continue;
+                if (p.piece.mount == Mount::wall && !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
                     continue;
                 if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
                         return o.wall == face.wall && o.kind == Opening::Kind::window && face.from + u + size.x / 2 > o.u0 &&
@@ -81,9 +88,11 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
     p.yaw = facing ? a.yaw + kPi : a.yaw;
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
     for (const float extra : {0.f, 0.1f, -0.1f, 0.25f})
-        for (const float side : {0.f, 0.15f, -0.15f, 0.35f, -0.35f}) {
+        for (const float side : {0.f, 0.15f, -0.15f, 0.35f, -0.35f, 0.6f, -0.6f}) {
+            if (std::abs(side) > a.piece.size_m.x / 2 + 0.2f) continue;
             p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) + right * side;
             p.position.y = 0;
+            p.with = anchor;
             if (fits(p, false) && leaves_way(p)) return keep(p, from);
         }
     return {};
@@ -100,16 +109,61 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
         p.position = a.position + right * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap + extra)) +
                      front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
         p.position.y = 0;
+        p.with = anchor;
         if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
 }
 
-std::optional<int> Layout::free_standing(const PieceRequest& request, const PromptObject& from) {
+std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const PromptObject& from) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    p.yaw = a.yaw;
+    p.with = anchor;
+    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+    // Near an end it is seen best.
+    const float end = std::max(0.f, (a.piece.size_m.x - p.piece.size_m.x) / 2);
+    for (const float gap : {0.04f, 0.12f, 0.3f, 0.01f})
+        for (const float side : {0.8f, -0.8f, 0.4f, -0.4f, 0.f, 1.f, -1.f}) {
+            p.position = a.position - front * (a.piece.size_m.z / 2 + gap + p.piece.size_m.z / 2) + right * (side * end);
+            p.position.y = 0;
+            if (fits(p, false) && leaves_way(p)) return keep(p, from);
+        }
+    return {};
+}
+
+std::optional<int> Layout::below(int anchor, const PieceRequest& request, const PromptObject& from) {
+    const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    constexpr float kTop = 0.07f, kLegs = 0.1f;   // how thick a top is with what holds it; how far in legs stand
+    Placed p;
+    p.piece = make_piece(request);
+    p.with = p.below = anchor;
+    for (const float turn : {0.f, kPi / 2}) {
+        const Vec3f s = p.piece.size_m;
+        const float wide = turn == 0.f ? s.x : s.z, deep = turn == 0.f ? s.z : s.x;
+        if (a.piece.surfaces.empty() || s.y > a.piece.surfaces.front().center.y - kTop || wide > a.piece.size_m.x - 2 * kLegs || deep > a.piece.size_m.z - 0.02f)
+            continue;
+        p.yaw = a.yaw + turn;
+        for (const float side : {0.f, 0.6f, -0.6f}) {
+            const float slack = (a.piece.size_m.x - 2 * kLegs - wide) / 2;
+            p.position = a.position + right_of(a.yaw) * (side * slack);
+            p.position.y = 0;
+            const Footprint box = footprint_of(p);
+            const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
+                return !other.flat && &other != &a && overlap(box, footprint_of(other));
+            });
+            if (free && plan_.holds(box)) return keep(p, from);
+        }
+    }
+    return {};
+}
+
+std::optional<int> Layout::free_standing(const PieceRequest& request, const PromptObject& from, const Spare& spare) {
     Placed p;
     p.piece = make_piece(request);
     std::optional<Placed> best;
-    float best_score = -1e9f;
+    float best_score = -std::numeric_limits<float>::infinity();
     for (const float yaw : {0.f, kPi / 2, kPi, -kPi / 2})
         for (float x = -plan_.width / 2; x < plan_.width / 2; x += 0.2f)
             for (float z = -plan_.depth / 2; z < plan_.depth / 2; z += 0.2f) {
@@ -117,7 +171,7 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
                 p.yaw = yaw;
                 if (!fits(p, false)) continue;
                 Footprint wide = footprint_of(p, 0.5f);
-                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform();
+                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform() + (has_spare(p, spare) ? 1.f : 0.f);
                 for (const Placed& other : placed_)
                     if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other))) score -= 0.5f;
                 if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
@@ -129,7 +183,7 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
     Placed p;
     p.piece = make_piece(request);
     std::optional<Placed> best;
-    float best_score = -1e9f;
+    float best_score = -std::numeric_limits<float>::infinity();
     for (float x = -plan_.width / 2 + 0.4f; x < plan_.width / 2 - 0.3f; x += 0.12f)
         for (float z = -plan_.depth / 2 + 0.4f; z < plan_.depth / 2 - 0.3f; z += 0.12f) {
             const Vec2f to = target - Vec2f{x, z};
@@ -177,6 +231,7 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
         for (const float pull : {0.02f, 0.12f}) {
             p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);
             p.position.y = 0;
+            p.with = table;
             if (fits(p, false) && leaves_way(p)) {
                 keep(p, from);
                 ++placed;
@@ -189,12 +244,17 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
 
 std::optional<int> Layout::under(int anchor, const PieceRequest& request, float shift, const PromptObject& from) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
+    const auto i = lay(flat(a.position + front_of(a.yaw) * shift), a.yaw, request, from);
+    if (i) join(*i, anchor);
+    return i;
+}
+
+std::optional<int> Layout::lay(Vec2f at, float yaw, const PieceRequest& request, const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
     p.flat = true;
-    p.yaw = a.yaw;
-    p.position = a.position + front_of(a.yaw) * shift;
-    p.position.y = 0;
+    p.yaw = yaw;
+    p.position = {at.x, 0, at.y};
     // Into the room, not into the wall.
     Footprint f = footprint_of(p);
     const float over_x = std::abs(f.center.x) + extent(f, {1, 0}) - plan_.width / 2 + 0.12f,

@@ -14,8 +14,8 @@ struct Place {
 };
 
 Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
-// To the right of someone who looks at a thing with this front.
-Vec2f right_of_viewer(Vec2f front) { return {-front.y, front.x}; }
+// To the right of someone who looks at a thing with this front (x, y up and z towards him are right-handed).
+Vec2f right_of_viewer(Vec2f front) { return {front.y, -front.x}; }
 
 bool is_opening(const Opening& o, const std::string& klass) {
     return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window" : klass == "door" || klass == "doorway";
@@ -26,6 +26,15 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass))
             out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i)});
+    if (klass == "skylight")
+        for (const Skylight& k : plan.skylights) {
+            const Vec2f inward = flat(plan.wall(k.wall).inward);
+            const Vec2f at = Vec2f{k.wall == 1 ? plan.width / 2 : -plan.width / 2, (k.z0 + k.z1) / 2} + inward * (plan.slope_run / 2);
+            out.push_back({{at, {(k.z1 - k.z0) / 2, plan.slope_run / 2}, std::atan2(inward.x, inward.y), plan.knee, plan.height}, inward, -1});
+        }
+    for (const Block& b : plan.blocks)
+        if (klass == "column" && b.kind == Block::Kind::column)
+            out.push_back({{(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height}, {0, -1}, -1});
     for (const Opening& o : plan.openings) {
         if (!is_opening(o, klass)) continue;
         const WallFace face = plan.wall(o.wall);
@@ -72,7 +81,7 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "left of") return aside < -0.1f && far < 1.8f;
     if (relation == "right of") return aside > 0.1f && far < 1.8f;
     if (relation == "around") return far < 0.9f;
-    return far < (opening ? 1.f : 0.75f);  // next to
+    return far < (opening ? 0.85f : 0.65f);  // next to
 }
 
 bool is_between(const Footprint& box, const Place& a, const Place& b) {

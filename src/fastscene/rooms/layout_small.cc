@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/shapes.h"
 
 namespace fastscene {
@@ -15,6 +15,19 @@ constexpr float kSlotStep = 0.07f;
 constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
 constexpr float kPi = std::numbers::pi_v<float>;
 
+// A thing that hangs on walls set upright on a top: a clock or a picture on the mantelpiece.
+void stand_up(Piece& piece) {
+    for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, -piece.size_m.z / 2});
+    piece.mount = Mount::surface;
+}
+
+// A flat thing that stands hung on a wall, with its back against it.
+void hang_up(Piece& piece, float height) {
+    for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, piece.size_m.z / 2});
+    piece.mount = Mount::wall;
+    piece.hang_height_m = height;
+}
+
 }  // namespace
 
 std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const PromptObject& from) {
@@ -22,23 +35,33 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     Placed p;
     p.piece = make_piece(request);
     p.on = anchor;
-    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
+    const bool leans = p.piece.mount == Mount::wall, asked = !from.klass.empty();
+    if (leans) stand_up(p.piece);
+    const Vec3f front = front_of(a.yaw), right = right_of(a.yaw), size = p.piece.size_m;
+    // One machine on the other: what is no larger than what carries it may reach beyond the free part of its top.
+    const bool stacks = asked && size.x <= a.piece.size_m.x + 0.02f && size.z <= a.piece.size_m.z + 0.02f;
     for (const Surface& s : a.piece.surfaces) {
-        const float slack_x = s.half.x - p.piece.size_m.x / 2 - 0.01f, slack_z = s.half.y - p.piece.size_m.z / 2 - 0.005f;
-        if (slack_x < 0 || slack_z < 0) continue;
+        float slack_x = s.half.x - size.x / 2 - 0.01f, slack_z = s.half.y - size.z / 2 - 0.005f;
+        const bool over = slack_x < 0 || slack_z < 0;
+        if (over && !stacks) continue;
+        // Beyond the edge of a worktop nothing reaches into what hangs above it.
+        const bool middle_of_all = over && s.center.y > a.piece.size_m.y - 0.02f;
+        if (over && !middle_of_all && !(asked && a.piece.size_m.y < s.center.y + 0.6f)) continue;
+        slack_x = std::max(0.f, slack_x), slack_z = std::max(0.f, slack_z);
         // Out of reach only vases and baskets are kept.
-        if (s.center.y > 1.5f && p.piece.klass != "vase" && p.piece.klass != "basket") continue;
-        for (int tries = 0; tries < 14; ++tries) {
-            // Televisions and the like stand in the middle, small things anywhere.
-            const bool middle = p.piece.size_m.x > 0.55f && tries == 0;
-            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = middle ? 0.f : dice_.uniform(-slack_z, slack_z);
-            p.position = a.position + right * (s.center.x + x) + front * (s.center.z + z) + Vec3f{0, s.center.y, 0};
-            p.yaw = a.yaw + (p.piece.size_m.x > 0.3f ? 0.f : dice_.uniform(-0.3f, 0.3f));
+        if (!asked && s.center.y > 1.5f && p.piece.klass != "vase" && p.piece.klass != "basket") continue;
+        for (int tries = 0; tries < (asked ? 30 : 14); ++tries) {
+            // Televisions and the like stand in the middle, small things anywhere; pictures lean at the back.
+            const bool middle = over || (size.x > 0.55f && tries == 0);
+            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = leans ? -slack_z : middle ? 0.f : dice_.uniform(-slack_z, slack_z);
+            const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
+            p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
+            p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : dice_.uniform(-0.3f, 0.3f));
             if (!plan_.holds(footprint_of(p))) continue;
             bool free = true;
             for (const Placed& other : placed_)
                 free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
-            if (free && leaves_way(p)) return keep(p, from);
+            if (free && std::isfinite(as_asked(p, from)) && leaves_way(p)) return keep(p, from);
         }
     }
     return {};
@@ -65,8 +88,9 @@ std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, 
     Placed p;
     p.piece = make_piece(request);
     p.piece.mount = Mount::floor;
-    for (int tries = 0; tries < 12; ++tries) {
-        p.position = {at.x + dice_.uniform(-0.7f, 0.7f), 0.013f, at.y + dice_.uniform(-0.7f, 0.7f)};  // it may lie on a rug
+    for (int tries = 0; tries < 24; ++tries) {
+        const float far = tries < 12 ? 0.7f : 1.6f;
+        p.position = {at.x + dice_.uniform(-far, far), 0.013f, at.y + dice_.uniform(-far, far)};  // it may lie on a rug
         p.yaw = dice_.uniform(-kPi, kPi);
         if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
@@ -78,9 +102,8 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
     for (std::size_t k = 0; k < placed_.size(); ++k) {
         const int i = static_cast<int>((static_cast<std::size_t>(first) + k) % placed_.size());
         const Placed& p = placed_[static_cast<std::size_t>(i)];
-        static constexpr std::array<const char*, 7> kSeats{"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair"};
         if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
-        if (request.klass != "cat" && request.klass != "cushion" && std::find(kSeats.begin(), kSeats.end(), p.piece.klass) != kSeats.end()) continue;
+        if (request.klass != "cat" && request.klass != "cushion" && furnishing::is_seat(p.piece.klass)) continue;
         // Three bowls in a row are a shop.
         const auto alike =
             std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
@@ -88,12 +111,6 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
         if (const auto index = on_top(i, request, from)) return index;
     }
     return {};
-}
-
-bool Layout::wall_is_free(const WallFace& face, float u0, float u1, float y0, float y1) const {
-    for (const Opening& o : plan_.openings)
-        if (o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f && y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f) return false;
-    return true;
 }
 
 std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from) {
@@ -104,29 +121,33 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
     if (p.piece.mount == Mount::surface) {
         // A television hangs as well as it stands; other small things need a top.
         if (p.piece.klass != "tv") return {};
-        p.piece.mount = Mount::wall;
-        p.piece.hang_height_m = 0.95f;
-        for (Mesh& m : p.piece.meshes) shapes::move(m, {0, 0, p.piece.size_m.z / 2});
+        hang_up(p.piece, 0.95f);
     }
     const Vec3f size = p.piece.size_m;
     std::optional<Placed> best;
-    float best_score = -1e9f;
+    float best_score = -std::numeric_limits<float>::infinity();
     for (const WallFace& face : faces_) {
         p.yaw = yaw_of(face.inward);
         float y = p.piece.hang_height_m > 0 ? p.piece.hang_height_m : 1.5f - size.y / 2;
         std::optional<float> wanted_u;
+        float reach = 0.5f;
         if (above) {
             const Placed& a = placed_[static_cast<std::size_t>(*above)];
-            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f ||
-                std::abs(dot(a.position - face.origin, face.inward) - a.piece.size_m.z / 2) > 0.2f)
-                continue;
+            const float off = dot(a.position - face.origin, face.inward) - (a.piece.mount == Mount::wall ? 0.f : a.piece.size_m.z / 2);
+            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f || std::abs(off) > (a.on >= 0 ? 0.4f : 0.25f)) continue;
             wanted_u = dot(a.position - face.origin, face.along);
-            y = std::max(y, a.piece.size_m.y + 0.15f);
+            reach = std::max(reach, a.piece.size_m.x / 2);
+            // A hand above it; asked to be above, low enough to be seen with it.
+            const float high = footprint_of(a).y1;
+            y = from.relation == "above" ? std::max(high + 0.12f, std::min(y, high + 0.45f)) : std::max(y, high + 0.15f);
+            if (y + size.y > plan_.height - 0.12f) y = high + 0.05f;
+            if (y + size.y > plan_.height - 0.05f) continue;
         }
-        if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
+        else if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
         if (y < 0) continue;
         for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
-            if (!wall_is_free(face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
+            if (!wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
+            if (wanted_u && std::abs(u - *wanted_u) > reach) continue;
             p.position = face.point(u, y) + face.inward * 0.002f;
             const Footprint box = footprint_of(p, 0.03f);
             bool free = plan_.holds(footprint_of(p));
@@ -145,8 +166,28 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
         }
     }
-    if (above && best_score < -0.5f) return {};
+    if (best && above) best->with = *above;
     return best ? keep(*best, from) : std::nullopt;
+}
+
+std::optional<int> Layout::over_opening(const std::string& klass, const PieceRequest& request, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    if (p.piece.mount == Mount::surface) hang_up(p.piece, 0);
+    if (p.piece.mount != Mount::wall) return {};
+    constexpr float kCasing = 0.09f;
+    for (const Opening& o : plan_.openings) {
+        const bool window = o.kind == Opening::Kind::window;
+        if (klass != (window ? "window" : o.kind == Opening::Kind::door ? "door" : "doorway")) continue;
+        const WallFace face = plan_.wall(o.wall);
+        p.yaw = yaw_of(face.inward);
+        p.position = face.point((o.u0 + o.u1) / 2, o.y1 + kCasing + 0.02f) + face.inward * 0.002f;
+        const Footprint box = footprint_of(p);
+        if (!plan_.holds(box) || box.y1 > plan_.height - 0.03f) continue;
+        if (std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
+            return keep(p, from);
+    }
+    return {};
 }
 
 std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const PromptObject& from) {

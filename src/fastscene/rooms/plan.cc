@@ -42,9 +42,51 @@ float free_margin(float length, float wanted) { return std::max(0.25f, (length -
 // The end of a door that stands at the left of its wall, with its casing and a hand of wall.
 constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kBesideDoor = kDoorMargin + kDoorWidth + 0.3f;
 
+// What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above a window that
+// ends low enough, and between two windows there must be wall.
+struct AtWindows {
+    bool below = false, above = false, between = false;
+};
+AtWindows at_windows(const PromptSpec& spec) {
+    AtWindows at;
+    for (const PromptObject& o : spec.objects) {
+        if (o.forbidden || o.relation_to != "window" || o.klass == "curtain" || o.klass == "rug") continue;
+        at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
+        at.above = at.above || o.relation == "above";
+        at.between = at.between || (o.relation == "between" && o.relation_and == "window");
+    }
+    return at;
+}
+
+// Two windows in one wall with a piece of wall between them.
+bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wish, Random& dice) {
+    constexpr float kBetween = 1.35f, kBeside = 0.35f;
+    const int first = dice.chance(0.5f) ? 1 : 3;
+    for (const int w : {first, 4 - first, 0}) {
+        const auto [low, high] = plan.free_span(w, 2.1f);
+        const float wide = std::min(1.3f, (high - low - kBetween) / 2 - kBeside);
+        if (wide < 0.6f) continue;
+        for (const float middle : {(low + high - kBetween - wide) / 2, (low + high + kBetween + wide) / 2}) {
+            Opening window;
+            window.wall = w;
+            window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
+            window.y0 = spec.room == "bathroom" ? 1.25f : 0.9f;
+            window.y1 = std::min(plan.height - 0.25f, 2.2f);
+            window.requested = wish != nullptr;
+            if (wish) window.color = wish->color;
+            plan.openings.push_back(window);
+        }
+        return true;
+    }
+    return false;
+}
+
 void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
+    const AtWindows asked = at_windows(spec);
+    const bool paired = asked.between && (!wish || wish->count <= 2) && !plan.bay && !(plan.knee > 0);
+    if (paired && add_window_pair(spec, plan, wish, dice)) return;
     const bool large =
         (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) || spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
@@ -73,7 +115,8 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
                                                                   : dice.uniform(1.3f, 1.8f));
         window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
-        window.y1 = std::min(plan.height - 0.25f, large ? 2.45f : 2.2f);
+        if (asked.below) window.y0 = std::max(window.y0, 0.9f);
+        window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
         const float slack = free_margin(length, width) - 0.25f;
         window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
@@ -173,6 +216,9 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
         plan.height = ceiling->size == "small" ? kLowCeiling : std::max(kHighCeiling, plan.height + 0.4f);
     take_measures(spec, plan);
+    // What is asked to hang above a door needs wall there.
+    for (const PromptObject& o : spec.objects)
+        if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway")) plan.height = std::max(plan.height, 2.75f);
     plan.beams = plan.style.beams || wish_for(spec, "beams");
     plan.accent = spec.room != "hallway" && dice.chance(0.6f);
 

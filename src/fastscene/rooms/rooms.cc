@@ -200,12 +200,13 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
                                                               [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
 }
 
-FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw) {
+FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
     Random dice(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
     FurnishedRoom out{make_plan(spec, dice), {}, {}, {}};
-    Layout layout(out.plan, spec, dice);
+    Layout layout(out.plan, spec, dice, annealing);
     furnish(layout);
+    out.annealed = layout.annealed();
     out.placed = layout.placed();
     out.camera = layout.camera_position();
     out.hidden_wishes = layout.hidden_wishes(out.camera);
@@ -220,7 +221,7 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
         for (const PromptObject& o : spec.objects)
             if (o.forbidden) next.objects.push_back(o);
         Random next_dice(run.seed, "next room:" + spec.text);
-        Layout beyond(out.plan.next->plan, next, next_dice);
+        Layout beyond(out.plan.next->plan, next, next_dice, annealing);
         furnish(beyond);
         out.placed_next = beyond.placed();
         for (Placed& p : out.placed_next) {
@@ -239,31 +240,40 @@ bool has_a_way(const FurnishedRoom& room) {
     return ways.open() && ways.reaches(flat(room.camera));
 }
 
+// Pieces that do not stand where the prompt says.
+std::size_t misplaced(const FurnishedRoom& room) {
+    return static_cast<std::size_t>(std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
+        return p.wish.id >= 0 && !stands_as_asked(room.plan, room.placed, p, p.wish).value_or(true);
+    }));
+}
+
 }  // namespace
 
-FurnishedRoom furnish_room(PromptSpec& spec, const Run& run) {
-    // Now and then the plan itself leaves no way between its corners and what was asked for, or something that was asked for stands
-    // behind something else: then another one is drawn, and the best is kept.
+FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing) {
+    // Now and then the plan itself leaves no way between its corners and what was asked for, or no place where it was asked to stand, or
+    // something that was asked for stands behind something else: then another one is drawn, and the best is kept.
     constexpr int kDraws = 4;
     std::optional<FurnishedRoom> best;
     PromptSpec best_read;
     std::pair<bool, std::size_t> fewest;   // no way; pieces hidden or left out
     for (int draw = 0; draw < kDraws; ++draw) {
         PromptSpec read = spec;
-        FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw));
-        const std::pair faults{!has_a_way(room), static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size()};
+        FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw), annealing);
+        const std::size_t elsewhere = misplaced(room);
+        const std::pair faults{!has_a_way(room), static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size() + elsewhere};
         if (best && faults >= fewest) continue;
         fewest = faults;
         best = std::move(room);
         best_read = std::move(read);
-        if (!faults.first && best->hidden_wishes == 0) break;
+        if (!faults.first && best->hidden_wishes == 0 && elsewhere == 0) break;
     }
     spec = std::move(best_read);
     return *std::move(best);
 }
 
-Room make_room(PromptSpec& spec, const Run& run) {
-    const FurnishedRoom furnished = furnish_room(spec, run);
+Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_room(spec, run), run); }
+
+Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     const Plan& plan = furnished.plan;
     Random dice(run.seed, "light:" + spec.text);
     Room room;

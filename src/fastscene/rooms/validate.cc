@@ -49,6 +49,11 @@ class Checker {
                 add("unsupported", name(i) + " floats above " + name(static_cast<std::size_t>(p.on)));
             return;
         }
+        if (p.below >= 0) {
+            const Placed& table = placed_[static_cast<std::size_t>(p.below)];
+            if (table.piece.surfaces.empty() || p.piece.size_m.y > table.piece.surfaces.front().center.y)
+                add("unsupported", name(i) + " is too tall for its place under " + name(static_cast<std::size_t>(p.below)));
+        }
         switch (p.piece.mount) {
             case Mount::floor:
                 if (std::abs(p.position.y) > 0.02f && p.piece.klass != "curtain") add("unsupported", name(i) + " does not stand on the floor");
@@ -75,6 +80,8 @@ class Checker {
     void apart(std::size_t i, std::size_t k) {
         const Placed &a = placed_[i], &b = placed_[k];
         if (b.flat || b.on == static_cast<int>(i) || a.on == static_cast<int>(k)) return;
+        // What stands under a table stands between its legs.
+        if (b.below == static_cast<int>(i) || a.below == static_cast<int>(k)) return;
         if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2)))
             add("overlap", name(i) + " and " + name(k) + " stand in each other");
     }

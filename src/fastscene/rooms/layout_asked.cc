@@ -1,0 +1,272 @@
+// What was asked for: when it is placed, and how at another piece. Search where the words say is in layout_asked_places.cc.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/pack.h"
+
+namespace fastscene::furnishing {
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of"}); }
+
+// Two pieces must stand before what is asked to be between them can.
+bool both_stand(const Layout& l, const Ask& ask) {
+    const auto standing = [&](const std::string& klass) {
+        return std::count_if(l.placed().begin(), l.placed().end(), [&](const Placed& p) { return p.piece.klass == klass || p.wish.klass == klass; });
+    };
+    return ask.at == ask.and_at ? standing(ask.at) > 1 : standing(ask.at) > 0 && standing(ask.and_at) > 0;
+}
+
+}  // namespace
+
+void Furnisher::attend(int index) {
+    const std::string built = klass_of(index), asked = at(index).wish.klass;
+    for (const bool small : {false, true})
+        for (Ask& ask : wishes_.asks()) {
+            if (ask.left <= 0 || !ask.at_piece() || stands_on_others(*ask.wish) != small) continue;
+            const bool here = ask.at == built || ask.at == asked,
+                       last_of_two = ask.relation == "between" && (ask.and_at == built || ask.and_at == asked);
+            if (!here && !last_of_two) continue;
+            if (ask.relation == "between" && !both_stand(l_, ask)) continue;
+            // Several such pieces share what was asked for; around a table and between two all stand together.
+            const bool together = ask.relation == "around" || ask.relation == "between";
+            const int share = together ? ask.left : (ask.left + wishes_.count(ask.at)) / (1 + wishes_.count(ask.at));
+            for (int i = 0; i < share && ask.left > 0; ++i) {
+                --ask.left;
+                if (const auto placed = at_piece(index, ask)) {
+                    attend(*placed);
+                    continue;
+                }
+                ++ask.left;
+                break;
+            }
+        }
+}
+
+void Furnisher::summon(const std::string& klass) {
+    if (l_.find(klass)) return;
+    for (Ask& ask : wishes_.asks()) {
+        if (ask.left <= 0 || ask.wish->klass != klass) continue;
+        --ask.left;
+        if (ask.at_piece()) {
+            const std::string anchor = ask.at;
+            ++ask.left;
+            summon(anchor);
+            if (l_.find(klass)) return;
+            --ask.left;
+        }
+        if (const auto i = anywhere(*ask.wish)) return attend(*i);
+        ++ask.left;
+    }
+}
+
+// The floor and the wall that wait for what was asked for at a piece of this class.
+Spare Furnisher::spare_for(const std::string& klass) {
+    Spare spare;
+    for (const Ask& ask : wishes_.asks()) {
+        if (ask.left <= 0 || ask.at != klass || !ask.at_piece()) continue;
+        if (!l_.why_not(ask.wish->klass).empty()) continue;
+        const Piece piece = make_piece(l_.request(ask.wish->klass, ask.wish));
+        const bool floor = piece.mount == Mount::floor && ask.wish->klass != "rug";
+        const float wide = piece.size_m.x + 0.12f, deep = piece.size_m.z;
+        const int each = (ask.left + wishes_.count(klass)) / (1 + wishes_.count(klass));
+        if (ask.relation == "above" && piece.mount != Mount::ceiling) spare.above = true;
+        if (is_beside(ask.relation) && piece.mount != Mount::ceiling) {
+            // Small things stand on a small table there.
+            const float width = floor || piece.mount == Mount::wall ? wide : 0.6f;
+            if (ask.relation != "left of") spare.right = std::max(spare.right, width);
+            if (ask.relation == "left of" || each > 1) spare.left = std::max(spare.left, width);
+        }
+        if (!floor) continue;
+        if (ask.relation == "in front of") spare.front = std::max(spare.front, deep + 0.1f);
+        if (ask.relation == "behind") spare.behind = std::max(spare.behind, deep + 0.06f);
+    }
+    return spare;
+}
+
+std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
+    if (!l_.why_not(ask.wish->klass).empty()) return {};
+    const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
+    const Piece piece = make_piece(r);
+    std::optional<int> i;
+    if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
+    else if (ask.relation == "on") i = on_piece(anchor, ask, r);
+    else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
+    else if (ask.relation == "under") i = under_piece(anchor, ask, r, piece);
+    else if (piece.mount == Mount::floor) {
+        if (ask.relation == "in front of") i = before_piece(anchor, ask, r);
+        if (ask.relation == "behind") i = l_.behind(anchor, r, *ask.wish);
+        if (ask.relation == "around") i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1) : std::nullopt;
+        if (is_beside(ask.relation)) i = next_to_piece(anchor, ask, r);
+        if (ask.relation == "facing" && !piece.against_wall) i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish);
+    }
+    if (i) return i;
+    // Only what says so itself can be searched for.
+    if (ask.wish->relation.empty()) return {};
+    if (piece.mount == Mount::surface && ask.relation != "on" && ask.wish->klass != "tv") return on_a_top_there(*ask.wish, r, anchor);
+    return where_asked(*ask.wish, r, piece);
+}
+
+std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRequest& r) {
+    for (const float size : {1.f, 0.85f, 0.7f}) {
+        PieceRequest smaller = r;
+        // What stands on a table is a plant in a small pot.
+        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree"})) smaller.klass = "plant_small";
+        smaller.size_factor *= size;
+        if (const auto i = l_.on_top(anchor, smaller, *ask.wish)) return i;
+    }
+    return {};
+}
+
+std::optional<int> Furnisher::above_piece(int anchor, const Ask& ask, const PieceRequest& r, const Piece& piece) {
+    if (piece.mount == Mount::ceiling) {
+        // Several hang in a row along it.
+        const Vec2f middle = flat(at(anchor).position), along = flat(right_of(at(anchor).yaw));
+        const float step = std::max(0.45f, piece.size_m.x + 0.1f);
+        const bool several = ask.wish->count > 1;
+        for (const float k : several ? std::initializer_list<float>{-0.5f, 0.5f, -1.5f, 1.5f, 0.f} : std::initializer_list<float>{0.f, 0.5f, -0.5f})
+            if (std::abs(k * step) < size(anchor).x / 2)
+                if (const auto i = l_.hanging(r, middle + along * (k * step), *ask.wish)) return l_.join(*i, anchor), i;
+        return {};
+    }
+    for (const float size : {1.f, 0.82f, 0.66f, 0.5f}) {
+        PieceRequest smaller = r;
+        smaller.size_factor *= size;
+        if (const auto i = l_.on_wall(smaller, anchor, *ask.wish)) return i;
+    }
+    return piece.mount == Mount::surface ? l_.on_top(anchor, r, *ask.wish) : std::nullopt;
+}
+
+std::optional<int> Furnisher::under_piece(int anchor, const Ask& ask, const PieceRequest& r, const Piece& piece) {
+    // Below what hangs on a wall: at that wall.
+    if (at(anchor).piece.mount == Mount::wall && piece.mount == Mount::floor)
+        return l_.against_wall(r, {.near = flat(at(anchor).position), .at_most_from_near = 0.6f}, *ask.wish);
+    if (piece.mount == Mount::wall || piece.mount == Mount::ceiling) return {};
+    for (const float size : {1.f, 0.85f, 0.7f}) {
+        PieceRequest smaller = r;
+        smaller.size_factor *= size;
+        if (const auto i = l_.below(anchor, smaller, *ask.wish)) return i;
+    }
+    return {};
+}
+
+std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const PieceRequest& r) {
+    const std::string& klass = ask.wish->klass;
+    const std::string& whose = klass_of(anchor);
+    const bool seat = is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
+    const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) && is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
+    if (is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
+        // Drawn up to the fire, turned to it.
+        l_.insist(ask.wish);
+        const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish);
+        l_.insist(nullptr);
+        if (i) return i;
+    }
+    const float gap = seat_at_work ? (klass == "office_chair" ? -0.2f : 0.05f) : is_one_of(whose, {"bed", "bed_single", "crib"}) ? 0.06f
+                      : klass == "coffee_table"                                                                              ? 0.42f
+                      : seat                                                                                                 ? 0.9f
+                                                                                                                             : 0.35f;
+    for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
+        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_one_of(whose, {"bed", "bed_single"}), *ask.wish)) return i;
+    return {};
+}
+
+std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const PieceRequest& r) {
+    // A pair stands on both sides: the side with nothing of its kind first.
+    int sides[2] = {1, -1};
+    if (ask.relation == "left of") sides[0] = sides[1] = -1;
+    else if (ask.relation == "right of") sides[0] = sides[1] = 1;
+    else {
+        const auto axes = axes_of(footprint_of(at(anchor)));
+        const Vec2f middle = flat(at(anchor).position);
+        for (const Placed& p : l_.placed())
+            if (p.wish.id == ask.wish->id && dot(flat(p.position) - middle, axes[0]) > 0) sides[0] = -1, sides[1] = 1;
+    }
+    for (const int side : sides)
+        if (const auto i = l_.beside(anchor, r, side, 0.06f, *ask.wish)) return i;
+    return {};
+}
+
+std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequest& r) {
+    const Vec3f s = size(anchor);
+    const std::string& whose = klass_of(anchor);
+    const bool bed = is_one_of(whose, {"bed", "bed_single", "crib"}), seat = is_one_of(whose, {"sofa", "loveseat", "armchair"});
+    if (ask.relation == "between") {
+        const Placed* other = nullptr;
+        for (const Placed& p : l_.placed())
+            if (&p != &at(anchor) && (p.wish.klass == ask.at || p.wish.klass == ask.and_at || p.piece.klass == ask.at)) other = &p;
+        if (!other) return {};
+        PieceRequest sized = r;
+        const Vec2f apart = flat(other->position - at(anchor).position);
+        for (const float wide : {1.2f, 0.8f, 0.55f}) {
+            sized.size_m = {wide, 0, 1.5f * wide};
+            if (const auto i = l_.lay(flat(at(anchor).position) + apart * 0.5f, at(anchor).yaw, sized, *ask.wish)) return i;
+        }
+        return {};
+    }
+    if (ask.relation == "under" || ask.relation == "on" || ask.relation == "around") {
+        if (bed) return laid_under(anchor, r, {s.x + 1.1f, 1.9f}, 0.75f, *ask.wish);
+        if (seat) return laid_under(anchor, r, {s.x + 0.5f, 1.9f}, s.z / 2 + 0.35f, *ask.wish);
+        return laid_under(anchor, r, {s.x + (s.x > 1.4f ? 1.3f : 1.f), s.z + (s.x > 1.4f ? 1.3f : 1.1f)}, 0, *ask.wish);
+    }
+    if (is_beside(ask.relation)) {
+        const float side = ask.relation == "left of" ? -1.f : 1.f;
+        PieceRequest sized = r;
+        sized.size_m = {0.8f, 0, 1.4f};
+        for (const float k : {side, is_one_of(ask.relation, {"next to"}) ? -side : side})
+            if (const auto i = l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
+                return l_.join(*i, anchor), i;
+    }
+    return laid_under(anchor, r, {std::max(1.4f, s.x), 1.1f}, s.z / 2 + 0.62f, *ask.wish);
+}
+
+// Our own small pieces by their class, those of the pack by how they are mounted.
+bool Furnisher::stands_on_others(const PromptObject& wish) const {
+    if (is_small(wish.klass)) return true;
+    const PackModel* model = l_.spec().pack ? l_.spec().pack->choose(wish.klass, 0) : nullptr;
+    return (model && model->elevation_m + model->size_m.y < 0.8f && model->size_m.x < 0.55f) || is_small(stand_in(wish.klass).value_or(""));
+}
+
+void Furnisher::asked_in_the_shell() {
+    for (const bool small : {false, true})
+        for (Ask& ask : wishes_.asks()) {
+            if (!ask.at_shell() || ask.wish->klass == "curtain" || stands_on_others(*ask.wish) != small) continue;
+            while (ask.left > 0) {
+                --ask.left;
+                if (const auto i = in_shell(ask)) {
+                    attend(*i);
+                    continue;
+                }
+                ++ask.left;
+                break;
+            }
+        }
+}
+
+// What no group has used. What finds no place where it was asked for stands elsewhere.
+void Furnisher::remaining_wishes(bool small) {
+    if (!small && wishes_.count("curtain") > 0) {
+        const auto curtain = std::find_if(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return a.wish->klass == "curtain" && a.left > 0; });
+        curtain->left = 0;
+        if (l_.at_windows(l_.request("curtain", curtain->wish), *curtain->wish) == 0)
+            l_.spec().not_placed.push_back(curtain->wish->words + ": no window has room for them");
+    }
+    for (const bool bound : {false, true})
+        for (Ask& ask : wishes_.asks()) {
+            if (stands_on_others(*ask.wish) != small || ask.at_piece() != bound) continue;
+            while (ask.left > 0) {
+                --ask.left;
+                if (const std::string why = l_.why_not(ask.wish->klass); !why.empty()) l_.spec().not_placed.push_back(ask.wish->words + ": " + why);
+                else if (const auto i = anywhere(*ask.wish)) attend(*i);
+                else l_.spec().not_placed.push_back(ask.wish->words + ": no free place for it");
+            }
+        }
+}
+
+}  // namespace fastscene::furnishing

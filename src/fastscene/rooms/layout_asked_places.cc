@@ -1,0 +1,191 @@
+// Where what was asked for stands: in the shell, searched for by the words, or anywhere.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/rooms/layout_parts.h"
+
+namespace fastscene::furnishing {
+namespace {
+
+// While it lives, pieces stand where this wish says or not at all.
+class Insisting {
+  public:
+    Insisting(Layout& layout, const PromptObject& wish) : l_(layout) { l_.insist(&wish); }
+    ~Insisting() { l_.insist(nullptr); }
+    Insisting(const Insisting&) = delete;
+    Insisting& operator=(const Insisting&) = delete;
+
+  private:
+    Layout& l_;
+};
+
+bool is_opening_of(const Opening& o, const std::string& klass) {
+    return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window"
+                                           : klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
+}
+
+}  // namespace
+
+std::optional<int> Furnisher::in_shell(const Ask& ask) {
+    const PromptObject& wish = *ask.wish;
+    if (!l_.why_not(wish.klass).empty()) return {};
+    const PieceRequest r = l_.request(wish.klass, &wish);
+    const Piece piece = make_piece(r);
+    if (wish.klass == "rug") {
+        PieceRequest sized = r;
+        for (const Opening& o : l_.plan().openings) {
+            if (!is_opening_of(o, ask.at)) continue;
+            const WallFace face = l_.plan().wall(o.wall);
+            const bool window = o.kind == Opening::Kind::window;
+            sized.size_m = window ? Vec3f{1.6f, 0, 1.1f} : Vec3f{0.8f, 0, 0.5f};
+            if (const auto i = l_.lay(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (window ? 0.9f : 0.45f)), yaw_of(face.inward), sized, wish)) return i;
+        }
+        sized.size_m = {2.2f, 0, 1.5f};
+        return ask.relation == "in the middle" ? l_.lay({0, 0}, 0, sized, wish) : std::nullopt;
+    }
+    if (ask.relation == "above")
+        for (const float size : {1.f, 0.8f, 0.62f, 0.5f}) {
+            PieceRequest smaller = r;
+            smaller.size_factor *= size;
+            if (const auto i = l_.over_opening(ask.at, smaller, wish)) return i;
+        }
+    if (ask.relation == "facing" && piece.mount == Mount::floor && !piece.against_wall)
+        for (const Opening& o : l_.plan().openings)
+            if (is_opening_of(o, ask.at)) {
+                const Insisting insisting(l_, wish);
+                const WallFace face = l_.plan().wall(o.wall);
+                if (const auto i = l_.angled_towards(flat(face.point((o.u0 + o.u1) / 2, 0)), r, wish)) return i;
+            }
+    if (piece.mount == Mount::surface) {
+        if (ask.at == "wall") return l_.on_wall(r, {}, wish);
+        if (ask.at == "floor") return l_.on_floor_near({0, 0}, r, wish);
+        return on_a_top_there(wish, r, {});
+    }
+    return where_asked(wish, r, piece);
+}
+
+std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceRequest& r, const Piece& piece) {
+    if (wish.relation.empty() || wish.klass == "rug") return {};
+    const Insisting insisting(l_, wish);
+    if (piece.mount == Mount::wall || wish.klass == "tv") return l_.on_wall(r, {}, wish);
+    if (piece.mount == Mount::ceiling) return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
+    if (piece.mount != Mount::floor) return {};
+    const Spare spare = spare_for(wish.klass);
+    Layout::WallWish w{.center_pull = 0.3f, .spare = spare};
+    if (wish.relation == "in the corner") w.corner = true, w.apart_pull = 1.f;
+    if (wish.relation_to == "window") w.window_pull = 2.f, w.center_pull = 0.2f;
+    else
+        for (const Opening& o : l_.plan().openings)
+            if (is_opening_of(o, wish.relation_to)) w.near = flat(l_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
+    std::optional<int> i;
+    if (wish.relation != "in the middle") i = l_.against_wall(r, w, wish);
+    return i ? i : l_.free_standing(r, wish, spare);
+}
+
+// Where no top is left.
+std::optional<int> Furnisher::on_a_table_of_its_own(const PieceRequest& r, const PromptObject& wish) {
+    const std::size_t before = l_.mark();
+    if (wishes_.forbids("side_table")) return {};
+    if (const auto stand = l_.against_wall(l_.request("side_table"), {.center_pull = 0.2f, .apart_pull = 0.5f}))
+        if (const auto i = l_.on_top(*stand, r, wish)) return i;
+    l_.undo(before);
+    return {};
+}
+
+std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const PieceRequest& r, std::optional<int> anchor) {
+    const Insisting insisting(l_, wish);
+    const auto has_one = [&](int top) {
+        return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == top && p.wish.id == wish.id; });
+    };
+    const auto on_those = [&](bool again) -> std::optional<int> {
+        for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
+            if (i != anchor && at(i).on < 0 && !is_seat(klass_of(i)) && !at(i).piece.surfaces.empty() && has_one(i) == again)
+                if (const auto k = l_.on_top(i, r, wish)) return k;
+        return {};
+    };
+    if (const auto i = on_those(false)) return i;
+    // A small table is brought for it.
+    const std::string& whose = anchor ? klass_of(*anchor) : wish.relation_to;
+    const bool bed = whose == "bed" || whose == "bed_single" || whose == "crib";
+    const std::string klass = bed ? "nightstand" : "side_table";
+    if (!wishes_.forbids(klass)) {
+        const PieceRequest table = l_.request(klass);
+        const std::size_t before = l_.mark();
+        std::vector<int> sides{1, -1};
+        if (wish.relation == "left of") sides = {-1};
+        if (wish.relation == "right of") sides = {1};
+        std::optional<int> stand;
+        if (anchor && (wish.relation == "next to" || wish.relation == "left of" || wish.relation == "right of"))
+            for (const int side : sides)
+                if (!stand) stand = l_.beside(*anchor, table, side, 0.06f);
+        if (!stand) stand = l_.against_wall(table, {.center_pull = 0.2f, .corner = wish.relation == "in the corner"});
+        if (!stand) stand = l_.free_standing(table);
+        if (stand)
+            if (const auto k = l_.on_top(*stand, r, wish)) return k;
+        l_.undo(before);
+    }
+    return on_those(true);
+}
+
+// On a low piece, else on a wall, else it gets a stand of its own.
+std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObject& wish) {
+    for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
+        if (const auto anchor = l_.find(klass))
+            if (const auto i = l_.on_top(*anchor, r, wish)) return i;
+    const std::size_t before = l_.mark();
+    if (const auto stand = l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
+        if (const auto i = l_.on_top(*stand, r, wish)) return i;
+    l_.undo(before);
+    return l_.on_wall(r, {}, wish);
+}
+
+bool Furnisher::on_a_seat(const PromptObject& wish) {
+    const PieceRequest r = l_.request(wish.klass, &wish);
+    for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench"})
+        for (std::size_t i = 0; i < l_.placed().size(); ++i)
+            if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), r, wish)) return true;
+    return false;
+}
+
+// By what kind of piece it is.
+std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
+    const PieceRequest r = l_.request(wish.klass, &wish);
+    const Piece piece = make_piece(r);
+    if (const auto i = where_asked(wish, r, piece)) return i;
+    if (wish.klass == "tv") return television(r, wish);
+    if (wish.klass == "cushion" && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
+    switch (piece.mount) {
+        case Mount::surface:
+            if (const auto i = l_.on_any_top(r, wish)) return i;
+            // Where nothing else stands ("only a mattress and a candle") small things stand on the floor.
+            if (!is_furnished())
+                if (const auto i = l_.on_floor_near({0, 0}, r, wish)) return i;
+            return on_a_table_of_its_own(r, wish);
+        case Mount::wall: return l_.on_wall(r, {}, wish);
+        case Mount::ceiling:
+            for (const Vec2f p : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
+                if (const auto i = l_.hanging(r, p, wish)) return i;
+            return {};
+        case Mount::floor: break;
+    }
+    if (wish.klass == "rug") {
+        PieceRequest sized = r;
+        sized.size_m = {1.6f, 0, 1.1f};
+        for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
+            if (const auto k = l_.under(i, sized, 0.9f, wish)) return k;
+        return l_.lay({0, 0}, 0, sized, wish);
+    }
+    Layout::WallWish w;
+    w.corner = wish.relation == "in the corner" || wish.klass == "plant";
+    w.window_pull = wish.relation_to == "window" ? 2.f : piece.size_m.y > 1.2f ? -1.f : 0.f;
+    w.center_pull = 0.4f;
+    w.clear_of_windows = wish.klass == "fireplace" || wish.klass == "tv_stand";
+    w.spare = spare_for(wish.klass);
+    if (const auto i = l_.against_wall(r, w, wish)) return i;
+    w.clear_of_windows = w.corner = false;
+    if (const auto i = l_.against_wall(r, w, wish)) return i;
+    return l_.free_standing(r, wish);
+}
+
+}  // namespace fastscene::furnishing

@@ -1,0 +1,86 @@
+// What the prompt asks for, as the layout uses it up.
+#include <algorithm>
+#include <array>
+
+#include "fastscene/rooms/layout_parts.h"
+
+namespace fastscene::furnishing {
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
+// Hangs where it is asked to: what stands below it is placed first.
+bool is_hung(std::string_view klass) {
+    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "chandelier", "pendant_lamp", "ceiling_lamp"});
+}
+
+}  // namespace
+
+bool is_small(std::string_view klass) {
+    static constexpr std::array<std::string_view, 36> kSmall{
+        "table_lamp",    "vase",          "vase_small",  "book_stack",  "bowl",        "candle",
+        "plant_small",   "picture",       "mirror",      "tv",          "clock",       "rug",
+        "cushion",       "guitar",        "cat",         "alarm_clock", "bottles",     "cup",
+        "cutting_board", "globe",         "kettle",      "laptop",      "magazines",   "photo_frame",
+        "picture_ledge", "place_setting", "pot",         "sculpture",   "storage_box", "teddy_bear",
+        "toaster",       "toiletries",    "towel_stack", "toy_blocks",  "tray",        "utensils"};
+    return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
+}
+
+bool is_seat(std::string_view klass) {
+    return is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "bed", "bed_single", "crib", "pouf"});
+}
+
+bool Ask::at_shell() const {
+    return is_one_of(relation, {"in the corner", "in the middle", "far wall", "against"}) || is_opening(at) ||
+           is_one_of(at, {"wall", "floor", "ceiling", "beams", "skylight", "alcove", "column", "sloped_ceiling"});
+}
+bool Ask::at_piece() const { return !relation.empty() && !at.empty() && !at_shell(); }
+
+Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
+    for (const PromptObject& o : spec.objects) asks_.push_back({&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) ? 0 : o.count});
+    const auto ask_for = [&](const std::string& klass) {
+        const auto i = std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });
+        return i == asks_.end() ? nullptr : &*i;
+    };
+    // "a table on the rug" is a rug under the table, "a sofa under a painting" a painting above the sofa: what is placed second is bound.
+    for (Ask& ask : asks_) {
+        if (ask.left <= 0) continue;
+        const bool on_rug = ask.relation == "on" && ask.at == "rug", below_hung = ask.relation == "under" && is_hung(ask.at);
+        Ask* other = on_rug || below_hung ? ask_for(ask.at) : nullptr;
+        if (!other || other == &ask || (on_rug && is_small(ask.wish->klass))) continue;
+        other->relation = on_rug ? "under" : "above";
+        other->at = ask.wish->klass;
+        ask.relation = ask.at = "";
+    }
+}
+
+bool Wishes::forbids(std::string_view klass) const {
+    return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+}
+
+const PromptObject* Wishes::next(std::string_view klass) {
+    for (Ask& ask : asks_)
+        if (ask.left > 0 && ask.wish->klass == klass && !ask.at_piece()) return --ask.left, ask.wish;
+    return nullptr;
+}
+
+void Wishes::give_back(const PromptObject* wish) {
+    for (Ask& ask : asks_)
+        if (ask.wish == wish) ++ask.left;
+}
+
+int Wishes::count(std::string_view klass) const {
+    int n = 0;
+    for (const Ask& ask : asks_)
+        if (ask.wish->klass == klass) n += ask.left;
+    return n;
+}
+
+bool Wishes::asked(std::string_view klass) const {
+    return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return !o.forbidden && o.klass == klass; });
+}
+
+}  // namespace fastscene::furnishing
