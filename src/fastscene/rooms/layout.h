@@ -66,7 +66,7 @@ class Layout {
         Spare spare{};                  // kept if any slot has it
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
-    std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {});
+    std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {}, float aside_m = 0);
     std::optional<int> beside(int anchor, const PieceRequest& request, int side, float gap_m, const PromptObject& from = {});
     std::optional<int> behind(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // Below a table's top, between its legs.

@@ -148,7 +148,7 @@ class Annealer {
             return {k};
         }
         if (roll < 0.65f) put(g, position + Vec3f{far * dice_.normal(), 0, far * dice_.normal()}, yaw);
-        else put(g, position, yaw + (roll < 0.85f ? kPi / 12 * (dice_.chance(0.5f) ? 1.f : -1.f) : kPi / 2 * (dice_.chance(0.5f) ? 1.f : -1.f)));
+        else put(g, position, yaw + (at(g.root).piece.klass == "armchair" ? kPi / 12 : kPi / 2) * (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
         return {k};
     }
 
@@ -165,7 +165,9 @@ class Annealer {
         for (const int i : groups_[static_cast<std::size_t>(group)].members) {
             const Placed& p = at(i);
             const Footprint& box = boxes_[static_cast<std::size_t>(i)];
-            if (!plan_.holds(box)) return false;
+            // Panelling stands proud of the wall.
+            const bool proud = plan_.panelling && p.piece.mount == Mount::floor && !p.flat && p.on < 0;
+            if (!plan_.holds(proud ? footprint_of(p, 0.035f) : box)) return false;
             if (p.piece.mount == Mount::wall && p.on < 0 && !hangs(p)) return false;
             if (p.piece.mount == Mount::floor && !p.flat && p.on < 0 && blocks_opening(plan_, box)) return false;
             for (std::size_t k = 0; k < placed_.size(); ++k) {

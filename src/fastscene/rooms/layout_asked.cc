@@ -104,7 +104,11 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
         if (ask.relation == "behind") i = l_.behind(anchor, r, *ask.wish);
         if (ask.relation == "around") i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1) : std::nullopt;
         if (is_beside(ask.relation)) i = next_to_piece(anchor, ask, r);
-        if (ask.relation == "facing" && !piece.against_wall) i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish);
+        if (ask.relation == "facing" && !piece.against_wall) {
+            l_.insist(ask.wish);
+            i = l_.angled_towards(flat(at(anchor).position), r, *ask.wish);
+            l_.insist(nullptr);
+        }
     }
     if (i) return i;
     // Only what says so itself can be searched for.
@@ -161,7 +165,8 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
     const std::string& whose = klass_of(anchor);
     const bool seat = is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
     const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) && is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
-    if (is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
+    const bool pair = seat && ask.wish->count > 1;   // side by side
+    if (!pair && is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
         // Drawn up to the fire, turned to it.
         l_.insist(ask.wish);
         const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish);
@@ -172,8 +177,9 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
                       : klass == "coffee_table"                                                                              ? 0.42f
                       : seat                                                                                                 ? 0.9f
                                                                                                                              : 0.35f;
+    const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
     for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
-        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_one_of(whose, {"bed", "bed_single"}), *ask.wish)) return i;
+        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_one_of(whose, {"bed", "bed_single"}), *ask.wish, aside)) return i;
     return {};
 }
 

@@ -165,7 +165,7 @@ class Costing {
             const float a = 4 * b.half.x * b.half.y;
             area += a;
             center = center + b.center * a;
-            if (b.y1 > 1.3f)
+            if (b.y1 > 1.3f || is_one_of(klass(i), {"tv_stand", "fireplace"}))
                 for (const Opening& o : plan_.openings) {
                     if (o.kind != Opening::Kind::window) continue;
                     const WallFace face = plan_.wall(o.wall);

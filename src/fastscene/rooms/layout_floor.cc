@@ -81,14 +81,15 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     return {};
 }
 
-std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, float gap, bool facing, const PromptObject& from) {
+std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, float gap, bool facing, const PromptObject& from, float aside) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
     Placed p;
     p.piece = make_piece(request);
     p.yaw = facing ? a.yaw + kPi : a.yaw;
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
     for (const float extra : {0.f, 0.1f, -0.1f, 0.25f})
-        for (const float side : {0.f, 0.15f, -0.15f, 0.35f, -0.35f, 0.6f, -0.6f}) {
+        for (const float further : {0.f, 0.15f, -0.15f, 0.35f, -0.35f, 0.6f, -0.6f}) {
+            const float side = aside + further;
             if (std::abs(side) > a.piece.size_m.x / 2 + 0.2f) continue;
             p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) + right * side;
             p.position.y = 0;

@@ -18,7 +18,8 @@ Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 Vec2f right_of_viewer(Vec2f front) { return {front.y, -front.x}; }
 
 bool is_opening(const Opening& o, const std::string& klass) {
-    return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window" : klass == "door" || klass == "doorway";
+    if (o.kind == Opening::Kind::window) return klass == "window" || klass == "bay_window";
+    return klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
 }
 
 std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass, const Placed& piece) {
@@ -62,8 +63,7 @@ float to_wall(const Plan& plan, const Footprint& box) {
 }
 
 bool in_corner(const Plan& plan, const Footprint& box) {
-    const float reach = std::max(box.half.x, box.half.y);
-    return plan.width / 2 - std::abs(box.center.x) - reach < 0.6f && plan.depth / 2 - std::abs(box.center.y) - reach < 0.6f;
+    return plan.width / 2 - std::abs(box.center.x) - extent(box, {1, 0}) < 0.55f && plan.depth / 2 - std::abs(box.center.y) - extent(box, {0, 1}) < 0.55f;
 }
 
 // The relation to one place.
@@ -73,10 +73,10 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     const bool opening = at.index < 0;
     if (relation == "on") return piece.on == at.index || (at.box.y1 < 0.08f && far < 0.05f);
     if (relation == "under") return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
-    if (relation == "above") return std::abs(aside) < at.box.half.x + 0.25f && box.y0 >= at.box.y1 - 0.08f && far < 0.5f;
-    if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.5f && far < 1.6f;
+    if (relation == "above") return std::abs(aside) < at.box.half.x + 0.1f && box.y0 >= at.box.y1 - 0.02f && far < 0.3f;
+    if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
-    if (relation == "facing") return dot(front, at.box.center - box.center) > 0.7f * length(at.box.center - box.center);
+    if (relation == "facing") return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
     if (relation == "opposite") return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f;
     if (relation == "left of") return aside < -0.1f && far < 1.8f;
     if (relation == "right of") return aside > 0.1f && far < 1.8f;

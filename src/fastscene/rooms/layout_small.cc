@@ -57,7 +57,8 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
             const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
             p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
             p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : dice_.uniform(-0.3f, 0.3f));
-            if (!plan_.holds(footprint_of(p))) continue;
+            constexpr float kBeams = 0.25f;   // what hangs from the ceiling is in no box
+            if (!plan_.holds(footprint_of(p)) || (plan_.beams && p.position.y + size.y > plan_.height - kBeams)) continue;
             bool free = true;
             for (const Placed& other : placed_)
                 free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
@@ -81,6 +82,7 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
         if (distance_to(table, corner) > 0.005f) return {};
     for (std::size_t i = 0; i < placed_.size(); ++i)
         if (static_cast<int>(i) != anchor && !placed_[i].flat && overlap(box, footprint_of(placed_[i]))) return {};
+    if (!leaves_way(p)) return {};
     return keep(p, {});
 }
 

@@ -45,6 +45,10 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
         const auto i = std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });
         return i == asks_.end() ? nullptr : &*i;
     };
+    // A screen opposite the sofa is what every living room has: it gets its stand there.
+    for (Ask& ask : asks_)
+        if (ask.wish->klass == "tv" && ask.at == "sofa" && (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing"))
+            ask.relation = ask.at = "";
     // "a table on the rug" is a rug under the table, "a sofa under a painting" a painting above the sofa: what is placed second is bound.
     for (Ask& ask : asks_) {
         if (ask.left <= 0) continue;

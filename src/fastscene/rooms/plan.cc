@@ -85,8 +85,11 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
     const AtWindows asked = at_windows(spec);
-    const bool paired = asked.between && (!wish || wish->count <= 2) && !plan.bay && !(plan.knee > 0);
-    if (paired && add_window_pair(spec, plan, wish, dice)) return;
+    const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
+    if (paired && add_window_pair(spec, plan, wish, dice)) {
+        plan.bay = false;   // its recess is an alcove then
+        return;
+    }
     const bool large =
         (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) || spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
