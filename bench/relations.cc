@@ -32,8 +32,9 @@ Json anneal_rooms(int count, const AnnealParams& annealing) {
         faults += static_cast<int>(room_faults(room.plan, room.placed, room.camera).size());
     }
     const double n = std::max(1, count);
-    return {{"rooms", count}, {"cost_before", before / n}, {"cost_after", after / n}, {"rooms_improved", better}, {"cpu_s_mean", seconds / n},
-            {"cpu_s_longest", longest}, {"layout_faults", faults}};
+    return {{"rooms", count},           {"cost_before", before / n}, {"cost_after", after / n},
+            {"rooms_improved", better}, {"cpu_s_mean", seconds / n}, {"cpu_s_longest", longest},
+            {"layout_faults", faults}};
 }
 
 }  // namespace
@@ -70,14 +71,24 @@ int main(int argc, char** argv) {
                     const std::string complaint = judge::complaint(room, demand);
                     ++asked, ++by_relation[demand.relation].second;
                     if (complaint.empty()) ++kept, ++by_relation[demand.relation].first;
-                    else missing.push_back({{"prompt", sentence.text}, {"seed", seed}, {"complaint", complaint}, {"report", to_json(spec)["approximated"]}});
+                    else
+                        missing.push_back(
+                            {{"prompt", sentence.text}, {"seed", seed}, {"complaint", complaint}, {"report", to_json(spec)["approximated"]}});
                 }
             }
         Json relations;
         for (const auto& [name, share] : by_relation) relations[name] = std::to_string(share.first) + " of " + std::to_string(share.second);
-        std::cout << Json{{"annealing", anneal_rooms(rooms, annealing)}, {"figures", {{"relations", asked}, {"kept", kept}, {"share", static_cast<double>(kept) / std::max(1, asked)},
-                                       {"pieces_asked", wishes}, {"pieces_placed", placed}, {"layout_faults", faults}, {"pack", pack != nullptr}}},
-                          {"by_relation", relations}, {"missing", missing}}
+        std::cout << Json{{"annealing", anneal_rooms(rooms, annealing)},
+                          {"figures",
+                           {{"relations", asked},
+                            {"kept", kept},
+                            {"share", static_cast<double>(kept) / std::max(1, asked)},
+                            {"pieces_asked", wishes},
+                            {"pieces_placed", placed},
+                            {"layout_faults", faults},
+                            {"pack", pack != nullptr}}},
+                          {"by_relation", relations},
+                          {"missing", missing}}
                          .dump(1)
                   << std::endl;
     } catch (const std::exception& e) {

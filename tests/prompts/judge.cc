@@ -19,8 +19,8 @@ using fastscene::Vec2f;
 struct Thing {
     std::string klass;
     bool asked = false;
-    Vec2f at, right, front;   // x, z of the world; unit axes
-    float wide = 0, deep = 0, low = 0, high = 0;   // half extents; heights
+    Vec2f at, right, front;                       // x, z of the world; unit axes
+    float wide = 0, deep = 0, low = 0, high = 0;  // half extents; heights
 
     Vec2f in_its_frame(Vec2f p) const { return {dot(p - at, right), dot(p - at, front)}; }
     bool covers(Vec2f p, float margin) const {
@@ -50,7 +50,8 @@ Thing thing_of(const Json& o) {
 // Nearest distance of two boxes on the floor, along the axes of both.
 float gap(const Thing& a, const Thing& b) {
     float far = 0;
-    for (const Vec2f axis : {a.right, a.front, b.right, b.front}) far = std::max(far, std::abs(dot(b.at - a.at, axis)) - a.reach(axis) - b.reach(axis));
+    for (const Vec2f axis : {a.right, a.front, b.right, b.front})
+        far = std::max(far, std::abs(dot(b.at - a.at, axis)) - a.reach(axis) - b.reach(axis));
     return far;
 }
 
@@ -195,11 +196,14 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
         return holding(subjects, at, [](const Thing& s, const Thing& t) { return t.in_its_frame(s.at).x < -0.8f * t.wide && gap(s, t) < 1.5f; });
     if (d.relation == "right")
         return holding(subjects, at, [](const Thing& s, const Thing& t) { return t.in_its_frame(s.at).x > 0.8f * t.wide && gap(s, t) < 1.5f; });
-    if (d.relation == "foot") return holding(subjects, at, [](const Thing& s, const Thing& t) {
+    if (d.relation == "foot")
+        return holding(subjects, at, [](const Thing& s, const Thing& t) {
             return is_before(s, t) && gap(s, t) < 0.6f && std::abs(t.in_its_frame(s.at).x) < 0.6f * t.wide;
         });
-    throw fastscene::Error("relation '{}': expected on, above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, "
-                           "between, corner or middle", d.relation);
+    throw fastscene::Error(
+        "relation '{}': expected on, above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, "
+        "between, corner or middle",
+        d.relation);
 }
 
 std::vector<std::string> split(const std::string& text, char at) {
@@ -245,7 +249,8 @@ std::vector<Sentence> read_sentences(const std::filesystem::path& path) {
             const Demand& d = s.demands.back();
             const std::size_t wanted = d.relation == "between" ? 2 : d.relation == "corner" || d.relation == "middle" ? 0 : 1;
             if (d.what.empty() || d.places.size() != wanted)
-                throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number, wanted, d.relation, d.places.size());
+                throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number, wanted, d.relation,
+                                       d.places.size());
         }
         out.push_back(std::move(s));
     }

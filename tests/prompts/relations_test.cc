@@ -12,7 +12,9 @@ namespace {
 TEST(Judge, TellsWhatHoldsFromPosesAlone) {
     const auto object = [](const char* klass, float x, float low, float z, Vec3f size, bool asked) {
         // Looks along +z; heights grow against y.
-        return Json{{"class", klass}, {"requested", asked}, {"size_m", {size.x, size.y, size.z}},
+        return Json{{"class", klass},
+                    {"requested", asked},
+                    {"size_m", {size.x, size.y, size.z}},
                     {"world_from_object", {{-1, 0, 0, x}, {0, -1, 0, -low}, {0, 0, 1, z}, {0, 0, 0, 1}}}};
     };
     Json room{{"bounds_m", {{"min", {-2, -3, -3}}, {"max", {2, 0, 3}}}}, {"objects", Json::array()}};

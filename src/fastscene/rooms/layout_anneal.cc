@@ -17,8 +17,8 @@ constexpr float kPi = std::numbers::pi_v<float>;
 struct Group {
     int root = 0;
     std::vector<int> members;
-    bool at_wall = false;   // else it stands free
-    float off_wall = 0;     // of its middle
+    bool at_wall = false;  // else it stands free
+    float off_wall = 0;    // of its middle
 };
 
 double thread_seconds() {
@@ -36,7 +36,8 @@ bool stays(const Placed& p) {
 
 class Annealer {
   public:
-    Annealer(const Plan& plan, std::vector<Placed>& placed, std::uint64_t seed) : plan_(plan), placed_(placed), faces_(plan.faces()), dice_(seed, "anneal") {
+    Annealer(const Plan& plan, std::vector<Placed>& placed, std::uint64_t seed)
+        : plan_(plan), placed_(placed), faces_(plan.faces()), dice_(seed, "anneal") {
         std::vector<int> group_of(placed.size(), -1);
         for (int i = 0; i < static_cast<int>(placed.size()); ++i) {
             const int root = root_of(i);
@@ -57,7 +58,8 @@ class Annealer {
         if (groups_.empty() || params.steps <= 0) return found;
         float cost = layout_cost(plan_, placed_).sum(), best = cost;
         for (int step = 0; step < params.steps; ++step) {
-            const float cool = static_cast<float>(step) / static_cast<float>(params.steps), heat = params.hot * std::pow(params.cold / params.hot, cool);
+            const float cool = static_cast<float>(step) / static_cast<float>(params.steps),
+                        heat = params.hot * std::pow(params.cold / params.hot, cool);
             const std::vector<int> moved = propose(1.f - cool);
             if (moved.empty()) continue;
             bool fine = true;
@@ -148,7 +150,9 @@ class Annealer {
             return {k};
         }
         if (roll < 0.65f) put(g, position + Vec3f{far * dice_.normal(), 0, far * dice_.normal()}, yaw);
-        else put(g, position, yaw + (at(g.root).piece.klass == "armchair" ? kPi / 12 : kPi / 2) * (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
+        else
+            put(g, position,
+                yaw + (at(g.root).piece.klass == "armchair" ? kPi / 12 : kPi / 2) * (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
         return {k};
     }
 
@@ -185,7 +189,7 @@ class Annealer {
     std::vector<WallFace> faces_;
     Random dice_;
     std::vector<Group> groups_;
-    std::vector<int> group_;        // of each piece; -1: it stays
+    std::vector<int> group_;  // of each piece; -1: it stays
     std::vector<Footprint> boxes_;
     std::vector<std::pair<int, Stand>> before_;
 };
@@ -198,10 +202,11 @@ std::vector<std::vector<Stand>> anneal(const Plan& plan, std::vector<Placed> pla
 
 void Layout::improve() {
     const double start = thread_seconds();
-    std::vector<Placed> bare;   // meshes take no part
+    std::vector<Placed> bare;  // meshes take no part
     for (const Placed& p : placed_) {
         Placed b = {};
-        b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.with = p.with, b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
+        b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.with = p.with, b.below = p.below, b.flat = p.flat,
+        b.overhead = p.overhead;
         b.piece.klass = p.piece.klass, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount, b.piece.surfaces = p.piece.surfaces;
         b.piece.clearance_front_m = p.piece.clearance_front_m, b.piece.clearance_side_m = p.piece.clearance_side_m;
         bare.push_back(std::move(b));

@@ -165,7 +165,7 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
     const std::string& whose = klass_of(anchor);
     const bool seat = is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
     const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) && is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
-    const bool pair = seat && ask.wish->count > 1;   // side by side
+    const bool pair = seat && ask.wish->count > 1;  // side by side
     if (!pair && is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
         // Drawn up to the fire, turned to it.
         l_.insist(ask.wish);
@@ -173,10 +173,11 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
         l_.insist(nullptr);
         if (i) return i;
     }
-    const float gap = seat_at_work ? (klass == "office_chair" ? -0.2f : 0.05f) : is_one_of(whose, {"bed", "bed_single", "crib"}) ? 0.06f
-                      : klass == "coffee_table"                                                                              ? 0.42f
-                      : seat                                                                                                 ? 0.9f
-                                                                                                                             : 0.35f;
+    const float gap = seat_at_work                                      ? (klass == "office_chair" ? -0.2f : 0.05f)
+                      : is_one_of(whose, {"bed", "bed_single", "crib"}) ? 0.06f
+                      : klass == "coffee_table"                         ? 0.42f
+                      : seat                                            ? 0.9f
+                                                                        : 0.35f;
     const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
     for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
         if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_one_of(whose, {"bed", "bed_single"}), *ask.wish, aside)) return i;
@@ -226,7 +227,8 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
         PieceRequest sized = r;
         sized.size_m = {0.8f, 0, 1.4f};
         for (const float k : {side, is_one_of(ask.relation, {"next to"}) ? -side : side})
-            if (const auto i = l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
+            if (const auto i =
+                    l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
                 return l_.join(*i, anchor), i;
     }
     return laid_under(anchor, r, {std::max(1.4f, s.x), 1.1f}, s.z / 2 + 0.62f, *ask.wish);
@@ -258,7 +260,8 @@ void Furnisher::asked_in_the_shell() {
 // What no group has used. What finds no place where it was asked for stands elsewhere.
 void Furnisher::remaining_wishes(bool small) {
     if (!small && wishes_.count("curtain") > 0) {
-        const auto curtain = std::find_if(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return a.wish->klass == "curtain" && a.left > 0; });
+        const auto curtain =
+            std::find_if(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return a.wish->klass == "curtain" && a.left > 0; });
         curtain->left = 0;
         if (l_.at_windows(l_.request("curtain", curtain->wish), *curtain->wish) == 0)
             l_.spec().not_placed.push_back(curtain->wish->words + ": no window has room for them");

@@ -39,7 +39,9 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
             const WallFace face = l_.plan().wall(o.wall);
             const bool window = o.kind == Opening::Kind::window;
             sized.size_m = window ? Vec3f{1.6f, 0, 1.1f} : Vec3f{0.8f, 0, 0.5f};
-            if (const auto i = l_.lay(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (window ? 0.9f : 0.45f)), yaw_of(face.inward), sized, wish)) return i;
+            if (const auto i =
+                    l_.lay(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (window ? 0.9f : 0.45f)), yaw_of(face.inward), sized, wish))
+                return i;
         }
         sized.size_m = {2.2f, 0, 1.5f};
         return ask.relation == "in the middle" ? l_.lay({0, 0}, 0, sized, wish) : std::nullopt;

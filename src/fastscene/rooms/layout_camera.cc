@@ -27,7 +27,9 @@ int Layout::hidden_wishes(Vec3f eye) const {
                 const Vec3f target{at.x, box.y0 + up * (box.y1 - box.y0), at.y};
                 seen = true;
                 for (std::size_t k = 0; k < placed_.size() && seen; ++k) {
-                    if (k == i || placed_[k].flat || placed_[k].on == static_cast<int>(i) || placed_[i].on == static_cast<int>(k) || placed_[i].below == static_cast<int>(k)) continue;
+                    if (k == i || placed_[k].flat || placed_[k].on == static_cast<int>(i) || placed_[i].on == static_cast<int>(k) ||
+                        placed_[i].below == static_cast<int>(k))
+                        continue;
                     seen = !passes(footprint_of(placed_[k]), eye, target);
                 }
             }

@@ -104,7 +104,8 @@ class Costing {
                 if (root_[i] == root_[k]) continue;
                 const float gap = apart(boxes_[i], boxes_[k]);
                 // Side by side at one wall nobody walks between them.
-                const bool in_line = dot(boxes_[i].front, boxes_[k].front) > 0.9f && std::abs(dot(boxes_[i].center - boxes_[k].center, boxes_[i].front)) < 0.5f;
+                const bool in_line =
+                    dot(boxes_[i].front, boxes_[k].front) > 0.9f && std::abs(dot(boxes_[i].center - boxes_[k].center, boxes_[i].front)) < 0.5f;
                 if (gap > 0.12f && gap < 0.55f && !in_line) sum += 0.5f * (0.55f - gap) / 0.43f;
             }
         return sum;
@@ -147,7 +148,8 @@ class Costing {
                 sum += 0.3f * std::abs(std::sin(2 * placed_[i].yaw)) + 0.2f * share(length(b.center), 1.5f);
             if (!is_main(i)) continue;
             for (const WallFace& face : faces_) {
-                const float off = dot(b.center - flat(face.origin), flat(face.inward)) - b.half.y, u = dot(b.center - flat(face.origin), flat(face.along));
+                const float off = dot(b.center - flat(face.origin), flat(face.inward)) - b.half.y,
+                            u = dot(b.center - flat(face.origin), flat(face.along));
                 if (dot(flat(face.inward), b.front) < 0.99f || off > 0.3f || u < 0 || u > face.length) continue;
                 sum += 0.35f * share(std::abs(u - face.length / 2), face.length / 2);
                 break;
@@ -170,7 +172,8 @@ class Costing {
                     if (o.kind != Opening::Kind::window) continue;
                     const WallFace face = plan_.wall(o.wall);
                     const Vec2f to = b.center - flat(face.point((o.u0 + o.u1) / 2, 0));
-                    const float along = std::abs(dot(to, flat(face.along))) - (o.u1 - o.u0) / 2 - b.reach(flat(face.along)), deep = dot(to, flat(face.inward));
+                    const float along = std::abs(dot(to, flat(face.along))) - (o.u1 - o.u0) / 2 - b.reach(flat(face.along)),
+                                deep = dot(to, flat(face.inward));
                     if (along < 0.3f && deep < 1.f) sum += share(0.3f - along, 0.3f);
                 }
             if (is_main(i) && b.front.y > 0.9f && b.center.y < -half.y + 1.f) sum += 0.25f;

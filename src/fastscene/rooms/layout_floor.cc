@@ -136,14 +136,15 @@ std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const
 
 std::optional<int> Layout::below(int anchor, const PieceRequest& request, const PromptObject& from) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
-    constexpr float kTop = 0.07f, kLegs = 0.1f;   // how thick a top is with what holds it; how far in legs stand
+    constexpr float kTop = 0.07f, kLegs = 0.1f;  // how thick a top is with what holds it; how far in legs stand
     Placed p;
     p.piece = make_piece(request);
     p.with = p.below = anchor;
     for (const float turn : {0.f, kPi / 2}) {
         const Vec3f s = p.piece.size_m;
         const float wide = turn == 0.f ? s.x : s.z, deep = turn == 0.f ? s.z : s.x;
-        if (a.piece.surfaces.empty() || s.y > a.piece.surfaces.front().center.y - kTop || wide > a.piece.size_m.x - 2 * kLegs || deep > a.piece.size_m.z - 0.02f)
+        if (a.piece.surfaces.empty() || s.y > a.piece.surfaces.front().center.y - kTop || wide > a.piece.size_m.x - 2 * kLegs ||
+            deep > a.piece.size_m.z - 0.02f)
             continue;
         p.yaw = a.yaw + turn;
         for (const float side : {0.f, 0.6f, -0.6f}) {
@@ -151,9 +152,8 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
             p.position = a.position + right_of(a.yaw) * (side * slack);
             p.position.y = 0;
             const Footprint box = footprint_of(p);
-            const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
-                return !other.flat && &other != &a && overlap(box, footprint_of(other));
-            });
+            const bool free = std::none_of(placed_.begin(), placed_.end(),
+                                           [&](const Placed& other) { return !other.flat && &other != &a && overlap(box, footprint_of(other)); });
             if (free && plan_.holds(box)) return keep(p, from);
         }
     }

@@ -20,7 +20,7 @@ void Furnisher::run() {
     remaining_wishes(false);
     adding_ = true;
     for (const auto& add : later_) add();
-    remaining_wishes(true);   // small things that may stand anywhere: what came later carries them too
+    remaining_wishes(true);  // small things that may stand anywhere: what came later carries them too
     l_.improve();
     finish();
 }
@@ -77,15 +77,18 @@ std::optional<int> Furnisher::at_wall(const PieceRequest& r, Layout::WallWish w,
 }
 
 void Furnisher::wall(const std::string& klass, float probability, Layout::WallWish w, const Then& then) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return at_wall(r, w, o); }, then);
+    put(
+        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return at_wall(r, w, o); }, then);
 }
 
 void Furnisher::beside(int anchor, const std::string& klass, float probability, int side, float gap, const Then& then) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); }, then);
+    put(
+        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); }, then);
 }
 
 void Furnisher::before(int anchor, const std::string& klass, float probability, float gap, bool facing, const Then& then) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); }, then);
+    put(
+        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); }, then);
 }
 
 void Furnisher::top(int anchor, const std::string& klass, float probability) {
@@ -142,8 +145,9 @@ void Furnisher::finish() {
     if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !wet && is_furnished()) l_.at_windows(l_.request("curtain"));
     if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !l_.find("ceiling_lamp")) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
-        put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f,
-            [&](const PieceRequest& r, const PromptObject& o) { return l_.hanging(r, {0, 0.2f}, o); });
+        put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
+            return l_.hanging(r, {0, 0.2f}, o);
+        });
     }
     const int plants = static_cast<int>(std::lround(l_.plan().style.plants * 3.f));
     for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});

@@ -40,15 +40,18 @@ void Furnisher::sleeping_place(const std::string& klass) {
 
 void Furnisher::reading_corner(float probability) {
     const Layout::WallWish at_wall{.window_pull = 1.2f};
-    put("armchair", probability, [=, this](const PieceRequest& r, const PromptObject& o) {
-        if (o.relation.empty() || o.relation == "in the corner")
-            if (const auto i = l_.angled_towards({0, 0}, r, o)) return i;
-        return l_.against_wall(r, at_wall, o);
-    }, [this](int chair) {
-        const int side = chance(0.5f) ? 1 : -1;
-        beside(chair, "side_table", 0.6f, side, 0.05f, [this](int table) { top(table, chance(0.5f) ? "book_stack" : "vase", 0.9f); });
-        beside(chair, "floor_lamp", 0.5f, -side, 0.05f);
-    });
+    put(
+        "armchair", probability,
+        [=, this](const PieceRequest& r, const PromptObject& o) {
+            if (o.relation.empty() || o.relation == "in the corner")
+                if (const auto i = l_.angled_towards({0, 0}, r, o)) return i;
+            return l_.against_wall(r, at_wall, o);
+        },
+        [this](int chair) {
+            const int side = chance(0.5f) ? 1 : -1;
+            beside(chair, "side_table", 0.6f, side, 0.05f, [this](int table) { top(table, chance(0.5f) ? "book_stack" : "vase", 0.9f); });
+            beside(chair, "floor_lamp", 0.5f, -side, 0.05f);
+        });
 }
 
 void Furnisher::bedroom() {
@@ -155,13 +158,12 @@ void Furnisher::living() {
 
 void Furnisher::eating_place(int seats) {
     const char* klass = !wishes_.asked("dining_table") && wishes_.asked("dining_table_round") ? "dining_table_round" : "dining_table";
-    const auto found = main(klass, [this](const PieceRequest& r, const PromptObject& o) {
-        return l_.free_standing(r, o, spare_for(r.klass));
-    });
+    const auto found = main(klass, [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o, spare_for(r.klass)); });
     if (!found) return;
     const int table = *found;
     const auto chairs_there = [this, table] {
-        return static_cast<int>(std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.with == table && p.piece.klass == "chair"; }));
+        return static_cast<int>(
+            std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.with == table && p.piece.klass == "chair"; }));
     };
     // Chairs of one table are alike, and there are as many as were asked for.
     const int wished = wishes_.count("chair");

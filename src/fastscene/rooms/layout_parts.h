@@ -19,11 +19,11 @@ bool is_seat(std::string_view klass);
 // A wish and where it binds: the place it names, put the way the layout works (a table "on the rug" is a rug under the table).
 struct Ask {
     const PromptObject* wish = nullptr;
-    std::string relation, at, and_at;   // empty: anywhere. `at`: a class, or a part of the shell
-    int left = 0;                       // how many are still to be placed
+    std::string relation, at, and_at;  // empty: anywhere. `at`: a class, or a part of the shell
+    int left = 0;                      // how many are still to be placed
 
-    bool at_piece() const;   // at something that is itself placed
-    bool at_shell() const;   // at a window, a door, in a corner …
+    bool at_piece() const;  // at something that is itself placed
+    bool at_shell() const;  // at a window, a door, in a corner …
 };
 
 // The prompt's wishes, used up one by one.
@@ -38,7 +38,7 @@ class Wishes {
     // How many of this class are still to be placed, bound or not.
     int count(std::string_view klass) const;
     bool has(std::string_view klass) const { return count(klass) > 0; }
-    bool asked(std::string_view klass) const;   // placed or not
+    bool asked(std::string_view klass) const;  // placed or not
     std::vector<Ask>& asks() { return asks_; }
 
   private:
@@ -136,7 +136,7 @@ class Furnisher {
     Layout& l_;
     Wishes wishes_;
     float clutter_;
-    bool adding_ = false;                        // all that was asked for stands
+    bool adding_ = false;  // all that was asked for stands
     std::vector<std::function<void()>> later_;
 };
 

@@ -63,7 +63,8 @@ float to_wall(const Plan& plan, const Footprint& box) {
 }
 
 bool in_corner(const Plan& plan, const Footprint& box) {
-    return plan.width / 2 - std::abs(box.center.x) - extent(box, {1, 0}) < 0.55f && plan.depth / 2 - std::abs(box.center.y) - extent(box, {0, 1}) < 0.55f;
+    return plan.width / 2 - std::abs(box.center.x) - extent(box, {1, 0}) < 0.55f &&
+           plan.depth / 2 - std::abs(box.center.y) - extent(box, {0, 1}) < 0.55f;
 }
 
 // The relation to one place.

@@ -132,14 +132,18 @@ TEST(Layout, WhatWasAskedForComesBeforeWhatTheRoomAdds) {
     struct Case {
         const char *text, *thing, *at;
     };
-    for (const Case c : {Case{"a cluttered study with a globe and a cat on the desk", "cat", "desk"}, {"a living room with a vase on the mantelpiece", "vase", "fireplace"},
-                         {"a cluttered kitchen with a bowl of fruit on the kitchen counter", "bowl", "kitchen_counter"}, {"a bedroom with a cat on the bed", "cat", "bed"},
+    for (const Case c : {Case{"a cluttered study with a globe and a cat on the desk", "cat", "desk"},
+                         {"a living room with a vase on the mantelpiece", "vase", "fireplace"},
+                         {"a cluttered kitchen with a bowl of fruit on the kitchen counter", "bowl", "kitchen_counter"},
+                         {"a bedroom with a cat on the bed", "cat", "bed"},
                          {"a living room with books on the sofa", "book_stack", "sofa"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Furnished f = furnished(c.text, seed);
-            EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(), [&](const Placed& p) {
-                return p.wish.klass == c.thing && p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == c.at;
-            })) << c.text << ", seed " << seed;
+            EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(),
+                                    [&](const Placed& p) {
+                                        return p.wish.klass == c.thing && p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == c.at;
+                                    }))
+                << c.text << ", seed " << seed;
         }
 }
 
@@ -147,7 +151,8 @@ TEST(Layout, ThingsHangAboveWhatTheyWereAskedToHangAbove) {
     struct Case {
         const char *text, *thing, *at;
     };
-    for (const Case c : {Case{"a living room with a tv above the fireplace", "tv", "fireplace"}, {"a living room with a mirror above the console table", "mirror", "console_table"},
+    for (const Case c : {Case{"a living room with a tv above the fireplace", "tv", "fireplace"},
+                         {"a living room with a mirror above the console table", "mirror", "console_table"},
                          {"a dining room with a chandelier above the dining table", "chandelier", "dining_table"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Furnished f = furnished(c.text, seed);
@@ -172,7 +177,8 @@ TEST(Layout, APictureBetweenTwoWindowsHasWallToHangOn) {
         bool between = false;
         for (const Placed& p : f.placed) {
             const float u = dot(p.position - face.origin, face.along), off = dot(p.position - face.origin, face.inward);
-            between = between || (p.wish.klass == "picture" && off < 0.1f && u > std::min(windows[0].u1, windows[1].u1) && u < std::max(windows[0].u0, windows[1].u0));
+            between = between || (p.wish.klass == "picture" && off < 0.1f && u > std::min(windows[0].u1, windows[1].u1) &&
+                                  u < std::max(windows[0].u0, windows[1].u0));
         }
         EXPECT_TRUE(between) << "seed " << seed;
     }

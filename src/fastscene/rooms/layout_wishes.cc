@@ -40,9 +40,11 @@ bool Ask::at_shell() const {
 bool Ask::at_piece() const { return !relation.empty() && !at.empty() && !at_shell(); }
 
 Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
-    for (const PromptObject& o : spec.objects) asks_.push_back({&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) ? 0 : o.count});
+    for (const PromptObject& o : spec.objects)
+        asks_.push_back({&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) ? 0 : o.count});
     const auto ask_for = [&](const std::string& klass) {
-        const auto i = std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });
+        const auto i =
+            std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });
         return i == asks_.end() ? nullptr : &*i;
     };
     // A screen opposite the sofa is what every living room has: it gets its stand there.
