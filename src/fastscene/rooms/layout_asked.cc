@@ -50,7 +50,9 @@ void Furnisher::attend(int index) {
 }
 
 void Furnisher::summon(const std::string& klass) {
-    if (l_.find(klass)) return;
+    // "a lamp next to a sofa next to the lamp": whoever waits for himself is placed anywhere.
+    if (l_.find(klass) || std::find(summoned_.begin(), summoned_.end(), klass) != summoned_.end()) return;
+    summoned_.push_back(klass);
     for (Ask& ask : wishes_.asks()) {
         if (ask.left <= 0 || ask.wish->klass != klass) continue;
         --ask.left;

@@ -49,7 +49,7 @@ std::optional<int> Furnisher::main(const std::string& klass, const How& how) {
     if (wishes_.forbids(klass)) return {};
     // Asked for at another piece ("a sofa opposite the fireplace"): that one first.
     for (const Ask& ask : wishes_.asks())
-        if (ask.left > 0 && ask.wish->klass == klass && ask.at_piece()) {
+        if (ask.left > 0 && ask.wish->klass == klass && ask.at_piece() && ask.at != klass) {
             summon(std::string(ask.at));
             break;
         }

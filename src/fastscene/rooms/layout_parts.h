@@ -138,6 +138,7 @@ class Furnisher {
     float clutter_;
     bool adding_ = false;  // all that was asked for stands
     std::vector<std::function<void()>> later_;
+    std::vector<std::string> summoned_;          // classes that another piece waited for
 };
 
 }  // namespace fastscene::furnishing

@@ -165,6 +165,13 @@ TEST(Layout, ThingsHangAboveWhatTheyWereAskedToHangAbove) {
         }
 }
 
+TEST(Layout, PiecesThatWaitForEachOtherStandAnyway) {
+    for (const char* text : {"a laundry room with a dryer on top of the washing machine", "a living room with a sofa next to the armchair, the armchair next to the sofa"}) {
+        const Furnished f = furnished(text, 1);
+        EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(), [](const Placed& p) { return p.wish.id >= 0; })) << text;
+    }
+}
+
 TEST(Layout, APictureBetweenTwoWindowsHasWallToHangOn) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const Furnished f = furnished("a living room with a painting between two windows", seed);

@@ -203,7 +203,7 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
     Random dice(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
-    FurnishedRoom out{make_plan(spec, dice), {}, {}, {}};
+    FurnishedRoom out{make_plan(spec, dice), {}, {}, {}, 0, {}};
     Layout layout(out.plan, spec, dice, annealing);
     furnish(layout);
     out.annealed = layout.annealed();
