@@ -136,7 +136,8 @@ std::optional<int> Furnisher::above_piece(int anchor, const Ask& ask, const Piec
         const Vec2f middle = flat(at(anchor).position), along = flat(right_of(at(anchor).yaw));
         const float step = std::max(0.45f, piece.size_m.x + 0.1f);
         const bool several = ask.wish->count > 1;
-        for (const float k : several ? std::initializer_list<float>{-0.5f, 0.5f, -1.5f, 1.5f, 0.f} : std::initializer_list<float>{0.f, 0.5f, -0.5f})
+        const std::vector<float> places = several ? std::vector<float>{-0.5f, 0.5f, -1.5f, 1.5f, 0.f} : std::vector<float>{0.f, 0.5f, -0.5f};
+        for (const float k : places)
             if (std::abs(k * step) < size(anchor).x / 2)
                 if (const auto i = l_.hanging(r, middle + along * (k * step), *ask.wish)) return l_.join(*i, anchor), i;
         return {};
