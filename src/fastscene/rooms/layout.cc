@@ -62,7 +62,8 @@ bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, fl
 
 bool Layout::fits(const Placed& placed, bool with_clearance) const {
     const Footprint box = footprint_of(placed);
-    if (!plan_.holds(box)) return false;
+    // Panelling stands proud of the wall.
+    if (!plan_.holds(plan_.panelling && placed.piece.mount == Mount::floor && !placed.flat ? footprint_of(placed, 0.035f) : box)) return false;
     if (placed.flat || placed.overhead) return true;
     if (placed.piece.mount == Mount::floor && blocks_opening(plan_, box)) return false;
     Footprint room_for = box;
