@@ -33,7 +33,7 @@ void Furnisher::later(std::function<void()> what) {
 void Furnisher::put(const std::string& klass, float probability, const How& how, const Then& then) {
     if (wishes_.forbids(klass)) return;
     const PromptObject* wish = wishes_.next(klass);
-    if (!wish && !is_furnished()) return;
+    if (!wish && (!is_furnished() || is_settled(l_.spec(), klass))) return;
     if (!wish && !adding_) {
         if (probability > 0) later_.push_back([=, this] { put(klass, probability, how, then); });
         return;

@@ -26,6 +26,9 @@ struct Ask {
     bool at_shell() const;  // at a window, a door, in a corner …
 };
 
+// Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and plant_small too).
+bool is_settled(const PromptSpec& spec, std::string_view klass);
+
 // The prompt's wishes, used up one by one.
 class Wishes {
   public:

@@ -374,6 +374,20 @@ TEST(Layout, OpeningsAreCountedAndKeepApart) {
     EXPECT_TRUE(std::none_of(openings.begin(), openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::door; }));
 }
 
+TEST(Layout, NothingIsAddedToWhatIsCounted) {
+    for (const auto& [text, klass] : {std::pair{"a modern living room with a sofa and two plants", "plant"},
+                                      std::pair{"a boho bedroom with two plants and a rug", "plant"},
+                                      std::pair{"a classic study with two bookshelves", "bookshelf"},
+                                      std::pair{"a rustic kitchen with two baskets", "basket"}})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Furnished f = furnished(text, seed);
+            const auto stand =
+                std::count_if(f.placed.begin(), f.placed.end(), [k = klass](const Placed& p) { return p.piece.klass.starts_with(k); });
+            EXPECT_LE(stand, 2) << text << ", seed " << seed;
+            EXPECT_GE(stand, 1) << text << ", seed " << seed;
+        }
+}
+
 TEST(Layout, ASunroomIsFurnished) {
     for (const std::string& style : styles())
         for (const std::uint64_t seed : {1u, 2u, 11u, 12u})

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene {
 namespace {
@@ -68,15 +68,13 @@ class Touches {
     }
 
   private:
-    bool forbidden(std::string_view klass) const {
-        return std::any_of(l_.spec().objects.begin(), l_.spec().objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
-    }
-    bool wants(std::string_view klass, float probability) { return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !forbidden(klass); }
+    bool is_settled(std::string_view klass) const { return furnishing::is_settled(l_.spec(), klass); }
+    bool wants(std::string_view klass, float probability) { return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass); }
     const std::string& room() const { return l_.spec().room; }
 
     // Below windows whose sill is high enough, where nothing else stands.
     void radiators() {
-        if (forbidden("radiator") || l_.plan().style.name == "mediterranean") return;
+        if (is_settled("radiator") || l_.plan().style.name == "mediterranean") return;
         for (const Opening& o : l_.plan().openings) {
             if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.dice().chance(0.6f)) continue;
             PieceRequest r = l_.request("radiator");
@@ -97,7 +95,7 @@ class Touches {
         for (const std::string_view klass : filling->pieces) {
             const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.klass != "curtain"; });
             if (standing >= wanted) return;
-            if (klass.empty() || forbidden(klass)) continue;
+            if (klass.empty() || is_settled(klass)) continue;
             const bool tall = klass == "bookshelf" || klass == "cabinet" || klass == "ladder_shelf";
             l_.against_wall(l_.request(std::string(klass)), {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }
@@ -113,7 +111,7 @@ class Touches {
         // What is still bare gets pictures, with the size of the gap in mind.
         const float around = 2 * (l_.plan().width + l_.plan().depth);
         const int wanted = static_cast<int>(around * (wet ? 0.1f : 0.16f + 0.16f * clutter_));
-        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge"); i < wanted && !forbidden("picture"); ++i) {
+        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge"); i < wanted && !is_settled("picture"); ++i) {
             PieceRequest r = l_.request("picture");
             const float w = l_.dice().uniform(0.35f, 0.95f);
             r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};

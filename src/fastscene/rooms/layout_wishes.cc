@@ -63,6 +63,12 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     }
 }
 
+bool is_settled(const PromptSpec& spec, std::string_view klass) {
+    return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
+        return (o.forbidden && o.klass == klass) || (o.counted && klass.starts_with(o.klass));
+    });
+}
+
 bool Wishes::forbids(std::string_view klass) const {
     return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
 }
