@@ -60,10 +60,15 @@ bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, fl
     });
 }
 
+bool clear_of_walls(const Plan& plan, const Placed& placed) {
+    constexpr float kPanelling = 0.035f;  // stands proud of the wall
+    const bool stands = placed.piece.mount == Mount::floor && !placed.flat && placed.on < 0;
+    return plan.holds(footprint_of(placed, plan.panelling && stands ? kPanelling : 0.f));
+}
+
 bool Layout::fits(const Placed& placed, bool with_clearance) const {
     const Footprint box = footprint_of(placed);
-    // Panelling stands proud of the wall.
-    if (!plan_.holds(plan_.panelling && placed.piece.mount == Mount::floor && !placed.flat ? footprint_of(placed, 0.035f) : box)) return false;
+    if (!clear_of_walls(plan_, placed)) return false;
     if (placed.flat || placed.overhead) return true;
     if (placed.piece.mount == Mount::floor && blocks_opening(plan_, box)) return false;
     Footprint room_for = box;

@@ -28,6 +28,8 @@ struct Placed {
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
 // In the door's way, tall before a window, or in its sill.
 bool blocks_opening(const Plan& plan, const Footprint& box);
+// In the room, off its walls and their panelling.
+bool clear_of_walls(const Plan& plan, const Placed& placed);
 // No door and no window in this part of a wall face.
 bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1);
 

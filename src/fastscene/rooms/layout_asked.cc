@@ -107,9 +107,8 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
         if (ask.relation == "around") i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1) : std::nullopt;
         if (is_beside(ask.relation)) i = next_to_piece(anchor, ask, r);
         if (ask.relation == "facing" && !piece.against_wall) {
-            l_.insist(ask.wish);
+            const Insisting insisting(l_, *ask.wish);
             i = l_.angled_towards(flat(at(anchor).position), r, *ask.wish);
-            l_.insist(nullptr);
         }
     }
     if (i) return i;
@@ -171,10 +170,8 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
     const bool pair = seat && ask.wish->count > 1;  // side by side
     if (!pair && is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
         // Drawn up to the fire, turned to it.
-        l_.insist(ask.wish);
-        const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish);
-        l_.insist(nullptr);
-        if (i) return i;
+        const Insisting insisting(l_, *ask.wish);
+        if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
     }
     const float gap = seat_at_work                                      ? (klass == "office_chair" ? -0.2f : 0.05f)
                       : is_one_of(whose, {"bed", "bed_single", "crib"}) ? 0.06f

@@ -4,29 +4,9 @@
 #include <cmath>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
 
 namespace fastscene::furnishing {
-namespace {
-
-// While it lives, pieces stand where this wish says or not at all.
-class Insisting {
-  public:
-    Insisting(Layout& layout, const PromptObject& wish) : l_(layout) { l_.insist(&wish); }
-    ~Insisting() { l_.insist(nullptr); }
-    Insisting(const Insisting&) = delete;
-    Insisting& operator=(const Insisting&) = delete;
-
-  private:
-    Layout& l_;
-};
-
-bool is_opening_of(const Opening& o, const std::string& klass) {
-    return o.kind == Opening::Kind::window ? klass == "window" || klass == "bay_window"
-                                           : klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
-}
-
-}  // namespace
-
 std::optional<int> Furnisher::in_shell(const Ask& ask) {
     const PromptObject& wish = *ask.wish;
     if (!l_.why_not(wish.klass).empty()) return {};

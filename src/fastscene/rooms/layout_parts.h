@@ -29,6 +29,18 @@ struct Ask {
 // Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and plant_small too).
 bool is_settled(const PromptSpec& spec, std::string_view klass);
 
+// While it lives, pieces stand where this wish says or not at all.
+class Insisting {
+  public:
+    Insisting(Layout& layout, const PromptObject& wish) : l_(layout) { l_.insist(&wish); }
+    ~Insisting() { l_.insist(nullptr); }
+    Insisting(const Insisting&) = delete;
+    Insisting& operator=(const Insisting&) = delete;
+
+  private:
+    Layout& l_;
+};
+
 // The prompt's wishes, used up one by one.
 class Wishes {
   public:

@@ -17,11 +17,6 @@ Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 // To the right of someone who looks at a thing with this front (x, y up and z towards him are right-handed).
 Vec2f right_of_viewer(Vec2f front) { return {front.y, -front.x}; }
 
-bool is_opening(const Opening& o, const std::string& klass) {
-    if (o.kind == Opening::Kind::window) return klass == "window" || klass == "bay_window";
-    return klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
-}
-
 std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass, const Placed& piece) {
     std::vector<Place> out;
     for (std::size_t i = 0; i < placed.size(); ++i)
@@ -37,7 +32,7 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
         if (klass == "column" && b.kind == Block::Kind::column)
             out.push_back({{(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height}, {0, -1}, -1});
     for (const Opening& o : plan.openings) {
-        if (!is_opening(o, klass)) continue;
+        if (!is_opening_of(o, klass)) continue;
         const WallFace face = plan.wall(o.wall);
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
         out.push_back({{flat(middle), {(o.u1 - o.u0) / 2, 0.01f}, std::atan2(face.inward.x, face.inward.z), o.y0, o.y1}, flat(face.inward), -1});
@@ -95,6 +90,11 @@ bool is_between(const Footprint& box, const Place& a, const Place& b) {
 }
 
 }  // namespace
+
+bool is_opening_of(const Opening& o, std::string_view klass) {
+    if (o.kind == Opening::Kind::window) return klass == "window" || klass == "bay_window";
+    return klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
+}
 
 std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish) {
     if (wish.relation.empty()) return {};

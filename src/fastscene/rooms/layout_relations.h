@@ -2,11 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "fastscene/rooms/layout.h"
 
 namespace fastscene {
+
+// Whether a wish for this class means such an opening.
+bool is_opening_of(const Opening& opening, std::string_view klass);
 
 // Of `piece`, which stands or might stand in the room with the others. Nothing: it asks for no place, or for one at
 // something that is not there (yet).

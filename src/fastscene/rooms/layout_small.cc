@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/shapes.h"
 
 namespace fastscene {
@@ -179,8 +180,7 @@ std::optional<int> Layout::over_opening(const std::string& klass, const PieceReq
     if (p.piece.mount != Mount::wall) return {};
     constexpr float kCasing = 0.09f;
     for (const Opening& o : plan_.openings) {
-        const bool window = o.kind == Opening::Kind::window;
-        if (klass != (window ? "window" : o.kind == Opening::Kind::door ? "door" : "doorway")) continue;
+        if (!is_opening_of(o, klass)) continue;
         const WallFace face = plan_.wall(o.wall);
         p.yaw = yaw_of(face.inward);
         p.position = face.point((o.u0 + o.u1) / 2, o.y1 + kCasing + 0.02f) + face.inward * 0.002f;
