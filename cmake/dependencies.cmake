@@ -14,6 +14,8 @@ find_package(PkgConfig REQUIRED)
 # Debian's httplib is a compiled library whose flags change its layout: take them from pkg-config.
 # Debian's OpenEXR CMake files want its Python bindings; pkg-config does not.
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)
+pkg_check_modules(tiff REQUIRED IMPORTED_TARGET libtiff-4>=4.5)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)

@@ -61,7 +61,7 @@ Verb add_metrics_depth(CLI::App& metrics) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = metrics.add_subcommand("depth", "An estimated range map against a measured one: AbsRel, RMSE, delta < 1.25 …");
-    verb->add_option("found", flags->found, "Estimated range map (.exr, .pfm, 16-bit .png in millimetres), or the folder of a run.")
+    verb->add_option("found", flags->found, "Estimated range map (.exr, .pfm, .tif, 16-bit .png in millimetres), or the folder of a run.")
         ->type_name("MAP")
         ->required();
     verb->add_option("truth", flags->truth, "Measured range map; 0 = not measured; or the folder of a run.")->type_name("MAP")->required();

@@ -22,7 +22,7 @@ Verb add_metrics_images(CLI::App& metrics) {
     auto inputs = std::make_shared<ImageMeasures>();
     CLI::App* verb = metrics.add_subcommand(
         "images", "Measures pictures: NIQE and BRISQUE of each, PSNR, SSIM and LPIPS against --reference, CLIP score against --prompt.");
-    verb->add_option("pictures", inputs->pictures, "A picture, or a folder of .png and .jpg.")->type_name("DIR|FILE")->required();
+    verb->add_option("pictures", inputs->pictures, "A picture, or a folder of .png, .jpg, .webp or .tif.")->type_name("DIR|FILE")->required();
     verb->add_option("--reference", inputs->reference, "What they should be: a picture, or a folder with the same names.")->type_name("DIR|FILE");
     verb->add_option("--prompt", inputs->prompt, "What they should show.")->type_name("TEXT");
     verb->add_option("--measure", inputs->wanted, fmt::format("Only these: {}.", fmt::join(image_measure_names(), " ")))

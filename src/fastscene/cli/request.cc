@@ -63,7 +63,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                      "With --panorama diffusion360: a photo that is continued all around. How wide it sees: --panorama-photo-fov-deg.")
         ->type_name("FILE");
     verb->add_option("--range", flags->range_map,
-                     "Range map of that picture (.exr, .pfm, 16-bit .png in millimetres); without it range is estimated.")
+                     "Range map of that picture (.exr, .pfm, .tif, 16-bit .png in millimetres); without it range is estimated.")
         ->type_name("FILE");
     verb->add_option("--more", flags->more, "Further panoramas of the same place with their poses, a list in JSON (docs/depth.md).")
         ->type_name("FILE");

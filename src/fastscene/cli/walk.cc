@@ -33,7 +33,7 @@ Verb add_walk(CLI::App& app) {
         "table", "How much of the picture a step leaves open, by axis and distance (the paper's Table 1): as published, and ours.");
     table->add_option("scene", flags->scene, "Folder of a run that has got as far as its depth.")->type_name("DIR");
     table->add_option("--panorama", flags->picture, "Or a 2:1 picture …")->type_name("FILE");
-    table->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, 16-bit .png in millimetres).")->type_name("FILE");
+    table->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, .tif, 16-bit .png in millimetres).")->type_name("FILE");
     table->add_flag("--truth", flags->truth, "Also compare our holes with those of the traced room behind the prompt.");
     table->add_option("-o,--out", flags->out, "Write hole_table.txt, .json and .svg into this folder.")->type_name("DIR");
     walk.app->footer("Example:\n  fastscene walk out/bedroom --walk-viewpoints 20\n  fastscene walk table out/bedroom -o out/holes");

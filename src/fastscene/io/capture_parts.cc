@@ -23,7 +23,7 @@ fs::path mask_for(const fs::path& masks, const std::string& name) {
     const fs::path whole = masks / name;
     if (const fs::path file = whole.string() + ".png"; fs::is_regular_file(file)) return file;  // COLMAP's way
     if (fs::is_regular_file(whole)) return whole;
-    for (const char* ending : {".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"}) {
+    for (const char* ending : {".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".PNG", ".JPG", ".JPEG"}) {
         if (const fs::path file = fs::path(whole).replace_extension(ending); fs::is_regular_file(file)) return file;
         if (const fs::path file = whole.string() + ending; fs::is_regular_file(file)) return file;
     }

@@ -52,11 +52,26 @@ int orientation_of_png(std::string_view file) {
     return 1;
 }
 
+// RIFF's chunks: name, length, data, to an even length. Some writers put JPEG's name before the block.
+int orientation_of_webp(std::string_view file) {
+    for (std::size_t at = 12; at + 8 <= file.size();) {
+        const std::size_t length = number_at(file, at + 4, 4, true);
+        if (file.substr(at, 4) == "EXIF") {
+            const std::string_view block = file.substr(at + 8, length);
+            constexpr std::string_view kExif("Exif\0\0", 6);
+            return orientation_of_tiff(block.starts_with(kExif) ? block.substr(kExif.size()) : block);
+        }
+        at += 8 + length + length % 2;
+    }
+    return 1;
+}
+
 }  // namespace
 
 int exif_orientation(std::string_view file) {
     if (file.substr(0, 2) == "\xff\xd8") return orientation_of_jpeg(file);
     if (file.substr(0, 4) == "\x89PNG") return orientation_of_png(file);
+    if (file.substr(0, 4) == "RIFF") return orientation_of_webp(file);
     return 1;
 }
 

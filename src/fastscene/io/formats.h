@@ -25,6 +25,17 @@ ImageF load_png_float(const std::filesystem::path& path, float unit);
 PictureInfo jpeg_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where);
 
+PictureInfo webp_info(const std::filesystem::path& path, std::string_view bytes);
+ImageRgb8 decode_webp_rgb8(std::string_view bytes, const std::string& where);
+ImageMask webp_alpha(std::string_view bytes, const std::string& where);
+
+// `light` and `orientation` too. Range: 16 bits times `unit`, or 32-bit float as it is.
+PictureInfo tiff_info(const std::filesystem::path& path, std::string_view bytes);
+ImageRgb8 decode_tiff_rgb8(std::string_view bytes, const std::string& where);
+ImageMask tiff_alpha(std::string_view bytes, const std::string& where);
+ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float unit);
+ImageColor decode_tiff_light(std::string_view bytes, const std::string& where);
+
 PictureInfo exr_info(const std::filesystem::path& path);
 ImageF load_exr(const std::filesystem::path& path);
 ImageColor load_exr_color(const std::filesystem::path& path);

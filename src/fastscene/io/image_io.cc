@@ -1,5 +1,9 @@
 #include "fastscene/io/image_io.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
 #include "fastscene/base/file.h"
 #include "fastscene/io/exif.h"
 #include "fastscene/io/formats.h"
@@ -9,27 +13,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { png, jpeg, exr, pfm, radiance };
+enum class Format { png, jpeg, webp, tiff, exr, pfm, radiance };
 
 // By content, not by name: users rename files.
 Format format_of(const fs::path& path, std::string_view bytes) {
-    if (bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n") return Format::png;
-    if (bytes.substr(0, 2) == "\xff\xd8") return Format::jpeg;
-    if (bytes.substr(0, 4) == "\x76\x2f\x31\x01") return Format::exr;
-    if (bytes.substr(0, 2) == "Pf" || bytes.substr(0, 2) == "PF") return Format::pfm;
-    if (bytes.substr(0, 2) == "#?") return Format::radiance;
-    throw Error("{}: expected a PNG, JPEG, OpenEXR, Radiance or PFM picture, found {}", path.string(),
+    const auto begins = [&](std::string_view with) { return bytes.substr(0, with.size()) == with; };
+    if (begins("\x89PNG\r\n\x1a\n")) return Format::png;
+    if (begins("\xff\xd8")) return Format::jpeg;
+    if (begins("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") return Format::webp;
+    for (const std::string_view tiff : {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // and of more than 4 GiB
+                                        std::string_view("II\x2b\0", 4), std::string_view("MM\0\x2b", 4)})
+        if (begins(tiff)) return Format::tiff;
+    if (begins("\x76\x2f\x31\x01")) return Format::exr;
+    if (begins("Pf") || begins("PF")) return Format::pfm;
+    if (begins("#?")) return Format::radiance;
+    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(),
                 bytes.empty() ? "an empty file" : "something else");
 }
 
-}  // namespace
-
-namespace {
-
-PictureInfo size_of(const fs::path& path, std::string_view bytes, Format format) {
+PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format) {
     switch (format) {
         case Format::png: return png_info(path, bytes);
         case Format::jpeg: return jpeg_info(path, bytes);
+        case Format::webp: return webp_info(path, bytes);
+        case Format::tiff: return tiff_info(path, bytes);
         case Format::exr: return exr_info(path);
         case Format::pfm: return pfm_info(path, bytes);
         case Format::radiance: return radiance_info(path, bytes);
@@ -39,12 +46,20 @@ PictureInfo size_of(const fs::path& path, std::string_view bytes, Format format)
 
 }  // namespace
 
+bool has_picture_ending(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff"};
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
 PictureInfo picture_info(const fs::path& path) {
     const std::string bytes = read_file(path);
     const Format format = format_of(path, bytes);
-    PictureInfo info = size_of(path, bytes, format);
+    PictureInfo info = info_of(path, bytes, format);
+    if (format == Format::tiff) return info;
     info.orientation = exif_orientation(bytes);
-    info.light = format != Format::png && format != Format::jpeg;
+    info.light = format == Format::exr || format == Format::pfm || format == Format::radiance;
     return info;
 }
 
@@ -52,7 +67,9 @@ ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where) {
     switch (format_of(where, bytes)) {
         case Format::png: return decode_png_rgb8(bytes, where);
         case Format::jpeg: return decode_jpeg(bytes, where);
-        default: throw Error("{}: expected a color picture (PNG or JPEG), found floats (OpenEXR, Radiance or PFM)", where);
+        case Format::webp: return decode_webp_rgb8(bytes, where);
+        case Format::tiff: return decode_tiff_rgb8(bytes, where);
+        default: throw Error("{}: expected a color picture (PNG, JPEG, WebP or TIFF), found floats (OpenEXR, Radiance or PFM)", where);
     }
 }
 
@@ -64,16 +81,24 @@ ImageColor load_light(const fs::path& path) {
         case Format::exr: return load_exr_color(path);
         case Format::pfm: return load_pfm_color(path);
         case Format::radiance: return decode_radiance(path, bytes);
-        default: throw Error("{}: expected a picture of floats (OpenEXR, Radiance or PFM), found 8 or 16 bits", path.string());
+        case Format::tiff: return decode_tiff_light(bytes, path.string());
+        default: throw Error("{}: expected a picture of floats (OpenEXR, Radiance, PFM or TIFF), found 8 or 16 bits", path.string());
     }
 }
 
 ImageMask load_alpha(const fs::path& path) {
-    return format_of(path, read_file(path)) == Format::png ? load_png_alpha(path) : ImageMask{};
+    const std::string bytes = read_file(path);
+    const Format format = format_of(path, bytes);
+    ImageMask alpha = format == Format::png    ? load_png_alpha(path)
+                      : format == Format::webp ? webp_alpha(bytes, path.string())
+                      : format == Format::tiff ? tiff_alpha(bytes, path.string())
+                                               : ImageMask{};
+    const bool opaque = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a == 255; });
+    return opaque ? ImageMask{} : alpha;
 }
 
 ImageMask load_mask(const fs::path& path) {
-    if (format_of(path, read_file(path)) != Format::jpeg) return load_mask_png(path);
+    if (format_of(path, read_file(path)) == Format::png) return load_mask_png(path);
     const ImageRgb8 picture = load_rgb8(path);
     ImageMask mask(picture.width, picture.height);
     for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -83,12 +108,14 @@ ImageMask load_mask(const fs::path& path) {
     return mask;
 }
 
-ImageF load_float(const fs::path& path, float png_unit) {
-    switch (format_of(path, read_file(path))) {
-        case Format::png: return load_png_float(path, png_unit);
+ImageF load_float(const fs::path& path, float unit) {
+    const std::string bytes = read_file(path);
+    switch (format_of(path, bytes)) {
+        case Format::png: return load_png_float(path, unit);
         case Format::exr: return load_exr(path);
         case Format::pfm: return load_pfm(path);
-        default: throw Error("{}: expected a float map (EXR, PFM or 16-bit PNG), found a JPEG or Radiance picture", path.string());
+        case Format::tiff: return decode_tiff_float(bytes, path.string(), unit);
+        default: throw Error("{}: expected a float map (EXR, PFM, TIFF or 16-bit PNG), found a JPEG, WebP or Radiance picture", path.string());
     }
 }
 

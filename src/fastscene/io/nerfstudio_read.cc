@@ -66,7 +66,7 @@ class Transforms {
             places.push_back(dir_ / (path.parent_path().string() + "_" + std::to_string(folders_.downscale)) / path.filename());
         if (folders_.images.empty()) places.push_back(dir_ / path);
         for (const fs::path& place : places)
-            for (const char* ending : {"", ".png", ".jpg", ".jpeg", ".JPG", ".PNG"})
+            for (const char* ending : {"", ".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".JPG", ".PNG"})
                 if (const fs::path whole = place.string() + ending; fs::is_regular_file(whole)) return whole;
         return places.back();
     }

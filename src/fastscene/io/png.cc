@@ -166,12 +166,8 @@ ImageMask load_png_alpha(const fs::path& path) {
     int width = 0, height = 0;
     const std::vector<png_byte> pixels = decoded(path, Wanted::rgba8, width, height);
     ImageMask image(width, height);
-    bool opaque = true;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        image.pixels[i] = pixels[4 * i + 3];
-        opaque = opaque && image.pixels[i] == 255;
-    }
-    return opaque ? ImageMask{} : image;
+    for (std::size_t i = 0; i < image.size(); ++i) image.pixels[i] = pixels[4 * i + 3];
+    return image;
 }
 
 ImageF load_png_float(const fs::path& path, float unit) {

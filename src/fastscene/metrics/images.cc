@@ -133,12 +133,9 @@ std::vector<fs::path> pictures_in(const fs::path& place, const std::string& flag
     if (fs::is_regular_file(place)) return {place};
     std::vector<fs::path> out;
     if (fs::is_directory(place))
-        for (const auto& entry : fs::directory_iterator(place)) {
-            std::string end = entry.path().extension().string();
-            std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-            if (end == ".png" || end == ".jpg" || end == ".jpeg") out.push_back(entry.path());
-        }
-    if (out.empty()) throw Error("{} {}: expected a picture or a folder of .png and .jpg, found none", flag, place.string());
+        for (const auto& entry : fs::directory_iterator(place))
+            if (has_picture_ending(entry.path())) out.push_back(entry.path());
+    if (out.empty()) throw Error("{} {}: expected a picture or a folder of .png, .jpg, .webp or .tif, found none", flag, place.string());
     std::sort(out.begin(), out.end());
     return out;
 }

@@ -12,7 +12,7 @@
 namespace fastscene {
 
 struct ImageMeasures {
-    std::filesystem::path pictures;           // a file or a folder of .png and .jpg
+    std::filesystem::path pictures;           // a file or a folder of color pictures
     std::filesystem::path reference;          // same names; empty: none
     std::string prompt;                       // empty: none
     std::filesystem::path weights;            // parameters and networks (metrics_weights_text says what goes where)

@@ -1,7 +1,6 @@
 #include "fastscene/walk/panorama_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <optional>
 
@@ -35,10 +34,8 @@ std::optional<PanoramaFiles> from_structured3d(const fs::path& color) {
 }
 
 std::optional<PanoramaFiles> from_anybody(const fs::path& color) {
-    std::string ending = color.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") return {};
-    for (const char* range_ending : {".range.exr", ".range.pfm", ".range.png"}) {
+    if (!has_picture_ending(color)) return {};
+    for (const char* range_ending : {".range.exr", ".range.pfm", ".range.png", ".range.tif", ".range.tiff"}) {
         const fs::path range = fs::path(color).replace_extension(range_ending);
         if (fs::exists(range)) return PanoramaFiles{color, range, color.stem().string()};
     }

@@ -16,7 +16,7 @@ struct PanoramaFiles {
 // In the order of their paths:
 //   - what `fastscene rooms dataset` made: the panoramas among its pictures;
 //   - Structured3D: .../scene_NNNNN/2D_rendering/ROOM/panorama/full/ rgb_rawlight.png with depth.png;
-//   - NAME.png or NAME.jpg beside NAME.range.exr, .pfm or .png (16 bit, millimetres along the ray; 0 = unknown or outside).
+//   - NAME.png, .jpg, .webp or .tif beside NAME.range.exr, .pfm, .tif or .png (16 bit, millimetres along the ray; 0 = unknown or outside).
 // Throws UsageError when the folder is none or holds no such pair.
 std::vector<PanoramaFiles> find_panoramas(const std::filesystem::path& folder);
 

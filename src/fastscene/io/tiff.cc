@@ -1,0 +1,202 @@
+#include <tiffio.h>
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fastscene/io/formats.h"
+
+// The first picture of a file. Colors of any kind are left to libtiff, which makes 8 bits of them; numbers are read as they stand.
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+    std::string_view bytes;
+    std::size_t at = 0;
+    std::string message;  // the first thing that libtiff had to say
+};
+
+tmsize_t on_read(thandle_t handle, void* out, tmsize_t size) {
+    auto* source = static_cast<Source*>(handle);
+    if (source->at >= source->bytes.size() || size <= 0) return 0;
+    const std::size_t n = std::min(static_cast<std::size_t>(size), source->bytes.size() - source->at);
+    std::memcpy(out, source->bytes.data() + source->at, n);
+    source->at += n;
+    return static_cast<tmsize_t>(n);
+}
+tmsize_t on_write(thandle_t, void*, tmsize_t) { return 0; }
+toff_t on_seek(thandle_t handle, toff_t offset, int whence) {
+    auto* source = static_cast<Source*>(handle);
+    const toff_t from = whence == SEEK_CUR ? source->at : whence == SEEK_END ? source->bytes.size() : 0;
+    source->at = static_cast<std::size_t>(from + offset);
+    return source->at;
+}
+int on_close(thandle_t) { return 0; }
+toff_t on_size(thandle_t handle) { return static_cast<Source*>(handle)->bytes.size(); }
+int on_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
+    auto* source = static_cast<Source*>(user);
+    char text[256];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    if (source->message.empty()) source->message = text;
+    return 1;
+}
+int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+
+class Tiff {
+  public:
+    Tiff(std::string_view bytes, std::string where) : source_{bytes, 0, {}}, where_(std::move(where)), file_(nullptr, TIFFClose) {
+        const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
+        TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &source_);
+        TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, &source_);
+        file_.reset(
+            TIFFClientOpenExt(where_.c_str(), "rm", &source_, on_read, on_write, on_seek, on_close, on_size, nullptr, nullptr, options.get()));
+        if (!file_) refuse("no directory of a picture");
+        std::uint32_t width = 0, height = 0;
+        TIFFGetField(file_.get(), TIFFTAG_IMAGEWIDTH, &width);
+        TIFFGetField(file_.get(), TIFFTAG_IMAGELENGTH, &height);
+        constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
+        info.width = static_cast<int>(std::min(width, kMost)), info.height = static_cast<int>(std::min(height, kMost));
+        info.orientation = number(TIFFTAG_ORIENTATION) >= 1 && number(TIFFTAG_ORIENTATION) <= 8 ? number(TIFFTAG_ORIENTATION) : 1;
+        bits = number(TIFFTAG_BITSPERSAMPLE), samples = number(TIFFTAG_SAMPLESPERPIXEL);
+        info.light = number(TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_IEEEFP;
+    }
+    Tiff(const Tiff&) = delete;
+
+    // What libtiff said, or what we know.
+    [[noreturn]] void refuse(const std::string& otherwise) const {
+        throw Error("{}: expected a whole TIFF picture, found: {}", where_, source_.message.empty() ? otherwise : source_.message);
+    }
+
+    // Red, green, blue and alpha in a word, colors over black, rows as stored.
+    std::vector<std::uint32_t> colors() {
+        check_size();
+        char why[1024] = "";
+        if (!TIFFRGBAImageOK(file_.get(), why)) refuse(why);
+        std::vector<std::uint32_t> out(static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height));
+        // Asked for in the file's own orientation, nothing is turned.
+        if (!TIFFReadRGBAImageOriented(file_.get(), static_cast<std::uint32_t>(info.width), static_cast<std::uint32_t>(info.height), out.data(),
+                                       info.orientation, 1))
+            refuse("damaged data");
+        return out;
+    }
+
+    // The numbers of all pixels, of one size, samples beside each other.
+    template <class T>
+    std::vector<T> numbers() {
+        check_size();
+        const auto width = static_cast<std::size_t>(info.width), height = static_cast<std::size_t>(info.height),
+                   n = static_cast<std::size_t>(samples);
+        if (samples > 1 && number(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG) refuse("colors in planes of their own");
+        std::vector<T> out(width * height * n);
+        if (!TIFFIsTiled(file_.get())) {
+            if (static_cast<std::size_t>(TIFFScanlineSize64(file_.get())) != width * n * sizeof(T)) refuse("an unusual pixel layout");
+            for (std::size_t y = 0; y < height; ++y)
+                if (TIFFReadScanline(file_.get(), &out[y * width * n], static_cast<std::uint32_t>(y), 0) != 1) refuse("damaged data");
+            return out;
+        }
+        const auto tile_width = static_cast<std::size_t>(number32(TIFFTAG_TILEWIDTH)),
+                   tile_height = static_cast<std::size_t>(number32(TIFFTAG_TILELENGTH));
+        if (tile_width < 1 || tile_height < 1 || tile_width > kMaxPictureSide || tile_height > kMaxPictureSide ||
+            static_cast<std::size_t>(TIFFTileSize64(file_.get())) != tile_width * tile_height * n * sizeof(T))
+            refuse("an unusual pixel layout");
+        std::vector<T> tile(tile_width * tile_height * n);
+        for (std::size_t y = 0; y < height; y += tile_height)
+            for (std::size_t x = 0; x < width; x += tile_width) {
+                if (TIFFReadTile(file_.get(), tile.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0) < 0)
+                    refuse("damaged data");
+                const std::size_t columns = std::min(tile_width, width - x);
+                for (std::size_t j = 0; j < std::min(tile_height, height - y); ++j)
+                    std::copy_n(&tile[j * tile_width * n], columns * n, &out[((y + j) * width + x) * n]);
+            }
+        return out;
+    }
+
+    PictureInfo info;
+    int bits = 0, samples = 0;
+
+  private:
+    int number(std::uint32_t tag) const {
+        std::uint16_t value = 0;
+        TIFFGetFieldDefaulted(file_.get(), tag, &value);
+        return value;
+    }
+    std::uint32_t number32(std::uint32_t tag) const {
+        std::uint32_t value = 0;
+        TIFFGetField(file_.get(), tag, &value);
+        return value;
+    }
+    // Deflate and LZW shrink at most some thousand times: a short file with a huge directory is refused before memory is asked for.
+    void check_size() const {
+        if (!plausible_size(info.width, info.height) || samples < 1 || samples > 16 || bits < 1 || bits > 64)
+            throw Error("{}: expected a whole TIFF picture, found: {} x {} pixels of {} times {} bits", where_, info.width, info.height, samples,
+                        bits);
+        constexpr std::size_t kMostShrunk = 3000, kSmall = std::size_t{64} << 20;
+        const std::size_t whole =
+            static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height) * static_cast<std::size_t>(samples * bits) / 8;
+        if (whole > kSmall && whole / kMostShrunk > source_.bytes.size())
+            throw Error("{}: expected a whole TIFF picture, found: a size that the file cannot hold, {} x {}", where_, info.width, info.height);
+    }
+
+    Source source_;
+    std::string where_;
+    std::unique_ptr<TIFF, void (*)(TIFF*)> file_;
+};
+
+}  // namespace
+
+PictureInfo tiff_info(const fs::path& path, std::string_view bytes) { return Tiff(bytes, path.string()).info; }
+
+ImageRgb8 decode_tiff_rgb8(std::string_view bytes, const std::string& where) {
+    Tiff tiff(bytes, where);
+    if (tiff.info.light) throw Error("{}: expected a color picture, found a TIFF of floats", where);
+    const std::vector<std::uint32_t> colors = tiff.colors();
+    ImageRgb8 image(tiff.info.width, tiff.info.height);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image.pixels[i] = {static_cast<std::uint8_t>(TIFFGetR(colors[i])), static_cast<std::uint8_t>(TIFFGetG(colors[i])),
+                           static_cast<std::uint8_t>(TIFFGetB(colors[i]))};
+    return image;
+}
+
+ImageMask tiff_alpha(std::string_view bytes, const std::string& where) {
+    Tiff tiff(bytes, where);
+    if (tiff.info.light || tiff.samples == 1 || tiff.samples == 3) return {};
+    const std::vector<std::uint32_t> colors = tiff.colors();
+    ImageMask image(tiff.info.width, tiff.info.height);
+    for (std::size_t i = 0; i < image.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(TIFFGetA(colors[i]));
+    return image;
+}
+
+ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float unit) {
+    Tiff tiff(bytes, where);
+    ImageF image;
+    image.width = tiff.info.width, image.height = tiff.info.height;
+    if (tiff.samples == 1 && tiff.info.light && tiff.bits == 32) {
+        image.pixels = tiff.numbers<float>();
+    } else if (tiff.samples == 1 && !tiff.info.light && tiff.bits == 16) {
+        for (const std::uint16_t count : tiff.numbers<std::uint16_t>()) image.pixels.push_back(unit * static_cast<float>(count));
+    } else {
+        throw Error("{}: expected a map of one number a pixel, 32-bit float or 16 bits, found {} of {} bits", where, tiff.samples, tiff.bits);
+    }
+    return image;
+}
+
+ImageColor decode_tiff_light(std::string_view bytes, const std::string& where) {
+    Tiff tiff(bytes, where);
+    if (!tiff.info.light || tiff.bits != 32 || (tiff.samples != 1 && tiff.samples != 3))
+        throw Error("{}: expected a picture of 32-bit floats, one or three a pixel, found {} of {} bits", where, tiff.samples, tiff.bits);
+    const std::vector<float> numbers = tiff.numbers<float>();
+    ImageColor image(tiff.info.width, tiff.info.height);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const float* p = &numbers[i * static_cast<std::size_t>(tiff.samples)];
+        image.pixels[i] = tiff.samples == 3 ? Vec3f{p[0], p[1], p[2]} : Vec3f{p[0], p[0], p[0]};
+    }
+    return image;
+}
+
+}  // namespace fastscene
