@@ -74,6 +74,8 @@ Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std
     for (const double p : parameters)
         if (!std::isfinite(p)) in.refuse("expected finite camera parameters, found another");
     const Lens lens = lens_of(model, static_cast<int>(width), static_cast<int>(height), parameters);
+    if (lens.kind == LensKind::unified && !(lens.k[0] >= 0 && lens.k[0] <= 1 && lens.k[1] > 0))
+        in.refuse(fmt::format("expected an EUCM camera's alpha from 0 to 1 and a positive beta, found {} and {}", lens.k[0], lens.k[1]));
     if (lens.kind != LensKind::equirectangular && !(lens.fx > 0 && lens.fy > 0))
         in.refuse(fmt::format("expected a positive focal length, found {}", lens.fx));
     return lens;
