@@ -6,6 +6,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/build_info.h"
@@ -50,8 +51,10 @@ std::string identity_of(const Capture& capture) {
             hash.add(code ? std::int64_t{0} : static_cast<std::int64_t>(time.time_since_epoch().count()));
         }
         const Lens& l = p.lens;
+        hash.add(static_cast<int>(l.kind));
         for (const double v : {double(l.width), double(l.height), l.fx, l.fy, l.cx, l.cy, l.p1, l.p2}) hash.add(v);
         for (const double v : l.k) hash.add(v);
+        for (const double v : l.s) hash.add(v);
         const Mat3d& r = p.world_from_camera.rotation;
         for (const Vec3d& v : {r.row0, r.row1, r.row2, p.world_from_camera.translation}) hash.add(v.x).add(v.y).add(v.z);
     }
@@ -111,8 +114,29 @@ Json json_of(const Rigid& pose) {
     return {{"position_m", {p.x, p.y, p.z}}, {"forward", {forward.x, forward.y, forward.z}}};
 }
 
+// Before hours of reading and training: what is known of the pictures and the Gaussians must fit together.
+void check_memory(const CaptureRequest& request, const Capture& capture) {
+    const std::int64_t have = available_memory();
+    if (have <= 0) return;
+    const std::size_t points = capture.points.empty() ? static_cast<std::size_t>(request.photos.random_points) : capture.points.size();
+    const std::int64_t splats = splat_memory(request.splat, points);
+    const auto wanted = [&](const PhotosMemory& photos) {
+        return photos.views + std::max(photos.reading, splats + (request.splat.coarse > 0 ? photos.views / 4 : 0));
+    };
+    if (wanted(memory_of_photos(capture, request.photos, false)) <= have) return;
+    const PhotosMemory photos = memory_of_photos(capture, request.photos, true);
+    if (wanted(photos) <= have) return;
+    constexpr double kGiB = 1 << 30;
+    throw Error(
+        "{}: its pictures take {:.1f} GiB, {:.1f} GiB more while they are read, and {} Gaussians {:.1f} GiB while they train; found {:.1f} GiB free: "
+        "smaller pictures (--max-size, --downscale) or fewer Gaussians (--splat-count) would fit",
+        capture.source, static_cast<double>(photos.views) / kGiB, static_cast<double>(photos.reading) / kGiB, request.splat.count,
+        static_cast<double>(splats) / kGiB, static_cast<double>(have) / kGiB);
+}
+
 // All files of the stage. viewer.json: where a visitor stands first, in the frame of viewer.compressed.ply.
 void make_capture_splat(const CaptureRequest& request, const Capture& capture, const RunFolder& folder, const fs::path& out, const Run& run) {
+    check_memory(request, capture);
     const PhotoViews photos = views_of_capture(capture, request.photos, run);
     run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(), capture.photos.size(), photos.set.points.size()));
     FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run);

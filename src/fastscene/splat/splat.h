@@ -2,6 +2,7 @@
 // Backends: "reference" (slow, readable, double precision possible) and "cpu" (tiles, SIMD, threads).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ struct FittedSplats {
 
 // Throws UsageError naming the flag of what is out of bounds or does not fit together.
 void check_splat_params(const SplatParams& params);
+
+// Bytes that training takes besides its views, known in advance: `points` to start from.
+std::int64_t splat_memory(const SplatParams& params, std::size_t points);
 
 // Starting Gaussians: flat discs on the surfaces, `count` of them drawn from the points.
 Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run);

@@ -92,6 +92,12 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     return hash.hex();
 }
 
+// Parameters with two moments each, what density control remembers, a record for the picture in progress; and the splat at the end.
+std::int64_t memory_of_one(const SplatParams& params) {
+    const auto rest = static_cast<std::int64_t>(3 * rest_functions(params.sh_degree));
+    return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record));
+}
+
 float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
 
 EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views) {
@@ -117,17 +123,20 @@ std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<c
     return out;
 }
 
-// What is known in advance: parameters with two moments each, what density control remembers, a record for the picture in progress; and
-// the splats at the end.
-void check_memory(const SplatParams& params, std::size_t points) {
-    const auto rest = static_cast<std::int64_t>(3 * rest_functions(params.sh_degree));
-    const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
-    const std::int64_t a_splat = 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record));
-    const std::int64_t have = available_memory();
-    if (have <= 0 || count * a_splat <= have) return;
+// The first steps' smaller copies of the views.
+std::int64_t memory_of_half_views(const ViewSet& set, const SplatParams& params) {
+    std::int64_t pixels = 0;
+    for (const View& v : set.views) pixels += static_cast<std::int64_t>(3 * v.color.size() + v.weight.size()) / 4;
+    return params.coarse > 0 ? pixels : 0;
+}
+
+void check_memory(const ViewSet& set, const SplatParams& params) {
+    const std::int64_t wanted = splat_memory(params, set.points.size()), have = available_memory() - memory_of_half_views(set, params);
+    if (available_memory() <= 0 || wanted <= have) return;
     constexpr double kGiB = 1 << 30;
     throw Error("--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB free: enough for {}",
-                count, params.sh_degree, static_cast<double>(count * a_splat) / kGiB, static_cast<double>(have) / kGiB, have / a_splat);
+                params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(std::max<std::int64_t>(have, 0)) / kGiB,
+                std::max<std::int64_t>(have, 0) / memory_of_one(params));
 }
 
 // One run of training: the state and what does not change while it goes on.
@@ -185,7 +194,7 @@ class Training {
             write_file(params_.checkpoint, std::string_view());  // whether it can be written is better known now than hours later
             std::filesystem::remove(params_.checkpoint);
         }
-        check_memory(params_, set.points.size());
+        check_memory(set, params_);
         Splats splats = initial_splats(set.points, params_.count, run_);
         if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
@@ -307,6 +316,11 @@ void check_splat_params(const SplatParams& params) {
     check_fields("splat", params);
     if (params.patience > 0 && params.eval_every == 0)
         throw UsageError("--splat-patience: expected --splat-eval-every beside it, which says when to measure; found 0");
+}
+
+std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
+    const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
+    return count * splat::memory_of_one(params);
 }
 
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed) {

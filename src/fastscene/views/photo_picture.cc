@@ -119,12 +119,8 @@ Picture shrunk(const Picture& source, int width, int height) {
 constexpr int kSphereWider = 2;
 
 View whole_sphere(Picture picture, const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
-    const int stored = picture.color.width;
-    const double wanted = std::min(
-        {static_cast<double>(kSphereWider * params.max_size) / stored, static_cast<double>(photo.lens.width) / params.downscale / stored, 1.0});
-    if (wanted < 1)  // an even width: columns on both sides of the middle
-        picture = shrunk(picture, std::max(2, static_cast<int>(std::lround(stored * wanted / 2)) * 2),
-                         std::max(1, static_cast<int>(std::lround(picture.color.height * wanted))));
+    const auto [width, height] = size_of_view(photo, {picture.color.width, picture.color.height}, params);
+    if (width < picture.color.width) picture = shrunk(picture, width, height);
     View view;
     view.name = photo.name;
     view.camera = {picture.color.width, picture.color.height, 0, 0, 0, 0};
@@ -137,15 +133,24 @@ View whole_sphere(Picture picture, const Photo& photo, const Rigid& world_from_c
 
 }  // namespace
 
+PictureSize size_of_view(const Photo& photo, PictureSize stored, const PhotosParams& params) {
+    const bool sphere = photo.lens.kind == LensKind::equirectangular;
+    const double most = sphere ? static_cast<double>(kSphereWider * params.max_size) / stored.width
+                               : static_cast<double>(params.max_size) / std::max(stored.width, stored.height);
+    // Smaller copies on disk count towards the downscale that was asked for.
+    const double wanted = std::min({most, static_cast<double>(photo.lens.width) / params.downscale / stored.width, 1.0});
+    if (wanted >= 1) return stored;
+    // Spheres have an even width: columns on both sides of the middle.
+    const int width = sphere ? std::max(2, static_cast<int>(std::lround(stored.width * wanted / 2)) * 2)
+                             : std::max(1, static_cast<int>(std::lround(stored.width * wanted)));
+    return {width, std::max(1, static_cast<int>(std::lround(stored.height * wanted)))};
+}
+
 View view_of_photo(const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
     Picture picture = load(photo, params);
     if (photo.lens.kind == LensKind::equirectangular) return whole_sphere(std::move(picture), photo, world_from_camera, params);
     const Lens lens = photo.lens.resized(picture.color.width, picture.color.height);
-    // Smaller copies on disk count towards the downscale that was asked for.
-    const double wanted = std::min({static_cast<double>(params.max_size) / std::max(lens.width, lens.height),
-                                    static_cast<double>(photo.lens.width) / params.downscale / lens.width, 1.0});
-    const int width = std::max(1, static_cast<int>(std::lround(lens.width * wanted))),
-              height = std::max(1, static_cast<int>(std::lround(lens.height * wanted)));
+    const auto [width, height] = size_of_view(photo, {lens.width, lens.height}, params);
     View view;
     view.name = photo.name;
     view.camera = lens.resized(width, height).pinhole();

@@ -8,6 +8,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/views/photo_picture.h"
 #include "fastscene/views/spacing.h"
 
@@ -116,6 +117,26 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
     return out;
 }
 
+// `why`: of each view what was wrong with its picture, or nothing. A few damaged ones are left out; most of them wrong is a mistake that the
+// result would hide.
+void leave_out_unusable(const Capture& capture, const std::vector<std::string>& why, std::vector<View>& views, const Run& run) {
+    constexpr std::size_t kNamed = 10;
+    std::vector<std::string> named;
+    std::vector<View> usable;
+    std::size_t unusable = 0;
+    for (std::size_t i = 0; i < why.size(); ++i) {
+        if (why[i].empty()) usable.push_back(std::move(views[i]));
+        else if (++unusable <= kNamed) named.push_back(why[i]);
+    }
+    views = std::move(usable);
+    if (unusable == 0) return;
+    if (unusable > kNamed) named.push_back(fmt::format("and {} more", unusable - kNamed));
+    if (2 * unusable > why.size())
+        throw Error("{}: expected pictures that fit their cameras, found {} of {} that cannot be used: {}", capture.source, unusable, why.size(),
+                    fmt::join(named, "; "));
+    run.warn(fmt::format("{}: {} of {} pictures cannot be used and are left out: {}", capture.source, unusable, why.size(), fmt::join(named, "; ")));
+}
+
 void check_something_counts(const Capture& capture, const std::vector<View>& views) {
     for (const View& view : views)
         if (view.weight.empty() || std::any_of(view.weight.pixels.begin(), view.weight.pixels.end(), [](std::uint8_t w) { return w > 0; })) return;
@@ -125,26 +146,57 @@ void check_something_counts(const Capture& capture, const std::vector<View>& vie
 
 }  // namespace
 
+PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params, bool from_headers) {
+    constexpr std::int64_t kColor = 3, kReading = 8;  // bytes a pixel; a decoder has its own rows beside the picture
+    PhotosMemory out;
+    std::int64_t largest = 0, count = 0;
+    for (const Photo& photo : capture.photos) {
+        if (!std::filesystem::is_regular_file(photo.file)) continue;
+        PictureSize stored{photo.lens.width, photo.lens.height};
+        if (from_headers) {
+            try {
+                const PictureInfo info = picture_info(photo.file);
+                stored = {info.width, info.height};
+            } catch (const Error&) {
+                continue;  // left out
+            }
+        }
+        const auto [width, height] = size_of_view(photo, stored, params);
+        const bool weights = !photo.mask.empty() || params.alpha == "mask" || !photo.lens.is_pinhole();
+        out.views += std::int64_t{width} * height * (kColor + weights);
+        largest = std::max(largest, std::int64_t{stored.width} * stored.height * kReading);
+        ++count;
+    }
+    out.reading = largest * std::min<std::int64_t>(count, thread_count());
+    return out;
+}
+
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run) {
     check_fields("", params);
     const std::vector<const Photo*> photos = present_photos(capture, run);
     PhotoViews out;
     out.world_from_capture = world_from_capture(capture);
     out.set.views.resize(photos.size());
+    std::vector<std::string> unusable(photos.size());
     Progress progress(run, "pictures", static_cast<std::int64_t>(photos.size()));
     parallel_for(static_cast<std::int64_t>(photos.size()), 1, [&](std::int64_t begin, std::int64_t) {
         run.check_stop();
-        const Photo& photo = *photos[static_cast<std::size_t>(begin)];
-        out.set.views[static_cast<std::size_t>(begin)] = view_of_photo(photo, pose_of(out.world_from_capture, photo.world_from_camera), params);
+        const auto i = static_cast<std::size_t>(begin);
+        try {
+            out.set.views[i] = view_of_photo(*photos[i], pose_of(out.world_from_capture, photos[i]->world_from_camera), params);
+        } catch (const Error& e) {
+            unusable[i] = e.what();
+        }
         progress.advance();
     });
+    leave_out_unusable(capture, unusable, out.set.views, run);
     Vec3f up;
     for (const View& view : out.set.views) up -= view.world_from_camera.rotation.column(1);
     check_something_counts(capture, out.set.views);
-    out.up = length(up) > 0.1f * static_cast<float>(photos.size()) ? normalize(up) : Vec3f{0, -1, 0};
+    out.up = length(up) > 0.1f * static_cast<float>(out.set.views.size()) ? normalize(up) : Vec3f{0, -1, 0};
     out.set.points = sized_points(capture, out.world_from_capture, run);
     if (out.set.points.empty()) {
-        const double spread = radius_of({capture.source, capture.photos, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
+        const double spread = radius_of({capture.source, capture.photos, {}, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
         out.set.points = made_up_points(out.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
         const std::string why =
             capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";

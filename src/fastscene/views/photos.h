@@ -2,6 +2,7 @@
 // lenses straightened, masks turned into weights; points with sizes, or made up where there are none.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "fastscene/base/fields.h"
@@ -13,11 +14,11 @@
 namespace fastscene {
 
 struct PhotosParams {
-    int max_size = 1600;          // the longer side of a picture
+    int max_size = 1600;  // the longer side of a picture
     int downscale = 1;
     std::string alpha = "black";  // what transparent pixels mean
     bool invert_masks = false;
-    int random_points = 50000;    // where the capture has none
+    int random_points = 50000;  // where the capture has none
 };
 template <class V>
 void visit_fields(PhotosParams& p, V&& v) {
@@ -36,7 +37,15 @@ struct PhotoViews {
     Vec3f up;  // world, unit: the mean of the cameras' up, for showing the scene upright
 };
 
-// Photos whose file is missing are left out, and it is said; none left, or a picture of another shape than its camera: Error.
+// Photos whose file is missing, damaged or of another shape than its camera are left out, and it is said; Error when none are left, or when
+// more than half of those that are there cannot be used.
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run);
+
+// What they will take, in bytes. `views`: as long as they are used; `reading`: besides, until all are there.
+struct PhotosMemory {
+    std::int64_t views = 0, reading = 0;
+};
+// From the sizes of the cameras alone, or from those of the pictures, which may be smaller copies: each file's header is then read.
+PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params, bool from_headers);
 
 }  // namespace fastscene

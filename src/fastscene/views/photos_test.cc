@@ -5,8 +5,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <sstream>
+#include <variant>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/events.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/geometry/sphere.h"
@@ -64,7 +68,15 @@ const std::vector<Model> kModels{{"SIMPLE_PINHOLE", "80 48 36"},
                                  {"FULL_OPENCV", "80 81 48 36 -0.1 0.02 0.001 0.002 0.001 0.01 0 0"},
                                  {"FOV", "80 81 48 36 0.6"},
                                  {"SIMPLE_RADIAL_FISHEYE", "80 48 36 0.01"},
-                                 {"RADIAL_FISHEYE", "80 48 36 0.01 0.005"}};
+                                 {"RADIAL_FISHEYE", "80 48 36 0.01 0.005"},
+                                 {"THIN_PRISM_FISHEYE", "80 81 48 36 0.02 -0.01 0.003 -0.002 0.004 -0.001 0.01 -0.02"},
+                                 {"RAD_TAN_THIN_PRISM_FISHEYE",
+                                  "80 81 48 36 0.02 -0.01 0.004 -0.001 0.0005 -0.0002 0.003 -0.002 0.01 -0.02 0.005 0.004"},
+                                 {"SIMPLE_DIVISION", "80 48 36 -0.2"},
+                                 {"DIVISION", "80 81 48 36 0.1"},
+                                 {"SIMPLE_FISHEYE", "80 48 36"},
+                                 {"FISHEYE", "80 81 48 36"},
+                                 {"EUCM", "80 81 48 36 0.6 1.1"}};
 
 void write_colmap(const fs::path& dir, const Model& model, int width, int height, const ImageRgb8& picture) {
     fs::create_directories(dir / "sparse" / "0");
@@ -109,6 +121,116 @@ TEST(Photos, EveryLensIsStraightened) {
         EXPECT_EQ(views.set.points.size(), 4u);
         EXPECT_EQ(views.set.points[3].color, (Rgb8{40, 50, 60}));
     }
+}
+
+// Where the ray (0.3, -0.2, 1) lands, from COLMAP's formulas worked out apart from this program.
+TEST(Photos, LensesAreColmaps) {
+    const std::map<std::string, Vec2d> expected{{"OPENCV", {72.102512, 19.0683043}},
+                                                {"FOV", {72.348280688, 19.564910536}},
+                                                {"THIN_PRISM_FISHEYE", {71.109874117, 20.287672659}},
+                                                {"RAD_TAN_THIN_PRISM_FISHEYE", {71.245982377, 20.411696813}},
+                                                {"SIMPLE_DIVISION", {71.406481350, 20.395679100}},
+                                                {"SIMPLE_FISHEYE", {71.034276056, 20.643815963}},
+                                                {"FISHEYE", {71.034276056, 20.451863662}},
+                                                {"EUCM", {71.044415638, 20.445019445}}};
+    for (const Model& model : kModels) {
+        if (!expected.contains(model.name)) continue;
+        std::vector<double> parameters;
+        std::istringstream words(model.parameters);
+        for (double v = 0; words >> v;) parameters.push_back(v);
+        const Lens lens = lens_of(*lens_model(model.name), 96, 72, parameters);
+        const auto at = lens.pixel_of({0.3, -0.2, 1}, lens.reach());
+        ASSERT_TRUE(at.has_value()) << model.name;
+        EXPECT_NEAR(at->x, expected.at(model.name).x, 1e-6) << model.name;
+        EXPECT_NEAR(at->y, expected.at(model.name).y, 1e-6) << model.name;
+    }
+    for (int id = 0; id <= 17; ++id) EXPECT_TRUE(lens_model(id).has_value()) << id;
+    EXPECT_FALSE(lens_model(18).has_value());
+}
+
+TEST(Photos, UnknownLensesAreRefusedByName) {
+    const fs::path dir = scratch("unknown");
+    for (const auto& [model, named] : {std::pair{Model{"PLUMB_BOB", "80 48 36"}, "PLUMB_BOB"}, std::pair{Model{"EUCM", "80 81 48 36 1.5 1"}, "EUCM"},
+                                       std::pair{Model{"EUCM", "80 81 48 36 0.5 -1"}, "EUCM"}}) {
+        write_colmap(dir, model, 96, 72, ImageRgb8(96, 72));
+        try {
+            load_colmap_capture(dir, {});
+            FAIL() << named;
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find(named), std::string::npos) << e.what();
+        }
+    }
+}
+
+struct Warnings : EventSink {
+    void tell(const Event& event) override {
+        if (const auto* warning = std::get_if<WarningEvent>(&event)) text += warning->text + "\n";
+    }
+    std::string text;
+};
+
+Capture capture_of(const fs::path& dir, int count) {
+    Capture capture;
+    capture.source = dir.string();
+    for (int i = 0; i < count; ++i) {
+        Photo photo;
+        photo.name = fmt::format("p{}.png", i);
+        photo.file = dir / photo.name;
+        photo.lens = lens_of(*lens_model("SIMPLE_PINHOLE"), 16, 16, {16, 8, 8});
+        photo.world_from_camera.translation = {0.1 * i, 0, 0};
+        save_png(photo.file, ImageRgb8(16, 16, {1, 2, 3}));
+        capture.photos.push_back(photo);
+    }
+    for (int i = 0; i < 20; ++i) capture.points.push_back({{0.1 * i, 0.2, 2}, {}});
+    return capture;
+}
+
+TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
+    const fs::path dir = scratch("damaged");
+    Capture capture = capture_of(dir, 5);
+    const std::string whole = read_file(dir / "p0.png");
+    write_file(dir / "p1.png", whole.substr(0, whole.size() / 2));
+    save_png(dir / "p3.png", ImageRgb8(32, 16));  // of another shape than its camera
+    Warnings warnings;
+    fastscene::Run run;
+    run.events = &warnings;
+    const PhotoViews views = views_of_capture(capture, {}, run);
+    ASSERT_EQ(views.set.views.size(), 3u);
+    EXPECT_EQ(views.set.views[1].name, "p2.png");
+    EXPECT_NEAR(views.set.views[2].world_from_camera.translation.x - views.set.views[0].world_from_camera.translation.x, 0.4f, 1e-4f);
+    EXPECT_NE(warnings.text.find("2 of 5"), std::string::npos) << warnings.text;
+    for (const char* name : {"p1.png", "p3.png"}) EXPECT_NE(warnings.text.find((dir / name).string()), std::string::npos) << warnings.text;
+    write_file(dir / "p4.png", std::string_view("no picture"));
+    try {
+        views_of_capture(capture, {}, run);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("3 of 5"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("p4.png"), std::string::npos) << e.what();
+    }
+    capture.photos[0].mask = dir / "p4.png";  // a damaged mask is the picture's trouble
+    capture.photos.resize(3);
+    EXPECT_THROW(views_of_capture(capture, {}, run), Error);
+    capture.photos.push_back(capture.photos[2]);
+    EXPECT_EQ(views_of_capture(capture, {}, run).set.views.size(), 2u);
+}
+
+TEST(Photos, MemoryIsKnownBeforeTheyAreRead) {
+    const fs::path dir = scratch("memory");
+    Capture capture = capture_of(dir, 3);
+    EXPECT_EQ(memory_of_photos(capture, {}, false).views, 3 * 16 * 16 * 3);
+    capture.photos[1].mask = dir / "m.png";
+    EXPECT_EQ(memory_of_photos(capture, {}, false).views, 16 * 16 * (3 + 4 + 3));
+    for (Photo& photo : capture.photos) photo.lens = photo.lens.resized(4000, 4000);  // the pictures are small copies
+    EXPECT_EQ(memory_of_photos(capture, {}, true).views, 16 * 16 * (3 + 4 + 3));
+    PhotosParams params;
+    params.max_size = 1000;
+    EXPECT_EQ(memory_of_photos(capture, params, false).views, 1000 * 1000 * (3 + 4 + 3));
+    params.downscale = 8;
+    EXPECT_EQ(memory_of_photos(capture, params, false).views, 500 * 500 * (3 + 4 + 3));
+    EXPECT_GE(memory_of_photos(capture, params, false).reading, std::int64_t{4000} * 4000 * 3);
+    capture.photos[0].file = dir / "absent.png";
+    EXPECT_EQ(memory_of_photos(capture, params, false).views, 500 * 500 * (4 + 3));
 }
 
 TEST(Photos, ColmapPosesAreWorldToCamera) {
