@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <limits>
+
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/inpaint.h"
 #include "fastscene/walk/hole_dataset.h"
@@ -35,8 +38,11 @@ Verb add_inpaint_dataset(CLI::App& inpaint) {
                 HoleDatasetParams params;
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
+                const std::size_t most =
+                    flags->count.empty() ? std::numeric_limits<std::size_t>::max() : number_from<std::size_t>("--count", flags->count);
+                if (most == 0) throw UsageError("--count: expected at least 1 panorama, found 0");
                 std::vector<PanoramaFiles> panoramas = find_panoramas(flags->panoramas);
-                if (!flags->count.empty()) panoramas.resize(std::min(panoramas.size(), number_from<std::size_t>("--count", flags->count)));
+                panoramas.resize(std::min(panoramas.size(), most));
                 const HoleDatasetState s =
                     make_hole_dataset(panoramas, params, flags->out, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 session.print(summary(flags->out, s), {{"folder", flags->out},

@@ -6,6 +6,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/shortest.h"
 #include "fastscene/io/colmap.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/ply.h"
@@ -60,12 +61,12 @@ Json transforms_json(const std::vector<View>& views) {
         Json matrix = Json::array();
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3f row = i == 0 ? r.row0 : i == 1 ? r.row1 : r.row2;
-            matrix.push_back({row.x, -row.y, -row.z, t[i]});
+            matrix.push_back({shortest(row.x), shortest(-row.y), shortest(-row.z), shortest(t[i])});
         }
         matrix.push_back({0, 0, 0, 1});
         const Pinhole& c = view.camera;
-        frames.push_back({{"file_path", "images/" + view.name}, {"w", c.width}, {"h", c.height}, {"fl_x", c.fx}, {"fl_y", c.fy},
-                          {"cx", c.cx}, {"cy", c.cy}, {"transform_matrix", std::move(matrix)}});
+        frames.push_back({{"file_path", "images/" + view.name}, {"w", c.width}, {"h", c.height}, {"fl_x", shortest(c.fx)},
+                          {"fl_y", shortest(c.fy)}, {"cx", shortest(c.cx)}, {"cy", shortest(c.cy)}, {"transform_matrix", std::move(matrix)}});
     }
     return {{"camera_model", "OPENCV"}, {"ply_file_path", "sparse/0/points3D.ply"}, {"frames", std::move(frames)}};
 }

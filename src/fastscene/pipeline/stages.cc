@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/shortest.h"
 #include "fastscene/depth/depth.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/image/color.h"
@@ -37,12 +38,12 @@ Image<Known> known_from_mask(const ImageMask& mask) {
     return known;
 }
 
-// Row by row, 4 x 4. A float written as a double and read back is the same float.
+// Row by row, 4 x 4; read back they are the same floats.
 Json json_from_pose(const Rigid& pose) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3f row = i == 0 ? pose.rotation.row0 : i == 1 ? pose.rotation.row1 : pose.rotation.row2;
-        rows.push_back({row.x, row.y, row.z, pose.translation[i]});
+        rows.push_back({shortest(row.x), shortest(row.y), shortest(row.z), shortest(pose.translation[i])});
     }
     rows.push_back({0, 0, 0, 1});
     return rows;

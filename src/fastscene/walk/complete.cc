@@ -10,10 +10,10 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNearShare = 0.8f;     // of the rim's far range: what is nearer belongs to the foreground
-constexpr int kRim = 2;                // pixels about a hole that make its rim
+constexpr float kNearShare = 0.8f;  // of the rim's far range: what is nearer belongs to the foreground
+constexpr int kRim = 2;             // pixels about a hole that make its rim
 constexpr std::size_t kMostHits = 64;
-constexpr int kOpeningSteps = 6;       // looks on the way through a wall
+constexpr int kOpeningSteps = 6;  // looks on the way through a wall
 constexpr float kThickestWall_m = 0.6f;
 constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
 
@@ -124,7 +124,8 @@ void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageM
         }
 }
 
-// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face.
+// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. A mean of wall and sky would
+// hang in the air between them: each pixel belongs to what most of its surroundings are.
 void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
     const int w = rest.width, h = rest.height;
     const EquirectSize size{w, h};
@@ -134,7 +135,7 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
         mark_foreground(view, rest, rest, foreground);
         for (std::size_t i = 0; i < avoid.size(); ++i) avoid.pixels[i] |= foreground.pixels[i];
     }
-    const auto reference = make_inpainter("harmonic");   // range is geometry, not paint
+    const auto reference = make_inpainter("harmonic");  // range is geometry, not paint
     const int face_size = std::max(16, w / 4);
     const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
     for (const CubeFace face : kCubeFaces) {
@@ -148,9 +149,9 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 const Vec2f at =
                     pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
                 const int px = wrap_column(static_cast<int>(at.x), w), py = std::min(static_cast<int>(at.y), h - 1);
-                const float q = inverse_range(view.range.at(px, py));
+                const float r = view.range.at(px, py);
                 color.at(x, y) = view.color.at(px, py);
-                inverse.at(x, y) = {q, q, q};
+                inverse.at(x, y) = r < kFarthestRange ? Vec3f{1.f / r, 1.f, 0.f} : Vec3f{};  // and whether it is a surface
                 hole.at(x, y) = avoid.at(px, py);
                 any |= rest.at(px, py) != 0;
             }
@@ -163,8 +164,10 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 const Vec3f d = direction_of_pixel(x, y, size);
                 if (face_of_direction(d) != face) continue;
                 const Vec2f at = *camera.project(transpose(pano_from_camera) * d);
-                view.color.at(x, y) = sample_flat(color, at);
-                view.range.at(x, y) = 1.f / std::max(sample_flat(inverse, at).x, 1.f / kFarthestRange);
+                const Vec3f filled = sample_flat(inverse, at);
+                const bool surface = filled.y >= 0.5f;
+                view.color.at(x, y) = surface || world.outside.empty() ? sample_flat(color, at) : world.outside.at(x, y);
+                view.range.at(x, y) = surface ? filled.y / std::max(filled.x, filled.y / kFarthestRange) : std::numeric_limits<float>::infinity();
                 view.plane.at(x, y) = kNoPlane;
             }
     }

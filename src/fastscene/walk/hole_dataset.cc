@@ -87,7 +87,8 @@ std::optional<Panorama> readable(const PanoramaFiles& files, const Run& run) {
     try {
         return ready_to_walk(load_panorama(files), {run.seed, nullptr, run.stop});
     } catch (const Error& e) {
-        run.warn(fmt::format("skipped {}: {}", files.color.string(), e.what()));
+        const std::string why = e.what(), name = files.color.string();
+        run.warn(fmt::format("skipped {}{}", why.find(name) == std::string::npos ? name + ": " : "", why));
         return {};
     }
 }
@@ -166,6 +167,8 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
         state.masks += about.value("masks", std::int64_t{0});
         progress.advance();
     }
+    if (state.panoramas > 0 && state.there == 0)
+        throw Error("{}: expected a panorama with range that can be read, found none among {}", folder.string(), state.panoramas);
     return state;
 }
 

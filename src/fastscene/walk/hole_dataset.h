@@ -39,7 +39,8 @@ struct HoleDatasetState {
 //     images/shard-00000/00000042-front.png           a face, without holes
 //     masks/shard-00000/00000042-front-03.png         white = hole; the number counts (distance, direction), the paper's warp first
 // and DIR/done/00000042.json says, last, that panorama 42 of the folder's list is complete. What is there is kept; a panorama that cannot
-// be read is skipped with a warning, counted, and tried again next time. Throws UsageError when DIR holds a set with other settings.
+// be read is skipped with a warning, counted, and tried again next time. Throws UsageError when DIR holds a set with other settings,
+// Error when no panorama at all could be read.
 HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const std::filesystem::path& folder,
                                    const Run& run);
 

@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
@@ -124,6 +127,29 @@ TEST(HoleDataset, ABrokenPictureIsSkippedAndCounted) {
     const HoleDatasetState mended = make_hole_dataset(panoramas, small(), folder.path / "out", {});
     EXPECT_EQ(mended.made, 1);
     EXPECT_EQ(mended.there, 3);
+}
+
+TEST(HoleDataset, NothingReadableIsAnErrorAndEachFileIsNamedOnce) {
+    struct Warnings : EventSink {
+        void tell(const Event& event) override {
+            if (const auto* warning = std::get_if<WarningEvent>(&event)) texts.push_back(warning->text);
+        }
+        std::vector<std::string> texts;
+    } warnings;
+    fastscene::Run run;
+    run.events = &warnings;
+    const Folder folder;
+    save_post(folder.path / "in/a", 64);
+    save_post(folder.path / "in/b", 64);
+    const std::string color = (folder.path / "in/a.png").string();
+    write_file(color, read_file(color).substr(0, 99));
+    write_file(folder.path / "in/b.range.png", std::string_view("no range"));
+    EXPECT_THROW(make_hole_dataset(find_panoramas(folder.path / "in"), small(), folder.path / "out", run), Error);
+    ASSERT_EQ(warnings.texts.size(), 2u);
+    EXPECT_NE(warnings.texts[0].find(color), std::string::npos);
+    EXPECT_EQ(warnings.texts[0].find(color), warnings.texts[0].rfind(color)) << warnings.texts[0];
+    EXPECT_NE(warnings.texts[1].find("b.png"), std::string::npos) << warnings.texts[1];
+    EXPECT_NE(warnings.texts[1].find("b.range.png"), std::string::npos) << warnings.texts[1];
 }
 
 TEST(HoleDataset, Structured3DAsDownloaded) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/shortest.h"
 #include "fastscene/walk/free_space.h"
 #include "fastscene/walk/published_warp.h"
 #include "fastscene/walk/ready.h"
@@ -15,12 +16,12 @@ constexpr int kPublishedWidth = 1024;
 
 struct PaperStep {
     char axis;
-    double share, percent;   // Table 1: "Pose (m)", which are shares of the greatest range, and "Mask (%)"
+    double share, hole;   // Table 1: "Pose (m)", which are shares of the greatest range, and "Mask (%)" as a share
 };
 constexpr PaperStep kPaper[] = {
-    {'x', 0.33, 64.3}, {'x', 0.27, 58.7}, {'x', 0.21, 51.9}, {'x', 0.15, 43.2}, {'x', 0.09, 33.2}, {'x', 0.03, 17.7}, {'x', -0.02, 14.9},
-    {'y', 0.20, 28.9}, {'y', 0.16, 24.2}, {'y', 0.12, 19.6}, {'y', 0.09, 15.3}, {'y', 0.05, 11.2}, {'y', 0.02, 7.1},  {'y', -0.02, 7.6},
-    {'z', 0.33, 62.2}, {'z', 0.27, 56.7}, {'z', 0.21, 50.0}, {'z', 0.15, 41.9}, {'z', 0.09, 31.5}, {'z', 0.03, 16.7}, {'z', -0.02, 16.0},
+    {'x', 0.33, 0.643}, {'x', 0.27, 0.587}, {'x', 0.21, 0.519}, {'x', 0.15, 0.432}, {'x', 0.09, 0.332}, {'x', 0.03, 0.177}, {'x', -0.02, 0.149},
+    {'y', 0.20, 0.289}, {'y', 0.16, 0.242}, {'y', 0.12, 0.196}, {'y', 0.09, 0.153}, {'y', 0.05, 0.112}, {'y', 0.02, 0.071},  {'y', -0.02, 0.076},
+    {'z', 0.33, 0.622}, {'z', 0.27, 0.567}, {'z', 0.21, 0.500}, {'z', 0.15, 0.419}, {'z', 0.09, 0.315}, {'z', 0.03, 0.167}, {'z', -0.02, 0.160},
 };
 
 ImageF at_published_size(const ImageF& range) {
@@ -111,7 +112,7 @@ std::vector<HoleRow> hole_table(const ImageF& given, const Run& run, const Dista
         const Vec3d world = world_from_published(move) * most;
         const Vec3f position{static_cast<float>(world.x), static_cast<float>(world.y), static_cast<float>(world.z)};
         HoleRow row{step.axis, step.share, step.share * most,  distance_ahead(first.range, normalize(position)) > length(position),
-                    0,         0,          step.percent / 100, {}};
+                    0,         0,          step.hole, {}};
         row.published = published_warp(blank, range, move).hole_ratio();
         const ImageMask ours = our_holes(source, first.size(), position);
         row.ours = share_of(ours);
@@ -142,16 +143,22 @@ std::string hole_table_text(const std::vector<HoleRow>& rows) {
 }
 
 Json hole_table_json(const std::vector<HoleRow>& rows) {
+    const auto number = [](double v) { return shortest(static_cast<float>(v)); };   // seven digits say more than was measured
     Json out = Json::array();
     for (const HoleRow& row : rows) {
-        Json json{{"axis", std::string(1, row.axis)}, {"share", row.share}, {"step_m", row.step_m}, {"in_room", row.in_room},
-                  {"paper", row.paper},               {"published", row.published}, {"ours", row.ours}};
+        Json json{{"axis", std::string(1, row.axis)},
+                  {"share", number(row.share)},
+                  {"step_m", number(row.step_m)},
+                  {"in_room", row.in_room},
+                  {"paper", number(row.paper)},
+                  {"published", number(row.published)},
+                  {"ours", number(row.ours)}};
         if (row.truth)
-            json["truth"] = {{"ratio", row.truth->ratio},
-                             {"precision", row.truth->precision},
-                             {"recall", row.truth->recall},
-                             {"precision_near", row.truth->precision_near},
-                             {"recall_near", row.truth->recall_near}};
+            json["truth"] = {{"ratio", number(row.truth->ratio)},
+                             {"precision", number(row.truth->precision)},
+                             {"recall", number(row.truth->recall)},
+                             {"precision_near", number(row.truth->precision_near)},
+                             {"recall_near", number(row.truth->recall_near)}};
         out.push_back(json);
     }
     return {{"rows", out}};

@@ -44,7 +44,14 @@ TEST(HoleTable, HasThePapersRowsAndOursLeavesFewerHoles) {
     EXPECT_GT(rows[0].published, rows[5].published);   // farther, more
     const std::string text = hole_table_text(rows);
     EXPECT_NE(text.find("precision"), std::string::npos);
-    EXPECT_EQ(hole_table_json(rows).at("rows").size(), 21u);
+    const Json json = hole_table_json(rows);
+    EXPECT_EQ(json.at("rows").size(), 21u);
+    EXPECT_EQ(json.at("rows").at(1).at("paper").dump(), "0.587");
+    for (const Json& row : json.at("rows"))
+        for (const auto& [name, value] : row.items())
+            if (value.is_number_float()) {
+                EXPECT_LE(value.dump().size(), 14u) << name << value.dump();
+            }
 }
 
 TEST(HoleTable, AnEmptyRoomHasNoneOfOurs) {

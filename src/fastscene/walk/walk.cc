@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fastscene/base/shortest.h"
 #include "fastscene/walk/complete.h"
 #include "fastscene/walk/free_space.h"
 #include "fastscene/walk/outlook.h"
@@ -41,17 +42,19 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Wa
 
 // A reach longer than the room is wide somewhere: said once, with what became of it, and written down.
 Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params, const Run& run) {
-    float shortest = std::numeric_limits<float>::infinity(), reached = 0;
+    float nearest = std::numeric_limits<float>::infinity(), reached = 0;
     for (const Vec3f& world : positions) {
         const Vec3f p = inverse(first.world_from_pano) * world;
-        shortest = std::min(shortest, distance_ahead(first.range, normalize(p)));
+        nearest = std::min(nearest, distance_ahead(first.range, normalize(p)));
         reached = std::max(reached, length(p));
     }
-    Json about{{"viewpoints", positions.size()}, {"reached_m", reached}};
-    if (shortest < params.reach_m) {
+    Json about{{"viewpoints", positions.size()}, {"reached_m", shortest(reached)}};
+    if (nearest < params.reach_m) {
         run.warn(fmt::format("walk: a reach of {} m would leave the room (a surface is {:.2f} m away); viewpoints are clipped to {:.0f} % of the free distance",
-                             params.reach_m, shortest, 100 * params.clearance));
-        about["clipped"] = {{"wanted_m", params.reach_m}, {"nearest_surface_m", shortest}, {"share_of_free_distance", params.clearance}};
+                             params.reach_m, nearest, 100 * params.clearance));
+        about["clipped"] = {{"wanted_m", shortest(params.reach_m)},
+                            {"nearest_surface_m", shortest(nearest)},
+                            {"share_of_free_distance", shortest(params.clearance)}};
     }
     return about;
 }
