@@ -53,7 +53,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")->type_name("N")->capture_default_str();
     verb->add_option("--panorama", flags->picture,
-                     "Start from this 2:1 picture (.jpg, .png, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
+                     "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or diffusion360: paint the prompt with --weights.")
         ->type_name("FILE|diffusion360");
     verb->add_option("--weights", flags->weights,
                      "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: those of "

@@ -135,15 +135,20 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
         mark_foreground(view, rest, rest, foreground);
         for (std::size_t i = 0; i < avoid.size(); ++i) avoid.pixels[i] |= foreground.pixels[i];
     }
+    // Faces that hold a hole, be it narrower than the face's own pixels.
+    std::array<bool, std::size(kCubeFaces)> needed{};
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            if (rest.at(x, y)) needed[static_cast<std::size_t>(face_of_direction(direction_of_pixel(x, y, size)))] = true;
     const auto reference = make_inpainter("harmonic");  // range is geometry, not paint
     const int face_size = std::max(16, w / 4);
     const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
     for (const CubeFace face : kCubeFaces) {
         run.check_stop();
+        if (!needed[static_cast<std::size_t>(face)]) continue;
         const Mat3f pano_from_camera = pano_from_face(face);
         ImageColor color(face_size, face_size), inverse(face_size, face_size);
         ImageMask hole(face_size, face_size);
-        bool any = false;
         for (int y = 0; y < face_size; ++y)
             for (int x = 0; x < face_size; ++x) {
                 const Vec2f at =
@@ -153,9 +158,7 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 color.at(x, y) = view.color.at(px, py);
                 inverse.at(x, y) = r < kFarthestRange ? Vec3f{1.f / r, 1.f, 0.f} : Vec3f{};  // and whether it is a surface
                 hole.at(x, y) = avoid.at(px, py);
-                any |= rest.at(px, py) != 0;
             }
-        if (!any) continue;
         color = world.inpainter->fill(color, hole, run);
         inverse = reference->fill(inverse, hole, run);
         for (int y = 0; y < h; ++y)

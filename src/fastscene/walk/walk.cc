@@ -40,6 +40,19 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Wa
     return view;
 }
 
+// What the next viewpoints see of a painting: pixels that are part of a surface, however small. One without neighbours would be a speck
+// in front of whatever lies behind it.
+ImageMask carried_part(const ImageMask& painted) {
+    ImageMask out(painted.width, painted.height);
+    for (int y = 0; y + 1 < painted.height; ++y)
+        for (int x = 0; x < painted.width; ++x) {
+            const int r = wrap_column(x + 1, painted.width);
+            if (painted.at(x, y) && painted.at(r, y) && painted.at(x, y + 1) && painted.at(r, y + 1))
+                out.at(x, y) = out.at(r, y) = out.at(x, y + 1) = out.at(r, y + 1) = 1;
+        }
+    return out;
+}
+
 // A reach longer than the room is wide somewhere: said once, with what became of it, and written down.
 Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params, const Run& run) {
     float nearest = std::numeric_limits<float>::infinity(), reached = 0;
@@ -103,7 +116,7 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         complete_holes(view, hole, position, world, run);
-        invented.push_back(make_warp_source(view.color, view.range, view.plane, hole, position));
+        invented.push_back(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
         next.color = std::move(view.color);
         next.range = std::move(view.range);
         next.world_from_pano = {first.world_from_pano.rotation, world_position};
