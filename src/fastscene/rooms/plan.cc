@@ -187,6 +187,18 @@ void report_unbuilt(PromptSpec& spec) {
             for (int i = 0; i < wish.count; ++i) spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
 }
 
+// "A pink bathroom", "a blue study": a color of no piece is that of a wall at least; tiles have it all around.
+void paint_in(const std::string& name, bool wet, Plan& plan) {
+    const auto color = color_named(name);
+    if (!color) return;
+    Material& m = plan.style.accent_wall;
+    if (!wet) m = plan.style.wall;
+    m.color_a = *color;
+    if (m.pattern == Pattern::plaster) m.color_b = m.color_c = *color;
+    plan.accent = true;
+    if (wet && luminance(*color) > 0.12f) plan.style.wall = m;
+}
+
 }  // namespace
 
 Plan make_plan(PromptSpec& spec, Random& dice) {
@@ -202,8 +214,12 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     if (spec.style.empty()) {
         const std::vector<std::string> all = styles();
-        static const std::vector<std::string> kCozy{"scandinavian", "rustic"}, kForChildren{"modern", "scandinavian", "boho", "mid-century"};
-        const std::vector<std::string>& choice = spec.mood == "cozy" ? kCozy : spec.room == "kids" || spec.mood == "colorful" ? kForChildren : all;
+        static const std::vector<std::string> kCozy{"scandinavian", "rustic"}, kForChildren{"modern", "scandinavian", "boho", "mid-century"},
+            kUrban{"modern", "industrial"}, kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
+        const std::vector<std::string>& choice = spec.mood == "cozy" ? kCozy : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
+                                                : spec.light == "neon"                                   ? kUrban
+                                                : !spec.colors.empty()                                   ? kPainted
+                                                                                                         : all;
         spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
@@ -235,6 +251,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
 
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
     choose_paint(spec, plan, dice);
+    deepen_paint(spec, plan);
     if (wet) tile_wet_room(plan, dice);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
@@ -255,13 +272,15 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }
-    if (!spec.colors.empty() && plan.accent && !wet && spec.everything.color.empty())
-        if (const auto color = color_named(spec.colors.front())) plan.style.accent_wall.color_a = *color;
+    if (!spec.colors.empty() && spec.everything.color.empty()) paint_in(spec.colors.front(), wet, plan);
+    plan.style.shelves = shelves_of(spec.room);
     report_unbuilt(spec);
     shape_plan(spec, plan, dice);
     tell_measures(spec, plan);
     add_windows(spec, plan, dice);
     add_door(spec, plan, dice);
+    choose_ceiling(spec, plan);
+    plan.neon = spec.light == "neon";
     open_plan(spec, plan, dice);
     return plan;
 }

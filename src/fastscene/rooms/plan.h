@@ -19,6 +19,11 @@ inline constexpr float kWallThickness = 0.22f;
 // A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
 
+// How far a tray ceiling steps down along the walls, and how wide that border is.
+inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;
+
+inline constexpr const char* kNeon = "neon strip";   // the name of their materials
+
 // A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its left end as seen from inside.
 struct Opening {
     enum class Kind : unsigned char { window, door, doorway } kind = Kind::window;
@@ -63,6 +68,9 @@ struct Plan {
     bool measured = false;                       // width or depth were said: nothing adds to them
     bool accent = false;                         // wall 0 has the accent material
     bool beams = false;
+    bool tray = false;         // the ceiling steps down along the walls
+    bool neon = false;         // strips of colored light below the ceiling
+    bool spots = false;        // small lamps sunk into the ceiling
     bool coffers = false;      // a grid of beams in the color of the trim
     bool bay = false;          // the recess of the far wall is all window
     bool panelling = false;    // walls are panelled to the height of a chair's back

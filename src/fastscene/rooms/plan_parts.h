@@ -7,8 +7,15 @@ namespace fastscene {
 
 // One of the paints that go with the room's style.
 void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice);
+// Deep colors for studies and libraries of some styles.
+void deepen_paint(const PromptSpec& spec, Plan& plan);
+// What stands on the shelves of a room of this type.
+Shelves shelves_of(std::string_view room);
 // Tiles for a bathroom or laundry, as the style has them.
 void tile_wet_room(Plan& plan, Random& dice);
+
+// What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and windows.
+void choose_ceiling(const PromptSpec& spec, Plan& plan);
 
 // Color, material and pattern wishes of a surface.
 void apply_wish(Material& m, const PromptObject& wish, bool boarded = false);

@@ -136,6 +136,9 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.width = std::min(face.length, dice.uniform(3.6f, 4.4f));
         p.depth = dice.uniform(3.4f, 4.2f);
         p.accent = dice.chance(0.5f);
+        p.spots = plan.spots;
+        p.neon = plan.neon;
+        p.style.shelves = shelves_of(next->type);
         // Its place along our wall: the doorway inside it, itself within the wall's length.
         const float middle = (o.u0 + o.u1) / 2, reach = p.width / 2 - wide / 2 - 0.3f;
         const float center = std::clamp(middle + dice.uniform(-reach, reach), p.width / 2, face.length - p.width / 2);

@@ -232,6 +232,43 @@ TEST(Room, ARugAskedForLiesFlatOnTheFloor) {
     EXPECT_NEAR(rug->world_from_object.translation.y, room.max_corner.y, 0.005f);
 }
 
+TEST(Room, NeonShinesInTwoColorsByNight) {
+    PromptSpec spec;
+    const Room room = room_of("a neon bedroom", 2, &spec);
+    EXPECT_EQ(spec.time, "night");
+    std::vector<Vec3f> colors;
+    for (const Material& m : room.materials)
+        if (m.name == "neon strip") colors.push_back(m.emission);
+    ASSERT_EQ(colors.size(), 2u);
+    EXPECT_GT(colors[0].x, colors[0].z);
+    EXPECT_GT(colors[1].z, colors[1].x);
+    for (const Material& m : room_of("a bedroom at night", 2).materials) EXPECT_NE(m.name, "neon strip");
+}
+
+// The accent wall is the far one, tiles are all around.
+TEST(Room, AColorOfNoPieceIsOnTheWalls) {
+    const Vec3f pink = *color_named("pink");
+    for (const char* text : {"a pink bathroom", "a pink study"})
+        for (std::uint64_t seed = 0; seed < 3; ++seed) {
+            const Room room = room_of(text, seed);
+            const bool there = std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& mesh) {
+                const Vec3f c = room.materials[static_cast<std::size_t>(mesh.material)].color_a;
+                return mesh.object == -1 && length(c - pink) < 1e-4f;
+            });
+            EXPECT_TRUE(there) << text << ' ' << seed;
+        }
+}
+
+TEST(Room, BathroomShelvesHoldNoBooks) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        PromptSpec spec;
+        const Room room = room_of("a bathroom with a shelf", seed, &spec);
+        for (const Mesh& mesh : room.meshes)
+            if (mesh.object >= 0 && room.objects[static_cast<std::size_t>(mesh.object)].klass == "shelf")
+                EXPECT_NE(room.materials[static_cast<std::size_t>(mesh.material)].pattern, Pattern::book);
+    }
+}
+
 TEST(Room, JsonCountsVisiblePixels) {
     const Room room = room_of("a bedroom", 1);
     Image<std::int32_t> map(4, 2);

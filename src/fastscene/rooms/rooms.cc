@@ -35,7 +35,8 @@ constexpr Daylight kDaylight[] = {
 void assume_time(PromptSpec& spec, std::uint64_t seed) {
     if (!spec.time.empty()) return;
     const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
-    spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
+    if (spec.light == "neon") spec.time = "night";
+    else spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
     spec.assumed.push_back("time: " + spec.time);
 }
 
@@ -71,7 +72,7 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f : 0.3f;
     sky.seed = dice.next_u32();
     sky.snow = spec.weather == "snowy";
-    sky.seen = light->sun_elevation_deg > 5 && light->time != Sky::Time::night ? 0.3f : 1.f;
+    sky.seen = light->sun_elevation_deg > 5 && light->time != Sky::Time::night ? 0.13f : 1.f;
     sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
@@ -95,6 +96,7 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
 
 // How much of their light the lamps give, by the hour.
 float lamp_level(const PromptSpec& spec) {
+    if (spec.light == "neon") return 0.3f;   // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
     if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
     return 0.f;
@@ -282,6 +284,8 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
     const float lamps = lamp_level(spec);
+    for (Material& material : room.materials)   // of the shell: spotlights
+        if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
     for (const Placed& placed : furnished.placed_next) add_piece(placed, lamps, room);
     count_placed(furnished, spec);

@@ -54,7 +54,7 @@ struct PromptSpec {
     float area_m2 = 0;                  // its floor, when that was said
     PromptObject everything;            // "everything is pink": color, material of all there is
     std::string mood;                   // cozy airy colorful
-    std::string light;                  // bright dim "lamps on"
+    std::string light;                  // bright dim "lamps on" neon
     std::string clutter;                // cluttered bare, or empty: nothing but what is named ("only a bed")
     std::string outlook;                // what the windows show: garden city sea mountains forest
     std::vector<PromptObject> objects;

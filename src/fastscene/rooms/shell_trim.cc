@@ -1,6 +1,8 @@
 // What runs along the walls and the ceiling: skirting, mouldings, panelling, beams, coffers, the bases of columns.
 #include <cmath>
+#include <tuple>
 
+#include "fastscene/rooms/shapes.h"
 #include "fastscene/rooms/shell_kit.h"
 
 namespace fastscene::shell {
@@ -99,6 +101,67 @@ void build_coffers(const Plan& plan, Room& room, int trim) {
     }
 }
 
+// A border along the walls, lower than the middle; in rich rooms with a second, smaller step.
+void build_tray(const Plan& plan, Room& room, int ceiling) {
+    const auto border = [&](float wide, float low, float high) {
+        const float w = plan.width / 2, d = plan.depth / 2;
+        for (const float s : {-1.f, 1.f}) {
+            room.meshes.push_back(box_mesh({std::min(s * w, s * (w - wide)), low, -d}, {std::max(s * w, s * (w - wide)), high, d}, ceiling, -1));
+            room.meshes.push_back(box_mesh({wide - w, low, std::min(s * d, s * (d - wide))}, {w - wide, high, std::max(s * d, s * (d - wide))}, ceiling, -1));
+        }
+    };
+    if (plan.style.mouldings == Mouldings::rich) {
+        border(kTrayBorder + 0.16f, plan.height - 0.5f * kTrayStep, plan.height + 0.01f);
+        border(kTrayBorder, plan.height - kTrayStep, plan.height - 0.5f * kTrayStep);
+    } else {
+        border(kTrayBorder, plan.height - kTrayStep, plan.height + 0.01f);
+    }
+}
+
+// Small lamps sunk into the ceiling along the walls; how bright they are by the hour is the room's business.
+void build_spots(const Plan& plan, Room& room) {
+    Material light;
+    light.name = "spotlight";
+    light.color_a = light.color_b = light.color_c = {0.7f, 0.68f, 0.64f};
+    light.emission = plan.style.lamp_light * 1.5f;
+    const int rim = add_material(room, plan.style.metal), glow = add_material(room, light);
+    const float y = plan.height - (plan.tray ? kTrayStep : 0.f), in = plan.tray ? 0.5f * kTrayBorder : 0.75f;
+    const float x = plan.width / 2 - in, z = plan.depth / 2 - in;
+    const int along = std::max(2, static_cast<int>(std::lround(2 * z / 1.5f))), across = plan.width > 3.4f ? 2 : 1;
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j < across; ++j) {
+            const float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(along);
+            const Vec3f at{across == 1 ? 0.f : j == 0 ? -x : x, y, z * (2 * share - 1)};
+            if (std::any_of(plan.blocks.begin(), plan.blocks.end(), [&](const Block& b) {
+                    return at.x > b.low.x - 0.1f && at.x < b.high.x + 0.1f && at.z > b.low.y - 0.1f && at.z < b.high.y + 0.1f;
+                }))
+                continue;
+            for (const auto& [radius, low, material] : {std::tuple{0.05f, 0.005f, rim}, std::tuple{0.038f, 0.008f, glow}}) {
+                Mesh disc = shapes::prism(shapes::circle(radius, 20), -low, 0.f, 0.001f);
+                disc.material = material;
+                room.meshes.push_back(shapes::move(disc, at));
+            }
+        }
+}
+
+// Two colors of light below the ceiling: one ahead and to the right, one behind and to the left.
+void build_neon(const Plan& plan, Room& room) {
+    const auto tube = [&](Vec3f radiance) {
+        Material m;
+        m.name = kNeon;
+        m.emission = radiance;
+        return add_material(room, m);
+    };
+    const int pink = tube({2.6f, 0.16f, 1.3f}), blue = tube({0.16f, 0.5f, 2.8f});
+    const float below = plan.beams ? 0.21f : plan.tray ? kTrayStep + 0.03f : plan.style.mouldings != Mouldings::none ? 0.12f : 0.03f;
+    for (const WallFace& face : plan.faces()) {
+        if (plan.joined && face.wall == 2) continue;
+        const WallBuilder wall(face, room);
+        const float y = (plan.knee > 0 && face.wall % 2 == 1 ? plan.knee : plan.height) - below;
+        wall.box(0.03f, face.length - 0.03f, y - 0.022f, y, 0.001f, 0.014f, face.wall == 0 || face.wall == 1 ? pink : blue);
+    }
+}
+
 // Base and capital.
 void build_columns(const Plan& plan, Room& room, int wall, int trim) {
     for (const Block& b : plan.blocks) {
@@ -126,6 +189,9 @@ void build_trim(const Plan& plan, const Materials& m, Room& room) {
     build_columns(plan, room, m.wall, m.trim);
     if (plan.beams) build_beams(plan, room);
     if (plan.coffers) build_coffers(plan, room, m.trim);
+    if (plan.tray) build_tray(plan, room, m.ceiling);
+    if (plan.spots) build_spots(plan, room);
+    if (plan.neon) build_neon(plan, room);
 }
 
 }  // namespace fastscene::shell

@@ -10,10 +10,16 @@
 namespace fastscene {
 namespace {
 
+// Nothing in a room is brighter than fresh paint, or darker than soot; a strong color may lack one of the three almost wholly.
+Vec3f real_paint(Vec3f c) {
+    constexpr float kLeast = 0.012f, kSoot = 0.03f, kMost = 0.85f;
+    c = {std::clamp(c.x, kLeast, kMost), std::clamp(c.y, kLeast, kMost), std::clamp(c.z, kLeast, kMost)};
+    const float lift = std::max(0.f, kSoot - luminance(c));
+    return c + Vec3f{lift, lift, lift};
+}
 Vec3f srgb(std::uint32_t rgb) {
     const Vec3f c = linear_from_srgb8({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)});
-    // Nothing in a room is darker than soot or brighter than fresh paint.
-    return {std::clamp(c.x, 0.03f, 0.85f), std::clamp(c.y, 0.03f, 0.85f), std::clamp(c.z, 0.03f, 0.85f)};
+    return real_paint(c);
 }
 Vec3f named(std::string_view name) { return *color_named(name); }
 Vec3f darker(Vec3f c, float f) { return c * f; }
@@ -46,6 +52,12 @@ Material black_metal() {
     Material m = make("black metal", Pattern::plain, {0.035f, 0.035f, 0.037f}, {0.035f, 0.035f, 0.037f}, 0.05f, 0.45f);
     return m;
 }
+// Burnt unevenly, in soft mortar; in full red a wall of it would shout.
+Material red_brick() {
+    Material m = make("red brick", Pattern::brick, lerp(named("brick"), {0.2f, 0.12f, 0.09f}, 0.35f), named("stone") * 0.8f, 0.065f, 0.85f, 0.006f);
+    m.color_c = {0.1f, 0.055f, 0.045f};
+    return m;
+}
 Material brass() { return alloy("brass", {0.72f, 0.52f, 0.22f}, 0.3f); }
 Material chrome() { return alloy("chrome", {0.62f, 0.63f, 0.64f}, 0.18f); }
 Material veil(std::string_view color, float through) {
@@ -71,17 +83,17 @@ std::vector<Style> make_styles() {
     std::vector<Style> all;
     // name, floor, wall, accent, ceiling, trim, wood, wood2, metal, fabric, fabric2, leather, curtain, rug, palette, …
     all.push_back({"modern", boards(Pattern::planks, "oak", 0.125f), paint("white"), paint("slate"), white_ceiling, white_trim, timber("walnut"), timber("oak"), black_metal(),
-                   cloth("gray"), cloth("charcoal"), hide("black"), veil("white", 0.45f), carpet_of(Pattern::carpet, "ash", "silver", "white"),
+                   cloth("gray"), cloth("charcoal"), hide("black"), veil("white", 0.45f), carpet_of(Pattern::rug, "off white", "ash", "silver"),
                    palette_of({"teal", "mustard", "charcoal", "white", "slate", "rust"}), LampFamily::dome, LegType::metal_frame, SofaType::block, Mouldings::none, 1, 1, 0.4f, 0.4f, 2.75f, false, {10.f, 7.8f, 5.4f}});
     all.push_back({"scandinavian", boards(Pattern::planks, "birch", 0.115f), paint("white"), paint("duck egg"), white_ceiling, white_trim, timber("birch"), timber("oak"), black_metal(),
-                   cloth("silver"), cloth("cream"), hide("camel"), veil("linen", 0.5f), carpet_of(Pattern::rug, "cream", "charcoal", "silver"),
+                   cloth("light greige"), cloth("cream"), hide("camel"), veil("linen", 0.5f), carpet_of(Pattern::rug, "cream", "charcoal", "silver"),
                    palette_of({"sage", "dusty pink", "mustard", "charcoal", "cream", "sky"}), LampFamily::drum, LegType::tapered, SofaType::slim, Mouldings::plain, 2, 2, 0.7f, 0.55f, 2.6f, false, {9.f, 6.8f, 4.4f}});
-    all.push_back({"japandi", boards(Pattern::planks, "natural", 0.15f), paint("greige"), paint("taupe"), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
+    all.push_back({"japandi", boards(Pattern::planks, "natural", 0.15f), paint("greige"), make("oak slats", Pattern::planks, named("oak"), darker(named("oak"), 0.6f), 0.055f, 0.5f, 0.002f), white_ceiling, timber("oak"), timber("oak"), timber("ebony"), black_metal(),
                    cloth("oatmeal"), cloth("stone"), hide("taupe"), veil("linen", 0.5f), carpet_of(Pattern::carpet, "oatmeal", "sand", "taupe"),
                    palette_of({"clay", "sage", "charcoal", "oatmeal", "taupe", "olive"}), LampFamily::paper, LegType::tapered, SofaType::slim, Mouldings::none, 1, 3, 0.5f, 0.25f, 2.5f, false, {9.f, 7.f, 4.8f}});
     all.push_back({"industrial", make("concrete floor", Pattern::concrete, {0.2f, 0.183f, 0.162f}, {0.135f, 0.122f, 0.108f}, 0.6f, 0.5f, 0.0006f), paint("ash"),
-                   make("red brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f), make("concrete ceiling", Pattern::concrete, {0.36f, 0.345f, 0.32f}, {0.27f, 0.255f, 0.235f}, 0.6f, 0.8f, 0.0006f), black_metal(),
-                   timber("teak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
+                   red_brick(), make("concrete ceiling", Pattern::concrete, {0.36f, 0.345f, 0.32f}, {0.27f, 0.255f, 0.235f}, 0.6f, 0.8f, 0.0006f), black_metal(),
+                   timber("honey oak", 0.6f), timber("walnut", 0.6f), black_metal(), cloth("charcoal"), cloth("umber"), hide("cognac"), veil("gray", 0.3f), carpet_of(Pattern::rug, "rust", "midnight", "sand"),
                    palette_of({"rust", "charcoal", "mustard", "denim", "umber", "stone"}), LampFamily::cage, LegType::metal_frame, SofaType::block, Mouldings::none, 3, 4, 0.4f, 0.6f, 3.2f, true, {11.f, 7.2f, 3.8f}});
     all.push_back({"classic", boards(Pattern::herringbone, "oak", 0.09f), paint("ivory"), make("damask wallpaper", Pattern::damask, named("sage"), named("eucalyptus"), 0.45f, 0.7f), white_ceiling, white_trim,
                    timber("mahogany", 0.3f), timber("cherry", 0.3f), brass(), cloth("champagne"), cloth("burgundy"), hide("oxblood"), veil("wine", 0.12f), carpet_of(Pattern::rug, "burgundy", "navy", "champagne"),
@@ -142,13 +154,12 @@ std::optional<Vec3f> color_named(std::string_view name) {
     const std::string first = n.substr(0, space), rest = n.substr(space + 1);
     const auto base = color_named(rest);
     if (!base) return std::nullopt;
-    const auto keep = [](Vec3f c) { return Vec3f{std::clamp(c.x, 0.03f, 0.85f), std::clamp(c.y, 0.03f, 0.85f), std::clamp(c.z, 0.03f, 0.85f)}; };
-    if (first == "light" || first == "pale" || first == "pastel" || first == "soft" || first == "faded" || first == "powdery") return keep(lerp(*base, {0.8f, 0.8f, 0.78f}, 0.5f));
-    if (first == "dusty" || first == "muted" || first == "smoky" || first == "washed" || first == "dull") return keep(lerp(*base, {0.45f, 0.43f, 0.42f}, 0.35f));
-    if (first == "dark" || first == "deep") return keep(*base * 0.4f);
-    if (first == "bright" || first == "vivid" || first == "neon" || first == "electric") return keep(*base * 1.2f);
-    if (first == "warm") return keep(*base * Vec3f{1.06f, 1.f, 0.9f});
-    if (first == "cool" || first == "cold" || first == "icy") return keep(*base * Vec3f{0.92f, 1.f, 1.08f});
+    if (first == "light" || first == "pale" || first == "pastel" || first == "soft" || first == "faded" || first == "powdery") return real_paint(lerp(*base, {0.8f, 0.8f, 0.78f}, 0.5f));
+    if (first == "dusty" || first == "muted" || first == "smoky" || first == "washed" || first == "dull") return real_paint(lerp(*base, {0.45f, 0.43f, 0.42f}, 0.35f));
+    if (first == "dark" || first == "deep") return real_paint(*base * 0.4f);
+    if (first == "bright" || first == "vivid" || first == "neon" || first == "electric") return real_paint(*base * 1.2f);
+    if (first == "warm") return real_paint(*base * Vec3f{1.06f, 1.f, 0.9f});
+    if (first == "cool" || first == "cold" || first == "icy") return real_paint(*base * Vec3f{0.92f, 1.f, 1.08f});
     if (first == "rich" || first == "medium" || first == "classic" || first == "pure" || first == "natural" || first == "matte") return base;
     if (const auto fine = color_named(first)) return fine;  // "olive green", "mustard yellow"
     return std::nullopt;
@@ -174,7 +185,7 @@ std::optional<Material> material_named(std::string_view name) {
     if (n == "terrazzo") return make("terrazzo", Pattern::terrazzo, named("ivory"), named("terracotta"), 0.03f, 0.3f);
     if (n == "granite" || n == "stone" || n == "slate") return make(n, Pattern::concrete, named(n == "slate" ? "slate" : "stone"), named("gray"), 0.3f, 0.4f);
     if (n == "concrete" || n == "cement") return make("concrete", Pattern::concrete, named("concrete"), named("gray"), 0.6f, 0.7f, 0.0006f);
-    if (n == "brick" || n == "bricks") return make("brick", Pattern::brick, named("brick"), named("stone"), 0.065f, 0.85f, 0.006f);
+    if (n == "brick" || n == "bricks") return red_brick();
     if (n == "tile" || n == "tiles" || n == "tiled" || n == "ceramic" || n == "porcelain") return make("tiles", Pattern::tile, named("white"), named("silver"), 0.2f, 0.2f, 0.002f);
     if (n == "carpet") return carpet_of(Pattern::carpet, "ash", "silver", "white");
     if (n == "planks") return boards(Pattern::planks, "oak", 0.12f);

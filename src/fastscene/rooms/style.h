@@ -13,6 +13,7 @@ namespace fastscene {
 enum class LampFamily : std::uint8_t { drum, globe, paper, cage, dome, candelabra };   // the shade of floor, table and hanging lamps
 enum class LegType : std::uint8_t { square, tapered, splayed, turned, metal_frame, hairpin };
 enum class SofaType : std::uint8_t { block, slim, rolled };                            // box arms; thin arms on legs; rolled arms
+enum class Shelves : std::uint8_t { books, bath, kitchen, toys };                      // what stands on them
 enum class Mouldings : std::uint8_t { none, plain, rich };
 
 // Materials are complete (color, pattern, roughness); rooms/ may copy and recolor them.
@@ -31,6 +32,7 @@ struct Style {
     float ceiling_m = 2.7f;
     bool beams = false;                  // visible ceiling beams
     Vec3f lamp_light{9.f, 6.6f, 4.2f};   // radiance of a lit shade, relative to daylight of about 1
+    Shelves shelves = Shelves::books;    // set by the room, not by taste
 };
 
 // One of styles(); throws Error for another name.
@@ -38,7 +40,7 @@ const Style& style_named(std::string_view name);
 // modern scandinavian japandi industrial classic boho rustic mid-century mediterranean art deco
 std::vector<std::string> styles();
 
-// Linear albedo, each channel in [0.03, 0.85], of a CSS or common interior color name ("sage", "terracotta", "dark blue");
+// Linear albedo, each channel in [0.012, 0.85] and at least 0.03 bright, of a CSS or common interior color name ("sage", "terracotta", "dark blue");
 // lower case, spaces or hyphens; nullopt when unknown. "light", "dark", "pale", "deep" may precede a known name.
 std::optional<Vec3f> color_named(std::string_view name);
 

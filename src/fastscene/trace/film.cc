@@ -9,77 +9,102 @@
 namespace fastscene {
 namespace {
 
-// A shoulder that never quite reaches white: straight at first, then 1 - exp.
-float shoulder(float x) {
-    constexpr float kStraight = 0.45f;
-    return x < kStraight ? x : kStraight + (1 - kStraight) * (1 - std::exp(-(x - kStraight) / (1 - kStraight)));
-}
+// The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction inspired by
+// photoreceptor physiology"): middle gray stays, blacks close gently, and white is reached far above it, so that lamps, flames and
+// patches of sun keep their shape and color.
+class FilmCurve {
+  public:
+    explicit FilmCurve(float contrast)
+        : power_(1.32f * contrast), knee_(std::pow(kMiddle, power_) * (1 - kMiddle) / kMiddle), scale_(1 / response(kWhite)) {}
+    float operator()(float x) const { return x > 0 ? std::min(1.f, scale_ * response(x)) : 0.f; }
 
-// A gentle S about middle gray, in the encoding the eye judges by.
-float contrast_curve(float v, float contrast) {
-    const float e = std::sqrt(std::max(0.f, v));  // close to sRGB's encoding
-    constexpr float kPivot = 0.46f;
-    const float s =
-        e < kPivot ? kPivot * std::pow(e / kPivot, contrast) : 1 - (1 - kPivot) * std::pow((1 - std::min(1.f, e)) / (1 - kPivot), contrast);
-    return s * s;
+  private:
+    static constexpr float kMiddle = 0.18f, kWhite = 24.f;
+    float response(float x) const {
+        const float p = std::pow(x, power_);
+        return p / (p + knee_);
+    }
+    float power_, knee_, scale_;
+};
+
+struct Weighted {
+    float value, weight;
+};
+// The mean without the lowest and the highest tenth: they say little about a room.
+float middle_mean(std::vector<Weighted>& values) {
+    std::stable_sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    float weights = 0, sum = 0, used = 0, passed = 0;
+    for (const Weighted& v : values) weights += v.weight;
+    for (const Weighted& v : values) {
+        passed += v.weight;
+        if (passed < 0.1f * weights || passed > 0.9f * weights) continue;
+        sum += v.value * v.weight;
+        used += v.weight;
+    }
+    return used > 0 ? sum / used : 0.f;
 }
 
 }  // namespace
 
-Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama) {
+Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
     if (!wish.automatic) return wish;
-    struct Weighted {
-        float value, weight;
-    };
-    std::vector<Weighted> logs;
-    Vec3f mean{};
-    float weights = 0;
+    constexpr float kLeast = 1e-5f, kLeastAlbedo = 0.02f;   // below it a surface tells nothing about the light: sky, lamps, mirrors
+    std::vector<Weighted> seen, arriving;   // log2 of luminance
+    Vec3f hue{};
     for (int y = 0; y < panorama.height; ++y) {
         const auto w = static_cast<float>(pixel_solid_angle(y, {panorama.width, panorama.height}));
         for (int x = 0; x < panorama.width; ++x) {
-            const Vec3f c = panorama.at(x, y);
-            logs.push_back({std::log2(std::max(1e-5f, luminance(c))), w});
-            const float l = std::max(1e-5f, luminance(c));
-            mean += c * (w / l);  // hue only: a bright window does not decide
-            weights += w;
+            Vec3f c = panorama.at(x, y);
+            seen.push_back({std::log2(std::max(kLeast, luminance(c))), w});
+            if (albedo.size() > 0) {
+                const Vec3f a = albedo.at(x, y);
+                if (std::min({a.x, a.y, a.z}) < kLeastAlbedo) continue;
+                c = {c.x / a.x, c.y / a.y, c.z / a.z};
+                arriving.push_back({std::log2(std::max(kLeast, luminance(c))), w});
+            }
+            hue += c * (w / std::max(kLeast, luminance(c)));   // hue only: a bright window does not decide
         }
     }
-    std::stable_sort(logs.begin(), logs.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
-    // The darkest and the brightest tenth say little about the room.
-    float sum = 0, used = 0, passed = 0;
-    for (const Weighted& l : logs) {
-        passed += l.weight;
-        if (passed < 0.1f * weights || passed > 0.9f * weights) continue;
-        sum += l.value * l.weight;
-        used += l.weight;
-    }
-    const float average = used > 0 ? sum / used : 0.f;
     Look look = wish;
     look.automatic = false;
-    // Rooms are mostly bright walls: their mean belongs above middle gray. Night and dusk stay darker than day.
-    const float key = sky.time == Sky::Time::night ? 0.15f : sky.time == Sky::Time::dusk ? 0.20f : 0.35f;
-    look.exposure_ev = wish.exposure_ev + std::log2(key) - average;
-    // White is pulled most of the way towards gray by day, less where warm light is the point.
-    const float pull = sky.time == Sky::Time::day || sky.time == Sky::Time::morning ? 0.55f : 0.5f;
-    const Vec3f tint = mean / std::max(1e-6f, luminance(mean));
-    for (std::size_t a = 0; a < 3; ++a) look.white[a] = std::pow(std::clamp(tint[a], 0.4f, 2.5f), pull) / wish.white[a];
+    // Night and dusk stay darker than day. As a photographer meters, more by the light that falls on things than by what they return.
+    const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
+    const float key = night ? 0.21f : dusk ? 0.3f : 0.44f;
+    float ev = std::log2(key) - middle_mean(seen);
+    constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
+    if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);
+    look.exposure_ev = wish.exposure_ev + ev;
+    // White is pulled most of the way towards the light's color, along the line from candles to the blue sky. What lies off that line,
+    // a neon sign, walls that light each other pink, is no light that eyes get used to.
+    const float pull = night || dusk ? 0.6f : 0.65f;
+    constexpr float kLineRed = 0.62f, kLineBlue = -0.785f, kOffLine = 0.25f;   // per octave over green, of thermal light about 4000 K
+    const auto octaves = [&](float c) { return std::clamp(std::log2(std::max(kLeast, c) / std::max(kLeast, hue.y)), -1.4f, 1.4f); };
+    const float red = octaves(hue.x), blue = octaves(hue.z), on_line = red * kLineRed + blue * kLineBlue;
+    look.white = {std::exp2(pull * std::lerp(on_line * kLineRed, red, kOffLine)) / wish.white.x, 1 / wish.white.y,
+                  std::exp2(pull * std::lerp(on_line * kLineBlue, blue, kOffLine)) / wish.white.z};
     const float l = luminance(look.white);
     look.white = look.white / l;
-    look.contrast = wish.contrast * 1.12f;
-    look.saturation = wish.saturation * 1.08f;
+    look.contrast = wish.contrast * 1.1f;
+    look.saturation = wish.saturation * 1.06f;
     return look;
+}
+
+Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
+    constexpr float kDoubling = 0.15f;   // what each doubling of its light still adds, once it is brighter than white
+    const float l = luminance(emission) * std::exp2(look.exposure_ev);
+    return l > 1 ? emission * ((1 + kDoubling * std::log2(l)) / l) : emission;
 }
 
 Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);
     Vec3f c{radiance.x * gain / look.white.x, radiance.y * gain / look.white.y, radiance.z * gain / look.white.z};
-    // Half per channel (bright colors wash out to white, as film does), half by luminance (hues stay).
+    // Most of it per channel (bright colors wash out to white, as film does), the rest by luminance (hues stay).
+    const FilmCurve curve(look.contrast);
     const float l = luminance(c);
-    const Vec3f kept = l > 0 ? c * (shoulder(l) / l) : c;
-    c = {shoulder(c.x), shoulder(c.y), shoulder(c.z)};
-    c = c * 0.7f + kept * 0.3f;
+    const Vec3f kept = l > 0 ? c * (curve(l) / l) : c;
+    for (std::size_t a = 0; a < 3; ++a) c[a] = 0.65f * curve(c[a]) + 0.35f * kept[a];
     const float gray = luminance(c);
-    for (std::size_t a = 0; a < 3; ++a) c[a] = std::clamp(contrast_curve(gray + (c[a] - gray) * look.saturation, look.contrast), 0.f, 1.f);
+    for (std::size_t a = 0; a < 3; ++a) c[a] = std::clamp(gray + (c[a] - gray) * look.saturation, 0.f, 1.f);
     return c;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
 #include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
@@ -93,7 +94,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), bounce == 0);
         const Material& m = *s.material;
-        sum += throughput * m.emission * by_chance;
+        sum += throughput * (arrival.density > 0 ? m.emission : lamp_as_seen(scene.room.look, m.emission)) * by_chance;
 
         const Response r = response_of(s, direction);
         const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});

@@ -78,6 +78,44 @@ Vec3f grid_picture(const Material& m, Vec2f q, float soft) {
     return lerp(c, {0.03f, 0.03f, 0.035f}, edge_cover(0.011f - edge, soft));
 }
 
+// Nested arches, as on a poster.
+Vec3f arches(const Material& m, Vec2f q, float soft) {
+    Vec3f c = paint(m, 3);
+    const Vec2f center{0.36f + 0.28f * lattice_unit(0, 0, 6, m.seed), 0.5f + 0.12f * lattice_unit(1, 0, 6, m.seed)};
+    for (int i = 0; i < 5; ++i) {
+        const float r = 0.34f - 0.068f * static_cast<float>(i), dx = q.x - center.x, dy = q.y - center.y;
+        const float in = std::min(dy < 0 ? r - std::hypot(dx, dy) : r - std::fabs(dx), 0.9f - q.y);
+        c = lerp(c, i % 2 == 1 ? paint(m, 3) : paint(m, static_cast<std::uint32_t>(i / 2)), edge_cover(in, soft));
+    }
+    return lerp(c, m.color_c, edge_cover(0.075f - length(q - Vec2f{0.82f - 0.6f * lattice_unit(2, 0, 6, m.seed), 0.16f}), soft));
+}
+// A twig with leaves in ink.
+Vec3f twig(const Material& m, Vec2f q, float soft) {
+    const Vec3f ink = lerp(m.color_a, paint(m, 4), 0.45f);
+    const float sway = 0.16f * (lattice_unit(0, 0, 7, m.seed) - 0.5f), up = (0.93f - q.y) / 0.8f, stem = 0.5f + sway * std::sin(3.f * up);
+    Vec3f c = paint(m, 3);
+    if (up > 0.f && up < 1.f) c = lerp(c, ink, edge_cover(0.006f - std::fabs(q.x - stem), soft));
+    for (int i = 0; i < 11; ++i) {
+        const float at = 0.14f + 0.08f * static_cast<float>(i), l = 0.27f * (1.1f - at);
+        const float turn = (i % 2 ? 1.f : -1.f) * (0.75f + 0.3f * lattice_unit(i, 1, 7, m.seed));
+        const Vec2f d{q.x - 0.5f - sway * std::sin(3.f * at), 0.93f - 0.8f * at - q.y};
+        const float along = d.x * std::sin(turn) + d.y * std::cos(turn), across = d.x * std::cos(turn) - d.y * std::sin(turn), t = along / l;
+        if (!(t > 0.f && t < 1.f)) continue;
+        const float half = 0.24f * l * std::sin(3.14159f * std::pow(t, 0.75f));
+        c = lerp(c, ink * (0.8f + 0.4f * lattice_unit(i, 2, 7, m.seed)), edge_cover(half - std::fabs(across), soft));
+    }
+    return c;
+}
+// The sea under an evening sky, in soft bands.
+Vec3f seascape(const Material& m, Vec2f q, float soft) {
+    const float horizon = 0.5f + 0.15f * lattice_unit(0, 0, 8, m.seed);
+    const Vec3f glow = lerp(paint(m, 3), m.color_a, 0.35f), deep = lerp(m.color_b, paint(m, 4), 0.35f);
+    const float clouds = fbm2({q.x * 2.f, q.y * 9.f}, 4, 0.f, m.seed), waves = fbm2({q.x * 5.f, q.y * q.y * 60.f}, 3, soft * 30.f, m.seed + 3);
+    const Vec3f sky = lerp(lerp(m.color_c, glow, smooth_step(0.f, horizon, q.y)), paint(m, 3), 0.5f * smooth_step(0.45f, 0.7f, clouds));
+    const Vec3f sea = lerp(deep, glow, 0.55f * smooth_step(0.5f, 0.75f, waves) * (1.3f - q.y));
+    return lerp(sky, sea, edge_cover(q.y - horizon, soft));
+}
+
 }  // namespace
 
 TextureValue metal(const Material& m, const TexturePoint& p) {
@@ -95,11 +133,14 @@ TextureValue art(const Material& m, const TexturePoint& p) {
     const Vec2f q = p.flat * (1.f / width);
     const float soft = std::max(p.footprint_m / width, 0.002f);
     TextureValue v;
-    switch (lattice_hash(3, 1, 4, m.seed) % 5) {
+    switch (lattice_hash(3, 1, 4, m.seed) % 8) {
         case 0: v.albedo = color_fields(m, q, soft); break;
         case 1: v.albedo = discs(m, q, soft); break;
         case 2: v.albedo = landscape(m, q, soft); break;
         case 3: v.albedo = strokes(m, q, soft); break;
+        case 4: v.albedo = arches(m, q, soft); break;
+        case 5: v.albedo = twig(m, q, soft); break;
+        case 6: v.albedo = seascape(m, q, soft); break;
         default: v.albedo = grid_picture(m, q, soft); break;
     }
     const float canvas = fbm2(p.flat * 500.f, 2, p.footprint_m * 500.f, m.seed + 8);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
 #include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
@@ -34,7 +35,8 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
     }
     Vec3f front = scene.light.near(s.position, s.normal, true), back{};
     if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, true);
-    return {m.emission, mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
+    return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission,
+            mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
 }
 
 // What a glossy surface mirrors, by one ray into its mirror cone and one to a lamp or window, each weighed by how well it finds
@@ -117,7 +119,7 @@ Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float p
         out.shine = r.shine;
         out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler);
     }
-    out.radiance = m.emission + out.light + out.sun + out.mirrored;
+    out.radiance = lamp_as_seen(scene.room.look, m.emission) + out.light + out.sun + out.mirrored;
     return out;
 }
 

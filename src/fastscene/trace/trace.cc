@@ -69,8 +69,9 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     impl_->params = params;
     impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run, eyes);
     const Run quiet{run.seed, nullptr, run.stop};
-    const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), {.pixel_samples = 4}, nullptr, nullptr, quiet);
-    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small);
+    ImageColor albedo;
+    const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo, quiet);
+    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const {

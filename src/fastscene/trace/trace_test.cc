@@ -278,6 +278,45 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
     }
 }
 
+// A room of one paint under one light, as automatic_look sees it.
+Look look_of_room(Vec3f paint, Vec3f light) {
+    ImageColor seen(32, 16), albedo(32, 16);
+    for (std::size_t i = 0; i < seen.size(); ++i) seen.pixels[i] = paint * light, albedo.pixels[i] = paint;
+    return automatic_look({}, {}, seen, albedo);
+}
+
+TEST(Film, DarkRoomsStayDarkAndWhiteOnesWhite) {
+    const Vec3f white{0.8f, 0.8f, 0.8f}, green{0.03f, 0.08f, 0.05f}, light{0.2f, 0.2f, 0.2f};
+    const float bright = luminance(develop(look_of_room(white, light), white * light)), dark = luminance(develop(look_of_room(green, light), green * light));
+    EXPECT_GT(bright, 0.45f);
+    EXPECT_LT(dark, 0.25f);
+    EXPECT_GT(dark, 0.03f);
+}
+
+TEST(Film, TheLightIsBalancedNotThePaint) {
+    const Vec3f gray{0.5f, 0.5f, 0.5f}, pink{0.75f, 0.35f, 0.45f}, lamp{1.f, 0.62f, 0.35f}, day{1, 1, 1}, neon{1.f, 0.2f, 0.9f};
+    const auto red_over_blue = [](Vec3f c) { return c.x / c.z; };
+    // Lamplight is balanced most of the way, never beyond white; a gray thing in a pink room stays gray; neon stays neon.
+    const Vec3f by_lamp = develop(look_of_room(gray, lamp), gray * lamp * 0.2f);
+    EXPECT_LT(red_over_blue(by_lamp), 0.75f * red_over_blue(develop({}, gray * lamp * 0.2f)));
+    EXPECT_GT(red_over_blue(by_lamp), 1.f);
+    EXPECT_NEAR(red_over_blue(develop(look_of_room(pink, day), gray * 0.2f)), 1.f, 0.02f);
+    const Look by_neon = look_of_room(gray, neon);
+    EXPECT_GT(red_over_blue(by_neon.white), 0.8f);
+    EXPECT_LT(red_over_blue(by_neon.white), 1.25f);
+    EXPECT_LT(by_neon.white.x / by_neon.white.y, 1.6f);
+}
+
+TEST(Film, LampsKeepTheirHue) {
+    Look look;
+    look.exposure_ev = 4;
+    const Vec3f flame{13, 3, 0.3f}, seen = lamp_as_seen(look, flame);
+    EXPECT_LT(luminance(seen), luminance(flame) / 10);
+    EXPECT_NEAR(seen.x / seen.y, flame.x / flame.y, 1e-3f);
+    EXPECT_GT(luminance(seen) * 16, 1.f) << "brighter than white paper";
+    EXPECT_EQ(lamp_as_seen({}, {0.4f, 0.4f, 0.4f}), (Vec3f{0.4f, 0.4f, 0.4f})) << "what is no brighter than white is seen as it is";
+}
+
 TEST(Film, KeepsOrderAndRange) {
     Look look;
     look.contrast = 1.12f;
