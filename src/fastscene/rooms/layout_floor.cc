@@ -21,7 +21,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     p.piece = make_piece(request);
     const Vec3f size = p.piece.size_m;
     // Panelling and its rail stand proud of the wall; so does the sill of a window that the piece reaches up to.
-    const float gap = plan_.panelling ? 0.037f : kWallGap;
+    const float gap = plan_.panelling ? 0.04f : kWallGap;
     const auto gap_at = [&](const WallFace& face, float u) {
         const bool at_sill = std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
             const float left = face.from + u - size.x / 2, right = left + size.x;
