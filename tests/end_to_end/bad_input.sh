@@ -91,6 +91,25 @@ if command -v node >/dev/null; then
   says "found 20000 x 10000"
 fi
 
+# The same picture as WebP and TIFF, where ffmpeg can write them; half of one is an error.
+if command -v ffmpeg >/dev/null; then
+  for name in copy.webp copy.tif; do
+    ffmpeg -v error -y -i run/panorama/color.png "$name" 2>/dev/null || continue
+    expect 0 "$fastscene" panorama --panorama "$name" --range run/depth/range.exr -o "with-$name" "${tiny[@]:0:8}"
+    head -c 700 "$name" >"short-$name"
+    with_picture "short-$name"
+  done
+fi
+
+# Splats that another program writes and reads for us.
+echo "no archive" >text.sog
+expect 1 "$fastscene" convert text.sog splats.ply
+says "text.sog: expected a SOG bundle"
+printf 'PK\003\004 and no more' >short.sog
+expect 1 "$fastscene" convert short.sog splats.ply
+says "the file ends too early"
+lacks splats.ply
+
 # Range maps: PFM files of one value.
 pfm() { printf 'Pf\n%d %d\n-1.0\n' "$2" "$3" >"$1"; for _ in $(seq $(($2 * $3))); do printf "$4"; done >>"$1"; }
 pfm size.pfm 64 32 '\x00\x00\x80\x3f'

@@ -1,6 +1,8 @@
 #include "fastscene/pipeline/splat_files.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "fastscene/base/file.h"
@@ -48,6 +50,29 @@ class ScratchFolder {
     std::string path_;
 };
 
+// The line that says why, without the places in somebody else's program.
+std::string reason_in(const std::string& said) {
+    std::string last;
+    for (std::size_t at = 0; at < said.size();) {
+        const std::size_t end = std::min(said.find('\n', at), said.size());
+        const std::string line = said.substr(at, end - at);
+        at = end + 1;
+        if (const std::size_t error = line.find("Error: "); error != std::string::npos) return line.substr(error + 7);
+        if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+    }
+    return last;
+}
+
+// A bundle is a ZIP archive, whose list of contents comes last.
+void check_bundle(const fs::path& file) {
+    const std::string bytes = read_file(file);
+    if (!bytes.starts_with("PK\x03\x04"))
+        throw Error("{}: expected a SOG bundle, which is a ZIP archive, found {}", file.string(), bytes.empty() ? "an empty file" : "something else");
+    constexpr std::size_t kLongestEnd = 22 + 65535;
+    if (bytes.find("PK\x05\x06", bytes.size() - std::min(bytes.size(), kLongestEnd)) == std::string::npos)
+        throw Error("{}: expected a whole SOG bundle, found: the file ends too early ({} bytes)", file.string(), bytes.size());
+}
+
 // Without a graphics card: `-g cpu`.
 void translate(const fs::path& from, const fs::path& to, const fs::path& named, const ScratchFolder& scratch, const Run& run) {
     const Command command = splat_transform();
@@ -56,9 +81,7 @@ void translate(const fs::path& from, const fs::path& to, const fs::path& named, 
     const fs::path log = scratch.path() / "log";
     const int code = run_program(command.program, arguments, {log, {}, run.stop});
     if (code == 0 && fs::exists(to)) return;
-    std::string said = fs::exists(log) ? read_file(log) : "";
-    if (said.size() > 400) said = said.substr(said.size() - 400);
-    throw Error("{}: splat-transform failed with exit code {}: {}", named.string(), code, said);
+    throw Error("{}: splat-transform failed with exit code {}: {}", named.string(), code, fs::exists(log) ? reason_in(read_file(log)) : "");
 }
 
 }  // namespace
@@ -82,6 +105,7 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
     LoadedSplats loaded;
     if (is_sog(file)) {
         if (!fs::exists(file)) throw Error("{}: cannot be read: No such file or directory", file.string());
+        check_bundle(file);
         const ScratchFolder scratch;
         translate(fs::absolute(file), scratch.path() / "scene.ply", file, scratch, run);
         loaded = load_splats(scratch.path() / "scene.ply");
@@ -100,6 +124,7 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
 void save_scene(const fs::path& path, const Splats& splats, const SplatWriting& writing, const Run& run) {
     if (!is_splat_file_name(path)) throw UsageError("{}: expected a name that ends in {}", path.string(), kSplatFileNames);
     if (!is_sog(path)) return save_splats(path, splats, *splat_format_of_name(path), writing);
+    if (splats.size() == 0) throw Error("{}: expected splats to write, found none: splat-transform makes no empty SOG", path.string());
     if (splats.antialias)
         run.warn(fmt::format("{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright", path.string()));
     const ScratchFolder scratch;

@@ -137,11 +137,14 @@ void leave_out_unusable(const Capture& capture, const std::vector<std::string>& 
     run.warn(fmt::format("{}: {} of {} pictures cannot be used and are left out: {}", capture.source, unusable, why.size(), fmt::join(named, "; ")));
 }
 
-void check_something_counts(const Capture& capture, const std::vector<View>& views) {
+void check_something_counts(const Capture& capture, const PhotosParams& params, const std::vector<View>& views) {
     for (const View& view : views)
         if (view.weight.empty() || std::any_of(view.weight.pixels.begin(), view.weight.pixels.end(), [](std::uint8_t w) { return w > 0; })) return;
-    throw Error("{}: expected a pixel that counts, found none in {} pictures: masks are black where nothing counts (--invert-masks turns them round)",
-                capture.source, views.size());
+    const bool masked =
+        params.alpha == "mask" || std::any_of(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return !p.mask.empty(); });
+    throw Error("{}: expected a pixel that counts, found none in {} pictures: {}", capture.source, views.size(),
+                masked ? "masks are black (and pictures transparent) where nothing counts; --invert-masks turns masks round"
+                       : "no pixel of the straightened pictures lands on what the lens saw; are its distortion and center right?");
 }
 
 }  // namespace
@@ -192,7 +195,7 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     leave_out_unusable(capture, unusable, out.set.views, run);
     Vec3f up;
     for (const View& view : out.set.views) up -= view.world_from_camera.rotation.column(1);
-    check_something_counts(capture, out.set.views);
+    check_something_counts(capture, params, out.set.views);
     out.up = length(up) > 0.1f * static_cast<float>(out.set.views.size()) ? normalize(up) : Vec3f{0, -1, 0};
     out.set.points = sized_points(capture, out.world_from_capture, run);
     if (out.set.points.empty()) {
