@@ -220,6 +220,26 @@ void utensils(Kit& k) {
     k.add(std::move(board), wood, {0.16f, 0.163f, -0.035f});
     on_surface(k);
 }
+// A jar of pencils and brushes, and what lies before it: pens alone nobody would see from across the room.
+void pens(Kit& k) {
+    const int jar = glazed(k), wood = k.material(k.style.wood2);
+    const std::array<Vec2f, 4> p{Vec2f{0.046f, 0}, {0.052f, 0.01f}, {0.052f, 0.1f}, {0.048f, 0.115f}};
+    Mesh vessel = shapes::vessel(p, 0.004f, 20);
+    k.add(std::move(vessel), jar, {-0.05f, 0, -0.03f});
+    for (int i = 0; i < 8; ++i) {
+        const float a = 0.8f * static_cast<float>(i);
+        const Vec3f foot{-0.05f + 0.025f * std::cos(a), 0.01f, -0.03f + 0.025f * std::sin(a)},
+            tip{-0.05f + 0.06f * std::cos(a), k.dice.uniform(0.17f, 0.24f), -0.03f + 0.05f * std::sin(a)};
+        const int paint = k.material(plain("paint", k.accent(), 0.4f));
+        k.rod(i % 2 ? wood : paint, foot, tip, 0.004f);
+        k.add(shapes::ball(tip, {0.008f, 0.018f, 0.008f}, 8), paint);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const float z = 0.045f + 0.022f * static_cast<float>(i), x = k.dice.uniform(-0.01f, 0.03f);
+        k.rod(k.material(plain("paint", k.accent(), 0.4f)), {x - 0.07f, 0.009f, z}, {x + 0.06f, 0.009f, z + 0.01f}, 0.009f, 0.007f);
+    }
+    on_surface(k);
+}
 void cutting_board(Kit& k) {
     const int wood = k.main(k.style.wood2);
     k.board(wood, {}, {0.34f, 0.022f, 0.22f}, 0.006f);
@@ -332,7 +352,7 @@ void picture_ledge(Kit& k) {
 }
 
 constexpr Entry kEntries[] = {{"cup", cup}, {"tray", tray}, {"place_setting", place_setting}, {"bottles", bottles}, {"photo_frame", photo_frame}, {"sculpture", sculpture}, {"globe", globe}, {"laptop", laptop},
-                              {"towel_stack", towel_stack}, {"toiletries", toiletries}, {"kettle", kettle}, {"toaster", toaster}, {"utensils", utensils}, {"cutting_board", cutting_board}, {"pot", pot},
+                              {"towel_stack", towel_stack}, {"toiletries", toiletries}, {"kettle", kettle}, {"toaster", toaster}, {"utensils", utensils}, {"pen", pens}, {"cutting_board", cutting_board}, {"pot", pot},
                               {"magazines", magazines}, {"teddy_bear", teddy_bear}, {"toy_blocks", toy_blocks}, {"alarm_clock", alarm_clock}, {"storage_box", storage_box}, {"picture_ledge", picture_ledge}};
 
 }  // namespace

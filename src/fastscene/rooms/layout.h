@@ -114,15 +114,25 @@ class Layout {
     void improve();
     const AnnealReport& annealed() const { return annealed_; }
 
-    // Where the camera stands: eye height, free of things, in sight of what was asked for.
+    // Where the camera stands: eye height, free of things, in sight of what was asked for, by boxes alone; and by what is seen of it.
     Vec3f camera_position() const;
-    // Pieces asked for that other pieces hide from there.
-    int hidden_wishes(Vec3f eye) const;
+    Vec3f viewpoint() const;
+    // Pieces asked for that other pieces hide from there, by boxes; and those of which hardly anything is seen (layout_sight.h).
+    int likely_hidden(Vec3f eye) const;
+    std::vector<int> unseen(Vec3f eye) const;
+    // Moves a small thing to where it is seen best from there: on what carries it, or `anywhere`; pixels of a panorama of 512 x 256.
+    float show(int piece, Vec3f eye, bool anywhere);
+    // Takes pieces away, with what stands on them: all but those that carry something that was asked for.
+    void take_away(std::vector<int> pieces);
 
   private:
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.
     float as_asked(const Placed& placed, const PromptObject& wish) const;
+    // How good a place is for the camera, whatever is seen from there.
+    float ease_of(Vec3f eye) const;
+    // Whether a thing may stand there on its top: in the room, out of others. `self`: its own index, if it has one.
+    bool free_on_top(const Placed& placed, int self = -1) const;
     // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
     bool has_spare(const Placed& placed, const Spare& spare) const;
@@ -152,7 +162,7 @@ struct FurnishedRoom {
     Vec3f camera;
     // The room behind the doorway, if there is one.
     std::vector<Placed> placed_next;
-    int hidden_wishes = 0;   // pieces asked for that other pieces hide from the camera
+    int hidden_wishes = 0;   // pieces asked for of which the camera sees hardly anything
     AnnealReport annealed;
 };
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).

@@ -211,7 +211,7 @@ void Layout::improve() {
     }
     annealed_.before = annealed_.after = layout_cost(plan_, bare).sum();
     const std::vector<std::vector<Stand>> found = anneal(plan_, bare, annealing_, dice_.next_u64());
-    const int hidden = found.empty() ? 0 : hidden_wishes(camera_position());
+    const int hidden = found.empty() ? 0 : likely_hidden(camera_position());
     // The best with which nothing is wrong.
     constexpr int kTries = 4;
     const Ways before = ways_;
@@ -224,7 +224,7 @@ void Layout::improve() {
         ways_ = Ways(plan_);
         for (const Placed& p : placed_) ways_.add(p);
         const Vec3f eye = camera_position();
-        if (room_faults(plan_, placed_, eye).empty() && hidden_wishes(eye) <= hidden) {
+        if (room_faults(plan_, placed_, eye).empty() && likely_hidden(eye) <= hidden) {
             annealed_.after = layout_cost(plan_, placed_).sum();
             break;
         }

@@ -23,6 +23,7 @@ void Furnisher::run() {
     remaining_wishes(true);  // small things that may stand anywhere: what came later carries them too
     l_.improve();
     finish();
+    reveal();
 }
 
 void Furnisher::later(std::function<void()> what) {

@@ -101,6 +101,8 @@ class Furnisher {
     Vec2f front_point(int anchor, float far) const;
     int wall_opposite(int anchor) const;
     void finish();
+    // ---- layout_reveal.cc: what was asked for is seen
+    void reveal();
 
     // ---- layout_asked.cc: what was asked for
     // Places what was asked for at this piece.

@@ -31,6 +31,17 @@ void hang_up(Piece& piece, float height) {
 
 }  // namespace
 
+bool Layout::free_on_top(const Placed& p, int self) const {
+    constexpr float kBeams = 0.25f;   // what hangs from the ceiling is in no box
+    const Footprint box = footprint_of(p);
+    if (!plan_.holds(box) || (plan_.beams && box.y1 > plan_.height - kBeams)) return false;
+    for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
+        const Placed& other = placed_[static_cast<std::size_t>(i)];
+        if (i != self && i != p.on && !other.flat && overlap(box, footprint_of(other))) return false;
+    }
+    return true;
+}
+
 std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const PromptObject& from) {
     const Placed a = placed_[static_cast<std::size_t>(anchor)];
     Placed p;
@@ -58,12 +69,7 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
             const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
             p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
             p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : dice_.uniform(-0.3f, 0.3f));
-            constexpr float kBeams = 0.25f;   // what hangs from the ceiling is in no box
-            if (!plan_.holds(footprint_of(p)) || (plan_.beams && p.position.y + size.y > plan_.height - kBeams)) continue;
-            bool free = true;
-            for (const Placed& other : placed_)
-                free = free && (other.flat || &other == &placed_[static_cast<std::size_t>(anchor)] || !overlap(footprint_of(p), footprint_of(other)));
-            if (free && std::isfinite(as_asked(p, from)) && leaves_way(p)) return keep(p, from);
+            if (free_on_top(p) && std::isfinite(as_asked(p, from)) && leaves_way(p)) return keep(p, from);
         }
     }
     return {};

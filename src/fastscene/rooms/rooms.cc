@@ -210,8 +210,8 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
     furnish(layout);
     out.annealed = layout.annealed();
     out.placed = layout.placed();
-    out.camera = layout.camera_position();
-    out.hidden_wishes = layout.hidden_wishes(out.camera);
+    out.camera = layout.viewpoint();
+    out.hidden_wishes = static_cast<int>(layout.unseen(out.camera).size());
     if (out.plan.next) {
         // A room of the same house: its own type, the same style and hour, nothing asked for.
         PromptSpec next;
