@@ -120,6 +120,22 @@ int on_both_sides(const Things& subjects, const Things& places) {
     return best;
 }
 
+// The longest chain of neighbours that stand in one line at one height, each near the next.
+int in_row(const Things& subjects) {
+    int best = 0;
+    for (const Thing* first : subjects) {
+        std::vector<float> along;
+        for (const Thing* s : subjects) {
+            const Vec2f q = first->in_its_frame(s->at);
+            if (std::abs(q.y) < 0.25f && std::abs(s->low - first->low) < 0.15f && dot(s->front, first->front) > 0.9f) along.push_back(q.x);
+        }
+        std::sort(along.begin(), along.end());
+        int chain = 1;
+        for (std::size_t i = 1; i < along.size(); ++i) chain = along[i] - along[i - 1] < 2 * first->wide + 0.6f ? chain + 1 : 1, best = std::max(best, chain);
+    }
+    return best;
+}
+
 // All near one place, and not all at one side of it when there are three or more.
 int around(const Things& subjects, const Things& places) {
     int best = 0;
@@ -172,6 +188,12 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
             const Vec2f q = s->at - walls.middle;
             return std::abs(dot(q, walls.x)) < 0.5f * walls.half.x && std::abs(dot(q, walls.z)) < 0.5f * walls.half.y;
         }));
+    if (d.relation == "wall")
+        return static_cast<int>(std::count_if(subjects.begin(), subjects.end(), [&](const Thing* s) {
+            const Vec2f q = s->at - walls.middle;
+            return std::min(walls.half.x - std::abs(dot(q, walls.x)) - s->reach(walls.x), walls.half.y - std::abs(dot(q, walls.z)) - s->reach(walls.z)) < 0.25f;
+        }));
+    if (d.relation == "row") return in_row(subjects);
     const Things& at = places.front();
     if (d.relation == "sides") return on_both_sides(subjects, at);
     if (d.relation == "around") return around(subjects, at);
@@ -202,7 +224,7 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
         });
     throw fastscene::Error(
         "relation '{}': expected on, above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, "
-        "between, corner or middle",
+        "between, corner, middle, wall or row",
         d.relation);
 }
 
@@ -247,7 +269,7 @@ std::vector<Sentence> read_sentences(const std::filesystem::path& path) {
         for (const std::string& part : split(halves[1], ';')) {
             s.demands.push_back(demand_of(part));
             const Demand& d = s.demands.back();
-            const std::size_t wanted = d.relation == "between" ? 2 : d.relation == "corner" || d.relation == "middle" ? 0 : 1;
+            const std::size_t wanted = d.relation == "between" ? 2 : d.relation == "corner" || d.relation == "middle" || d.relation == "wall" || d.relation == "row" ? 0 : 1;
             if (d.what.empty() || d.places.size() != wanted)
                 throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number, wanted, d.relation,
                                        d.places.size());

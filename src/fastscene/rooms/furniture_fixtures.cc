@@ -33,10 +33,11 @@ void kitchen_counter(Kit& k) {
     if (k.style.mouldings != Mouldings::none) splash.pattern = Pattern::subway, splash.scale_m = 0.15f;
     const int tiles = k.material(splash);
     const float w = s.x, d = 0.6f, z0 = -0.5f * d;
+    const bool cupboards = s.y > 1.5f;   // a low run stands below a window
     k.board(dark, {0, 0, -0.04f}, {w, 0.1f, d - 0.1f});
     k.board(front, {0, 0.1f, -0.02f}, {w, 0.76f, d - 0.04f});
     k.board(top, {0, 0.86f, 0.01f}, {w + 0.01f, 0.04f, d + 0.03f}, 0.005f);
-    k.board(tiles, {0, 0.9f, z0 + 0.004f}, {w, 0.55f, 0.008f}, 0.001f);
+    k.board(tiles, {0, 0.9f, z0 + 0.004f}, {w, cupboards ? 0.55f : 0.06f, 0.008f}, 0.001f);
     const int units = std::max(3, static_cast<int>(std::lround(w / 0.6f)));
     const float uw = w / static_cast<float>(units), fz = 0.5f * d - 0.04f;
     const int oven = units - 2, sink = std::min(1, units - 2) - (units <= 3 ? 1 : 0);
@@ -55,14 +56,17 @@ void kitchen_counter(Kit& k) {
                 k.add(shapes::ring(0.08f, 0.004f, 24), chrome, {cx + (j % 2 ? 0.13f : -0.13f), 0.906f, 0.01f + (j / 2 ? 0.12f : -0.12f)});
             const std::array<Vec2f, 3> pot{Vec2f{0.095f, 0}, {0.1f, 0.01f}, {0.1f, 0.11f}};
             k.add(shapes::vessel(pot, 0.004f, 28), chrome, {cx - 0.13f, 0.906f, -0.11f});
+            if (!cupboards) continue;
             // The hood: a chimney over a slanted body.
             k.board(chrome, {cx, 1.52f, z0 + 0.2f}, {uw, 0.06f, 0.4f}, 0.006f);
             k.board(chrome, {cx, 1.575f, z0 + 0.15f}, {0.26f, s.y - 1.575f, 0.26f}, 0.006f);
         } else {
             const int rows = i == sink ? 1 : (i + static_cast<int>(k.request.seed & 1)) % 2 == 0 ? 3 : 1;
             fronts(k, front, metal, x0 + 0.003f, x0 + uw - 0.003f, 0.105f, 0.855f, fz, 1, rows);
-            k.board(front, {cx, 1.45f, z0 + 0.165f}, {uw - 0.001f, s.y - 1.45f, 0.33f}, 0.003f);
-            fronts(k, front, metal, x0 + 0.003f, x0 + uw - 0.003f, 1.45f, s.y, z0 + 0.33f, 1, 1);
+            if (cupboards) {
+                k.board(front, {cx, 1.45f, z0 + 0.165f}, {uw - 0.001f, s.y - 1.45f, 0.33f}, 0.003f);
+                fronts(k, front, metal, x0 + 0.003f, x0 + uw - 0.003f, 1.45f, s.y, z0 + 0.33f, 1, 1);
+            }
             if (i == sink) {
                 k.board(chrome, {cx, 0.9f, 0.03f}, {0.48f, 0.004f, 0.4f}, 0.002f);
                 k.board(dark, {cx, 0.902f, 0.03f}, {0.43f, 0.004f, 0.35f}, 0.002f);

@@ -43,6 +43,8 @@ struct AnnealReport {
     double seconds = 0;            // of this thread's time
 };
 
+inline constexpr float kInRow = 0.12f;  // metres between those that stand in a row
+
 // Floor kept free about a piece, and the wall above it, for what is to stand or hang there.
 struct Spare {
     float left = 0, right = 0, front = 0, behind = 0;
@@ -70,6 +72,8 @@ class Layout {
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
     std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {}, float aside_m = 0);
     std::optional<int> beside(int anchor, const PieceRequest& request, int side, float gap_m, const PromptObject& from = {});
+    // Beside a piece of the same kind, whatever it stands on or hangs on.
+    std::optional<int> in_line(int anchor, const PieceRequest& request, int side, const PromptObject& from);
     std::optional<int> behind(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // Below a table's top, between its legs.
     std::optional<int> below(int anchor, const PieceRequest& request, const PromptObject& from = {});
@@ -133,6 +137,7 @@ class Layout {
     float ease_of(Vec3f eye) const;
     // Whether a thing may stand there on its top: in the room, out of others. `self`: its own index, if it has one.
     bool free_on_top(const Placed& placed, int self = -1) const;
+    bool hangs(const Placed& placed) const;
     // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
     bool has_spare(const Placed& placed, const Spare& spare) const;

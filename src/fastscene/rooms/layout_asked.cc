@@ -13,7 +13,8 @@ namespace {
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
-bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of"}); }
+bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides"}); }
+bool is_before(const std::string& relation) { return is_one_of(relation, {"in front of", "at the foot"}); }
 
 // Two pieces must stand before what is asked to be between them can.
 bool both_stand(const Layout& l, const Ask& ask) {
@@ -86,7 +87,7 @@ Spare Furnisher::spare_for(const std::string& klass) {
             if (ask.relation == "left of" || each > 1) spare.left = std::max(spare.left, width);
         }
         if (!floor) continue;
-        if (ask.relation == "in front of") spare.front = std::max(spare.front, deep + 0.1f);
+        if (is_before(ask.relation)) spare.front = std::max(spare.front, deep + 0.1f);
         if (ask.relation == "behind") spare.behind = std::max(spare.behind, deep + 0.06f);
     }
     return spare;
@@ -97,12 +98,14 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
     const Piece piece = make_piece(r);
     std::optional<int> i;
+    if (ask.wish->in_row) i = next_in_row(*ask.wish, r);
+    if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
     else if (ask.relation == "under") i = under_piece(anchor, ask, r, piece);
     else if (piece.mount == Mount::floor) {
-        if (ask.relation == "in front of") i = before_piece(anchor, ask, r);
+        if (is_before(ask.relation)) i = before_piece(anchor, ask, r);
         if (ask.relation == "behind") i = l_.behind(anchor, r, *ask.wish);
         if (ask.relation == "around") i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1) : std::nullopt;
         if (is_beside(ask.relation)) i = next_to_piece(anchor, ask, r);
@@ -141,9 +144,12 @@ std::optional<int> Furnisher::above_piece(int anchor, const Ask& ask, const Piec
                 if (const auto i = l_.hanging(r, middle + along * (k * step), *ask.wish)) return l_.join(*i, anchor), i;
         return {};
     }
-    for (const float size : {1.f, 0.82f, 0.66f, 0.5f}) {
+    // All of a row fit above it.
+    const float each = ask.wish->in_row ? size(anchor).x / static_cast<float>(ask.wish->count) - kInRow : 1e9f;
+    for (const float size : {1.f, 0.82f, 0.66f, 0.5f, 0.4f}) {
         PieceRequest smaller = r;
         smaller.size_factor *= size;
+        if (size * piece.size_m.x > each && size > 0.4f) continue;
         if (const auto i = l_.on_wall(smaller, anchor, *ask.wish)) return i;
     }
     return piece.mount == Mount::surface ? l_.on_top(anchor, r, *ask.wish) : std::nullopt;
@@ -192,8 +198,10 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
     else {
         const auto axes = axes_of(footprint_of(at(anchor)));
         const Vec2f middle = flat(at(anchor).position);
+        float right = 0;
         for (const Placed& p : l_.placed())
-            if (p.wish.id == ask.wish->id && dot(flat(p.position) - middle, axes[0]) > 0) sides[0] = -1, sides[1] = 1;
+            if (p.wish.id == ask.wish->id && p.with == anchor) right += dot(flat(p.position) - middle, axes[0]) > 0 ? 1.f : -1.f;
+        if (right > 0) sides[0] = -1, sides[1] = 1;
     }
     for (const int side : sides)
         if (const auto i = l_.beside(anchor, r, side, 0.06f, *ask.wish)) return i;
@@ -226,7 +234,7 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
         const float side = ask.relation == "left of" ? -1.f : 1.f;
         PieceRequest sized = r;
         sized.size_m = {0.8f, 0, 1.4f};
-        for (const float k : {side, is_one_of(ask.relation, {"next to"}) ? -side : side})
+        for (const float k : {side, is_one_of(ask.relation, {"next to", "on both sides"}) ? -side : side})
             if (const auto i =
                     l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
                 return l_.join(*i, anchor), i;

@@ -7,11 +7,28 @@
 #include "fastscene/rooms/layout_relations.h"
 
 namespace fastscene::furnishing {
+namespace {
+
+// Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of it.
+bool stands_at_walls(const Piece& piece) { return piece.against_wall && piece.size_m.y > 1.4f; }
+
+}  // namespace
+
+// Room for what was asked for at it, and for those that stand in a row with it.
+Spare Furnisher::spare_for(const PromptObject& wish, const Piece& piece) {
+    Spare spare = spare_for(wish.klass);
+    if (wish.in_row && piece.mount == Mount::floor && wish.count > 1)
+        spare.right = std::max(spare.right, static_cast<float>(wish.count - 1) * (piece.size_m.x + kInRow));
+    return spare;
+}
+
 std::optional<int> Furnisher::in_shell(const Ask& ask) {
     const PromptObject& wish = *ask.wish;
     if (!l_.why_not(wish.klass).empty()) return {};
     const PieceRequest r = l_.request(wish.klass, &wish);
     const Piece piece = make_piece(r);
+    if (wish.in_row)
+        if (const auto i = next_in_row(wish, r)) return i;
     if (wish.klass == "rug") {
         PieceRequest sized = r;
         for (const Opening& o : l_.plan().openings) {
@@ -53,7 +70,8 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
     if (piece.mount == Mount::wall || wish.klass == "tv") return l_.on_wall(r, {}, wish);
     if (piece.mount == Mount::ceiling) return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
     if (piece.mount != Mount::floor) return {};
-    const Spare spare = spare_for(wish.klass);
+    if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
+    const Spare spare = spare_for(wish, piece);
     Layout::WallWish w{.center_pull = 0.3f, .spare = spare};
     if (wish.relation == "in the corner") w.corner = true, w.apart_pull = 1.f;
     if (wish.relation_to == "window") w.window_pull = 2.f, w.center_pull = 0.2f;
@@ -62,7 +80,36 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
             if (is_opening_of(o, wish.relation_to)) w.near = flat(l_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
     std::optional<int> i;
     if (wish.relation != "in the middle") i = l_.against_wall(r, w, wish);
-    return i ? i : l_.free_standing(r, wish, spare);
+    return i || (stands_at_walls(piece) && wish.relation != "in the middle") ? i : l_.free_standing(r, wish, spare);
+}
+
+// A run of units fills a wall as far as windows and the door leave it; a short one is better than none. Below a window it has no cupboards.
+std::optional<int> Furnisher::kitchen_units(PieceRequest r, const PromptObject& wish) {
+    constexpr float kLow = 0.92f;
+    const bool at_window = wish.relation_to == "window" && wish.relation != "opposite" && wish.relation != "between";
+    std::vector<float> heights{0.f};
+    if (at_window) heights = {kLow, 0.f};
+    for (const float height : heights)
+        for (const int w : {0, 1, 3, 2}) {
+            const float length = l_.plan().wall(w).length;
+            for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
+                r.size_m = {width, height, 0};
+                if (const auto i = l_.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish)) return i;
+            }
+        }
+    return {};
+}
+
+// Beside the last one of its kind, in line with it.
+std::optional<int> Furnisher::next_in_row(const PromptObject& wish, const PieceRequest& r) {
+    std::vector<int> row;
+    for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
+        if (at(i).wish.id == wish.id) row.push_back(i);
+    // At both ends in turn: the first stays in the middle.
+    for (const int one : row)
+        for (const int side : {1, -1})
+            if (const auto i = l_.in_line(one, r, side, wish)) return i;
+    return {};
 }
 
 // Where no top is left.
@@ -98,7 +145,7 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
         if (wish.relation == "left of") sides = {-1};
         if (wish.relation == "right of") sides = {1};
         std::optional<int> stand;
-        if (anchor && (wish.relation == "next to" || wish.relation == "left of" || wish.relation == "right of"))
+        if (anchor && (wish.relation == "next to" || wish.relation == "on both sides" || wish.relation == "left of" || wish.relation == "right of"))
             for (const int side : sides)
                 if (!stand) stand = l_.beside(*anchor, table, side, 0.06f);
         if (!stand) stand = l_.against_wall(table, {.center_pull = 0.2f, .corner = wish.relation == "in the corner"});
@@ -134,7 +181,10 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
     const Piece piece = make_piece(r);
+    if (wish.in_row)
+        if (const auto i = next_in_row(wish, r)) return i;
     if (const auto i = where_asked(wish, r, piece)) return i;
+    if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);
     if (wish.klass == "cushion" && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
@@ -163,11 +213,11 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     w.window_pull = wish.relation_to == "window" ? 2.f : piece.size_m.y > 1.2f ? -1.f : 0.f;
     w.center_pull = 0.4f;
     w.clear_of_windows = wish.klass == "fireplace" || wish.klass == "tv_stand";
-    w.spare = spare_for(wish.klass);
+    w.spare = spare_for(wish, piece);
     if (const auto i = l_.against_wall(r, w, wish)) return i;
     w.clear_of_windows = w.corner = false;
     if (const auto i = l_.against_wall(r, w, wish)) return i;
-    return l_.free_standing(r, wish);
+    return stands_at_walls(piece) ? std::nullopt : l_.free_standing(r, wish);
 }
 
 }  // namespace fastscene::furnishing

@@ -111,9 +111,56 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
                      front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
         p.position.y = 0;
         p.with = anchor;
+        // Beside a fire before its chimney breast: back to the wall, where there is one.
+        constexpr float kBack = 0.05f, kDeepest = 0.5f;
+        for (Placed back = p; p.piece.against_wall && length(back.position - a.position) < length(p.position - a.position) + kDeepest;) {
+            back.position -= front * kBack;
+            if (!fits(back, false)) break;
+            p = back;
+        }
         if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
+}
+
+std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int side, const PromptObject& from) {
+    const Placed a = placed_[static_cast<std::size_t>(anchor)];
+    PieceRequest alike = request;
+    if (a.piece.mount == Mount::wall) alike.size_factor = 1.f, alike.size_m = {a.piece.size_m.x, a.piece.size_m.y, 0};
+    Placed p;
+    p.piece = make_piece(alike);
+    if (p.piece.mount != a.piece.mount || a.flat) return {};
+    p.yaw = a.yaw, p.on = a.on, p.below = a.below, p.overhead = a.overhead;
+    for (const float gap : {kInRow, 0.04f, 0.25f}) {
+        p.position = a.position + right_of(a.yaw) * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap));
+        p.with = a.with >= 0 ? a.with : anchor;
+        const Footprint box = footprint_of(p);
+        bool fine = plan_.holds(box) && leaves_way(p);
+        if (p.on >= 0) {
+            const auto& tops = placed_[static_cast<std::size_t>(p.on)].piece.surfaces;
+            const Footprint top = footprint_of(placed_[static_cast<std::size_t>(p.on)]);
+            for (const Vec2f corner : corners_of(box)) fine = fine && distance_to(top, corner) <= 0.005f;
+            fine = fine && !tops.empty() && free_on_top(p);
+        } else if (p.piece.mount == Mount::wall) {
+            fine = fine && hangs(p) && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return overlap(box, footprint_of(other)); });
+        } else if (p.piece.mount == Mount::ceiling) {
+            fine = fine && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); });
+        } else {
+            fine = fine && fits(p, false);
+        }
+        if (fine && std::isfinite(as_asked(p, from))) return keep(p, from);
+    }
+    return {};
+}
+
+// Whether a piece of the wall carries it, clear of doors and windows.
+bool Layout::hangs(const Placed& p) const {
+    for (const WallFace& face : faces_) {
+        const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2, off = dot(p.position - face.origin, face.inward);
+        if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half || u > face.length - half) continue;
+        return wall_is_free(plan_, face, u - half, u + half, p.position.y, p.position.y + p.piece.size_m.y);
+    }
+    return false;
 }
 
 std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const PromptObject& from) {
@@ -209,11 +256,13 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
         float x, z, yaw;
     };
     std::vector<Seat> seats;
-    const int along = std::max(1, static_cast<int>(w / 0.62f));
-    for (int i = 0; i < along; ++i) {
-        const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(along) * w - w / 2;
-        seats.push_back({x, d / 2, kPi});
-        seats.push_back({x, -d / 2, 0});
+    // At a bar one sits on one side; around a table on both.
+    const bool bar = a.piece.klass == "kitchen_island" && from.relation != "around";
+    const int along = std::max(1, static_cast<int>(w / (bar ? 0.5f : 0.62f)));
+    for (int i = 0; i < (bar ? 2 : 1) * along; ++i) {
+        const float x = (static_cast<float>(i % along) + 0.5f) / static_cast<float>(along) * w - w / 2;
+        if (!bar || i < along) seats.push_back({x, bar ? -d / 2 : d / 2, bar ? 0 : kPi});
+        if (!bar || i >= along) seats.push_back({x, bar ? d / 2 : -d / 2, bar ? kPi : 0});
     }
     seats.push_back({w / 2, 0, -kPi / 2});
     seats.push_back({-w / 2, 0, kPi / 2});

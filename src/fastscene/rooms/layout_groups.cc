@@ -201,17 +201,7 @@ void Furnisher::dining() {
 }
 
 void Furnisher::kitchen() {
-    // The run of units fills a wall, as far as windows and the door leave it; a short one is better than none.
-    main("kitchen_counter", [this](PieceRequest r, const PromptObject& o) -> std::optional<int> {
-        for (const int w : {0, 1, 3, 2}) {
-            const float length = l_.plan().wall(w).length;
-            for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
-                r.size_m = {width, 0, 0};
-                if (const auto i = l_.against_wall(r, {.wall = w}, o)) return i;
-            }
-        }
-        return {};
-    });
+    main("kitchen_counter", [this](const PieceRequest& r, const PromptObject& o) { return kitchen_units(r, o); });
     if (wishes_.asked("kitchen_island"))
         if (const auto island = main("kitchen_island", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); }))
             seats_at(*island);

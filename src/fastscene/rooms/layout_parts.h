@@ -110,6 +110,7 @@ class Furnisher {
     // Sees to it that a piece of this class stands, if one was asked for.
     void summon(const std::string& klass);
     Spare spare_for(const std::string& klass);
+    Spare spare_for(const PromptObject& wish, const Piece& piece);
     void asked_in_the_shell();
     void remaining_wishes(bool small);
     std::optional<int> at_piece(int anchor, const Ask& ask);
@@ -123,6 +124,8 @@ class Furnisher {
     // Where the words say, searched for everywhere.
     std::optional<int> where_asked(const PromptObject& wish, const PieceRequest& r, const Piece& piece);
     std::optional<int> on_a_top_there(const PromptObject& wish, const PieceRequest& r, std::optional<int> anchor);
+    std::optional<int> kitchen_units(PieceRequest r, const PromptObject& wish);
+    std::optional<int> next_in_row(const PromptObject& wish, const PieceRequest& r);
     std::optional<int> on_a_table_of_its_own(const PieceRequest& r, const PromptObject& wish);
     std::optional<int> anywhere(const PromptObject& wish);
     std::optional<int> television(const PieceRequest& r, const PromptObject& wish);

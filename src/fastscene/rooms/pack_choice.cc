@@ -22,7 +22,7 @@ const std::vector<Choice>& choices() {
         {"electric_guitar", {"electric_guitar"}, "guitar"},
         {"teddy_bear", {"teddy_bear"}, "toy_box"},
         {"crate", {"crate", "box"}, "basket"},
-        {"trunk", {"chest", "trunck"}},
+        {"trunk", {"chest", "trunck"}, "toy_box"},
         {"suitcase", {"suitcase", "briefcase"}},
         {"dog", {"dog", "bulldog"}},
         {"football_table", {"football_table"}},

@@ -95,6 +95,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
     int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || is_loft(spec) ? 3 : dice.chance(0.45f) ? 2 : 1;
     if (spec.room == "hallway" && !wish) count = 1;
+    if (!spec.next_room.empty() && !wish) count = std::min(count, 2);  // a wall is left for the doorway
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
     const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;
@@ -112,15 +113,16 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
             continue;
         }
         const bool bay = plan.bay && window.wall == 0;
+        const float margin = wants_corners(spec) ? 2 * kCornerMargin : 0.6f;
         const float width = bay ? length - 0.3f
-                                : std::min(length - 0.6f, large   ? dice.uniform(2.2f, 3.0f)
+                                : std::min(std::max(0.6f, length - margin), large   ? dice.uniform(2.2f, 3.0f)
                                                           : small ? dice.uniform(0.7f, 0.9f)
                                                                   : dice.uniform(1.3f, 1.8f));
         window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
         window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
-        const float slack = free_margin(length, width) - 0.25f;
+        const float slack = wants_corners(spec) ? 0.f : free_margin(length, width) - 0.25f;
         window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
@@ -148,7 +150,8 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     const auto [low, high] = plan.free_span(2, 2.1f);
     for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
     const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.wall == 2; });
-    door.u0 = dice.chance(0.5f) || shared ? low + kDoorMargin : high - kDoorMargin - kDoorWidth;
+    const float margin = wants_corners(spec) && !shared ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin) : kDoorMargin;
+    door.u0 = dice.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
     plan.openings.push_back(door);

@@ -1,6 +1,8 @@
 // Steps of make_plan. Private to rooms/plan*.cc.
 #pragma once
 
+#include <algorithm>
+
 #include "fastscene/rooms/plan.h"
 
 namespace fastscene {
@@ -27,6 +29,13 @@ void avoid_colors(PromptSpec& spec);
 // Sizes of the room that were said in metres, as far as rooms go; and, once the room has its shape, what became of them.
 void take_measures(const PromptSpec& spec, Plan& plan);
 void tell_measures(PromptSpec& spec, const Plan& plan);
+
+// Something is to stand in every corner: no corner is left out of the room, and doors and windows keep off them.
+inline bool wants_corners(const PromptSpec& spec) {
+    constexpr int kMost = 3;  // of three, one may stand beside the door
+    return std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return !o.forbidden && o.relation == "in the corner" && o.count >= kMost; });
+}
+inline constexpr float kCornerMargin = 0.95f;
 
 inline bool is_loft(const PromptSpec& spec) { return spec.room == "loft" || spec.structure == "loft"; }
 inline bool is_attic(const PromptSpec& spec) { return spec.room == "attic" || spec.structure == "attic"; }

@@ -90,6 +90,12 @@ void add_skylights(PromptSpec& spec, Plan& plan, Random& dice) {
     }
 }
 
+// What became of the words that ask for a second room.
+void tell_next_room(PromptSpec& spec, const std::string& what) {
+    for (PromptWord& word : spec.words)
+        if (word.object < 0 && word.meaning.ends_with(" behind a doorway")) word.fate = PromptWord::Fate::approximated, word.meaning = what;
+}
+
 std::string next_type(const std::string& room, Random& dice) {
     const bool second = dice.chance(0.5f);
     if (room == "living") return second ? "dining" : "study";
@@ -104,9 +110,10 @@ std::string next_type(const std::string& room, Random& dice) {
 void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "doorway");
     // Who speaks of windows means those of this room, and who wants no door wants none.
-    const bool windows = wish_for(spec, "window") || wish_for(spec, "window", true) || wish_for(spec, "door", true);
+    const bool windows = wants_corners(spec) || wish_for(spec, "window") || wish_for(spec, "window", true) || wish_for(spec, "door", true);
     const float probability = windows ? 0.f : habits_of(spec.room).doorway;
-    if (!decide(spec, "doorway", probability, dice)) return;
+    const bool beyond = !spec.next_room.empty();
+    if (!decide(spec, "doorway", probability, dice) && !beyond) return;
     if (wish) report(spec, *wish, wish->count - 1, "a room has one");
     const int first = dice.index(2);
     const int order[3] = {first == 0 ? 1 : 3, first == 0 ? 3 : 1, 0};
@@ -118,7 +125,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         o.kind = Opening::Kind::doorway;
         o.wall = w;
         o.requested = wish != nullptr;
-        const float wide = std::min(high - low - 1.2f, dice.uniform(0.95f, 1.5f));
+        const float wide = std::min(high - low - 1.2f, dice.uniform(0.95f, 1.5f) + (beyond ? 0.3f : 0.f));  // who asks for it wants to see it
         // Near an end, so that the wall keeps a place for furniture.
         const bool at_end = dice.chance(0.5f);
         o.u0 = at_end ? high - wide - dice.uniform(0.35f, 0.6f) : low + dice.uniform(0.35f, 0.6f);
@@ -128,17 +135,20 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
 
         auto next = std::make_shared<NextRoom>();
         next->type = next_type(spec.room, dice);
+        if (beyond) next->type = spec.next_room;
+        const bool wet = next->type == "bathroom" || next->type == "laundry";
         Plan& p = next->plan;
         p.style = plan.style;
         p.joined = true;
         p.height = plan.height;
         p.beams = plan.beams;
-        p.width = std::min(face.length, dice.uniform(3.6f, 4.4f));
-        p.depth = dice.uniform(3.4f, 4.2f);
+        p.width = std::min(face.length, dice.uniform(3.6f, 4.4f) - (wet ? 1.f : 0.f));
+        p.depth = dice.uniform(3.4f, 4.2f) - (wet ? 0.6f : 0.f);
         p.accent = dice.chance(0.5f);
         p.spots = plan.spots;
         p.neon = plan.neon;
         p.style.shelves = shelves_of(next->type);
+        if (wet) tile_wet_room(p, dice);
         // Its place along our wall: the doorway inside it, itself within the wall's length.
         const float middle = (o.u0 + o.u1) / 2, reach = p.width / 2 - wide / 2 - 0.3f;
         const float center = std::clamp(middle + dice.uniform(-reach, reach), p.width / 2, face.length - p.width / 2);
@@ -153,14 +163,15 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         back.u1 = back.u0 + wide;
         p.openings.push_back(back);
         for (const int side : {0, dice.chance(0.5f) ? 1 : 3}) {
-            const float length = p.wall(side).length, window = std::min(length - 1.f, dice.uniform(1.3f, 1.9f));
+            const float length = p.wall(side).length, window = std::min(length - 1.f, wet ? 0.9f : dice.uniform(1.3f, 1.9f));
             p.openings.push_back(
-                {Opening::Kind::window, side, (length - window) / 2, (length + window) / 2, 0.85f, std::min(p.height - 0.25f, 2.25f), false, ""});
+                {Opening::Kind::window, side, (length - window) / 2, (length + window) / 2, wet ? 1.25f : next->type == "kitchen" ? 1.05f : 0.85f, std::min(p.height - 0.25f, 2.25f), false, ""});
         }
         plan.openings.push_back(o);
         plan.next = std::move(next);
         return;
     }
+    if (beyond) tell_next_room(spec, "no wall is left for a doorway to a " + room_title(spec.next_room));
     if (wish) report(spec, *wish, 1, "no wall is left for it");
 }
 
@@ -184,7 +195,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         const bool asked_bay = wish_for(spec, "bay_window"), asked_alcove = wish_for(spec, "alcove");
         float roll = dice.uniform();
         constexpr float kTight = 10.f;  // square metres: no corner to leave out
-        if (asked_bay || asked_alcove || (plan.measured && plan.width * plan.depth < kTight)) roll = 2.f;
+        if (asked_bay || asked_alcove || wants_corners(spec) || (plan.measured && plan.width * plan.depth < kTight)) roll = 2.f;
         if (wish_for(spec, "bay_window", true)) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
         const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
                     niche = dice.uniform(0.45f, 0.55f);
@@ -208,6 +219,7 @@ void open_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     add_skylights(spec, plan, dice);
     if (plan.knee > 0) {
         if (const PromptObject* wish = wish_for(spec, "doorway")) report(spec, *wish, wish->count, "not in an attic");
+        if (!spec.next_room.empty()) tell_next_room(spec, "no second room opens from an attic");
         return;
     }
     add_doorway(spec, plan, dice);

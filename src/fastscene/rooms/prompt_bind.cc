@@ -138,6 +138,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
             object.counted = true;
+            object.in_row = object.in_row || a.words.ends_with("row of");
             r.tell(at, "count " + a.word->meaning + whose, object.id);
         }
     }

@@ -79,17 +79,29 @@ void read_style(Reading& r, std::size_t i) {
     choose(r, i, &PromptSpec::style, "style", r.m[i].word->meaning);
 }
 
+// Whether what the windows show was only guessed so far, from the name of a place.
+bool outlook_is_a_guess(const Reading& r, std::size_t i) {
+    return std::none_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(i), [](const Match& m) {
+        return m.is(WordKind::nuance) && !m.negated && m.word->meaning == "outside" && m.word->adds.starts_with("view=") && m.word->exact;
+    });
+}
+
 void read_nuance(Reading& r, std::size_t i) {
     const std::string& what = r.m[i].word->meaning;
     constexpr std::string_view kView = "view=";
     const std::string& adds = r.m[i].word->adds;
     if (what == "outside" && adds.starts_with(kView) && !r.m[i].negated) {
         const std::string view = adds.substr(kView.size());
-        if (r.spec.outlook.empty()) r.spec.outlook = view;
+        // "Lisbon" is a city, more or less; "the sea" is the sea.
+        if (r.spec.outlook.empty() || (r.m[i].word->exact && outlook_is_a_guess(r, i))) r.spec.outlook = view;
         if (r.spec.outlook == view && r.m[i].word->exact) r.tell(i, "outlook: " + view);
         else r.tell_near(i, "outlook: " + r.spec.outlook);
     } else if (what == "outside") r.tell_near(i, "what lies outside");
-    else if (what == "house") r.tell(i, "the house around the room");
+    else if (what == "next room") {
+        const std::string title = "a " + room_title(r.spec.next_room) + " behind a doorway";
+        if (r.m[i].word->exact) r.tell(i, title);
+        else r.tell_near(i, title);
+    } else if (what == "house") r.tell(i, "the house around the room");
     else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
     else if (what == "round") r.tell(i, "shape: round");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);

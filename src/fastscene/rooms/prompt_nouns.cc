@@ -245,51 +245,6 @@ void name_lights(Matches& m) {
             m[i].word = Word{WordKind::object, "ceiling_lamp", false};
 }
 
-// "an attic study", "a bedroom in a converted loft": the other room serves, and this shapes it.
-bool shapes_another(const Matches& m, std::size_t at) {
-    const std::string& structure = m[at].word->meaning;
-    if (structure != "attic" && structure != "loft") return false;
-    const auto serves = [&](const Match& x) { return x.is(WordKind::room) && x.word->meaning != structure && !x.negated; };
-    // "an attic study", "an attic turned into a study"; not "an attic with a study corner".
-    const auto leads_on = [&](const Match& x) {
-        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") ||
-               x.is_function("used as");
-    };
-    for (std::size_t k = at + 1; k < m.size() && (serves(m[k]) || leads_on(m[k])); ++k)
-        if (serves(m[k])) return true;
-    bool in = false;
-    for (std::size_t k = at; k-- > 0;) {
-        if (serves(m[k])) return in;
-        if (m[k].is_function("in") || m[k].is_function("of") || m[k].is_function("under") || m[k].words == "under") in = true;
-        else if (!modifies(m[k]) && !m[k].is_function("the") && !m[k].is(WordKind::mood)) return false;
-    }
-    return false;
-}
-
-// "a 2-bed flat", "three bedroom house": of the house, not of this room.
-void count_other_rooms(Matches& m) {
-    const auto is_house = [](const Match& x) { return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living"; };
-    for (std::size_t i = 1; i + 1 < m.size(); ++i) {
-        const bool bedroom =
-            m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
-        if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
-        m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
-    }
-}
-
-// A word for the whole house ("apartment", "castle") only names the room when no other word does.
-void choose_room(Matches& m, PromptSpec& spec) {
-    for (std::size_t i = 0; i < m.size(); ++i)
-        if (m[i].is(WordKind::room) && !m[i].negated && spec.structure.empty() && shapes_another(m, i)) {
-            spec.structure = m[i].word->meaning;
-            m[i].word = Word{WordKind::nuance, "structure", m[i].word->exact};
-        }
-    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
-    if (!named) return;
-    for (Match& x : m)
-        if (x.is(WordKind::room) && !x.word->exact) x.word = Word{WordKind::nuance, "house"};
-}
-
 void take_added(const Word& word, PromptObject& object) {
     const auto equals = word.adds.find('=');
     if (equals == std::string::npos) return;
@@ -303,8 +258,7 @@ void take_added(const Word& word, PromptObject& object) {
 
 void settle_double_meanings(Reading& r) {
     mark_negated(r.m);
-    count_other_rooms(r.m);
-    choose_room(r.m, r.spec);
+    settle_rooms(r);
     heed_the_room(r.m);
     name_tables(r.m);
     name_colors(r.m);

@@ -90,6 +90,9 @@ std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::s
 // Longest match first; then the furniture catalogue; then what was misspelt.
 Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack);
 
+// Which rooms the prompt speaks of, before its nouns; called by settle_double_meanings.
+void settle_rooms(Reading& r);
+
 // In this order:
 void settle_quantities(Matches& m);       // "fewer than five", "two or three", "for eight": one count each
 void settle_double_meanings(Reading& r);  // "the table" of a dining room; "fern" the color; "a light"; "an attic study"

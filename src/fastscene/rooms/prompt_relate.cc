@@ -61,6 +61,12 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
 
 bool says_each(const Reading& r, std::size_t noun) { return noun > 0 && (r.m[noun - 1].is_function("each") || r.m[noun - 1].is_function("every")); }
 
+// "in each corner", "in all four corners": one, or as many as were said, for each.
+bool says_every_corner(const Match& m) {
+    return m.is(WordKind::relation) && (m.words.find("each corner") != std::string::npos || m.words.find("every corner") != std::string::npos ||
+                                        m.words.find("all corners") != std::string::npos || m.words.find("four corners") != std::string::npos);
+}
+
 void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::size_t> where, std::string relation) {
     PromptObject& object = r.object_of(subject);
     const bool placed = where.has_value() && r.m[*where].object != r.m[subject].object;
@@ -70,6 +76,11 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     object.relation = relation;
     std::string to;
+    constexpr int kCorners = 4;
+    if (says_every_corner(r.m[at])) object.count = object.counted && object.count % kCorners == 0 ? object.count : kCorners * (object.counted ? object.count : 1), object.counted = true;
+    if ((r.m[at].words.find("both corners") != std::string::npos || r.m[at].words.find("two corners") != std::string::npos || r.m[at].words.find("opposite corners") != std::string::npos) &&
+        !object.counted)
+        object.count = 2, object.counted = true;
     // "a picture above each bed": as many pictures as beds.
     if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted)
         object.count = r.object_of(target).count, object.counted = true;
@@ -98,11 +109,36 @@ void relate_both_sides(Reading& r, std::size_t at) {
     const auto subject = noun_before(r, at);
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     std::optional<std::size_t> target;
-    if (r.m[at].words.ends_with(" of")) target = noun_after(r, at);
+    if (r.m[at].words.ends_with(" of") || r.m[at].words.ends_with("flanking")) target = noun_after(r, at);
+    // "… on either side of it"
+    if (at + 1 < r.m.size() && r.m[at + 1].is_function("it")) target = meant_by(r, *subject, false);
     for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
         if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
-    attach(r, at, *subject, target, "next to");
+    attach(r, at, *subject, target, "on both sides");
+}
+
+// "three chairs in a row", "in a row, three chairs".
+void relate_row(Reading& r, std::size_t at) {
+    std::optional<std::size_t> subject = noun_before(r, at);
+    if (!subject) subject = noun_after(r, at);
+    if (!subject) return r.tell_near(at, "where: of nothing that was named");
+    PromptObject& object = r.object_of(*subject);
+    object.in_row = true;
+    r.tell(at, object.klass + " side by side", object.id);
+}
+
+// "a stacked washer and dryer": the second on the first.
+void stack_pairs(Reading& r) {
+    for (std::size_t i = 0; i + 3 < r.m.size(); ++i) {
+        if (r.m[i].words != "stacked" || !has_object(r.m[i + 1]) || !r.m[i + 2].is_function("and") || !has_object(r.m[i + 3])) continue;
+        PromptObject &below = r.object_of(i + 1), &above = r.object_of(i + 3);
+        if (below.id == above.id || below.klass != above.klass || !above.relation.empty()) continue;
+        above.relation = "on";
+        above.relation_to = below.klass;
+        r.tell(i, "the " + above.words + " on the " + below.words, above.id);
+        r.m[i].relation = true;
+    }
 }
 
 // "a bed between two nightstands, opposite a wardrobe": the bed.
@@ -127,6 +163,12 @@ bool names_other_things(const Reading& r, std::size_t at) {
 void relate_one(Reading& r, std::size_t at) {
     const std::string relation = r.m[at].word->meaning;
     if (relation == "both sides") return relate_both_sides(r, at);
+    if (relation == "in a row") return relate_row(r, at);
+    // "a flat above a shop", "a room next to the park": where the house stands.
+    std::size_t next = at + 1;
+    while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is_function("the")) && !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside")) ++next;
+    if (next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside" && (next + 1 == r.m.size() || !has_object(r.m[next + 1])))
+        return r.tell_near(at, "where the room lies, not what stands in it");
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
@@ -153,7 +195,7 @@ void relate_one(Reading& r, std::size_t at) {
     }
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     if (is_passive(r.m[at]) && target) {
-        const std::string turned = relation == "between" ? "next to" : relation;
+        const std::string turned = relation == "between" ? "on both sides" : relation;
         return attach(r, at, *target, subject, turned);
     }
     attach(r, at, *subject, target, relation);
@@ -164,6 +206,7 @@ void relate_one(Reading& r, std::size_t at) {
 void relate(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i)
         if (r.m[i].is(WordKind::relation)) relate_one(r, i);
+    stack_pairs(r);
 }
 
 }  // namespace fastscene::reading

@@ -39,6 +39,7 @@ struct PromptObject {
     std::string relation_and;           // "between" has two
     bool forbidden = false;             // "no/without X"
     bool counted = false;               // the count was said, not guessed from a plural
+    bool in_row = false;                // side by side: "three pictures in a row"
     int id = -1;                        // its index in PromptSpec::objects
     int placed = 0;                     // how many of them stand in the room; filled by make_room
 };
@@ -50,6 +51,7 @@ struct PromptSpec {
     std::string unread;                 // "Dutch": the prompt's language, when it is none of those
     std::string room, style, time, weather, size;
     std::string structure;              // "attic", "loft": the house around a room that serves another end ("an attic study")
+    std::string next_room;              // behind a doorway: "a bedroom with an en-suite bathroom"; empty: as the house has it
     Vec3f size_m;                       // width, height, depth of the room that were said, in metres; 0: as such rooms are
     float area_m2 = 0;                  // its floor, when that was said
     PromptObject everything;            // "everything is pink": color, material of all there is

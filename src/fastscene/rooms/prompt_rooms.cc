@@ -1,0 +1,133 @@
+// Which rooms a prompt speaks of: the room itself, the house around it, parts of it that serve another end, and the room next to it.
+#include <algorithm>
+#include <array>
+
+#include "fastscene/rooms/prompt_parts.h"
+
+namespace fastscene::reading {
+namespace {
+
+// "an attic study", "a bedroom in a converted loft": the other room serves, and this shapes it.
+bool shapes_another(const Matches& m, std::size_t at) {
+    const std::string& structure = m[at].word->meaning;
+    if (structure != "attic" && structure != "loft") return false;
+    const auto serves = [&](const Match& x) { return x.is(WordKind::room) && x.word->meaning != structure && !x.negated; };
+    // "an attic study", "an attic turned into a study"; not "an attic with a study corner".
+    const auto leads_on = [&](const Match& x) {
+        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") ||
+               x.is_function("used as");
+    };
+    for (std::size_t k = at + 1; k < m.size() && (serves(m[k]) || leads_on(m[k])); ++k)
+        if (serves(m[k])) return true;
+    bool in = false;
+    for (std::size_t k = at; k-- > 0;) {
+        if (serves(m[k])) return in;
+        if (m[k].is_function("in") || m[k].is_function("of") || m[k].is_function("under") || m[k].words == "under") in = true;
+        else if (!modifies(m[k]) && !m[k].is_function("the") && !m[k].is(WordKind::mood)) return false;
+    }
+    return false;
+}
+
+// "a 2-bed flat", "three bedroom house": of the house, not of this room.
+void count_other_rooms(Matches& m) {
+    const auto is_house = [](const Match& x) { return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living"; };
+    for (std::size_t i = 1; i + 1 < m.size(); ++i) {
+        const bool bedroom =
+            m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
+        if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
+        m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
+    }
+}
+
+// A word for the whole house ("apartment", "castle") only names the room when no other word does.
+void choose_room(Matches& m, PromptSpec& spec) {
+    for (std::size_t i = 0; i < m.size(); ++i)
+        if (m[i].is(WordKind::room) && !m[i].negated && spec.structure.empty() && shapes_another(m, i)) {
+            spec.structure = m[i].word->meaning;
+            m[i].word = Word{WordKind::nuance, "structure", m[i].word->exact};
+        }
+    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
+    if (!named) return;
+    for (Match& x : m)
+        if (x.is(WordKind::room) && !x.word->exact) x.word = Word{WordKind::nuance, "house"};
+}
+
+bool is_room(const Match& m) { return m.is(WordKind::room) && !m.negated; }
+
+// "en suite" is said of the room next to the one that has it.
+bool is_en_suite(const Match& m) { return is_room(m) && (m.words == "en suite" || m.words == "ensuite"); }
+
+// "a dining area", "an office corner": a part of the room.
+bool is_part(const Matches& m, std::size_t at) {
+    const auto ends = [](const std::string& words) {
+        for (const char* part : {"area", "nook", "corner", "zone", "kitchenette"})
+            if (words.ends_with(part)) return true;
+        return false;
+    };
+    return ends(m[at].words) || (at + 1 < m.size() && ends(m[at + 1].words) && !m[at + 1].words.starts_with("in "));
+}
+
+// What stands where a part of the room serves such an end.
+std::string piece_of(const std::string& room, const std::string& words) {
+    if (words.starts_with("reading")) return "armchair";
+    if (room == "dining") return "dining_table";
+    if (room == "study") return "desk";
+    if (room == "living") return "sofa";
+    if (room == "bedroom") return "bed";
+    if (room == "kitchen") return "kitchen_counter";
+    return "";
+}
+
+// "a bedroom with a desk in its office corner": parts of the room that was named otherwise become their main piece.
+void furnish_parts(Matches& m) {
+    const bool named = [&] {
+        for (std::size_t i = 0; i < m.size(); ++i)
+            if (is_room(m[i]) && !is_part(m, i)) return true;
+        return false;
+    }();
+    if (!named) return;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        if (!is_room(m[i]) || !is_part(m, i)) continue;
+        const std::string piece = piece_of(m[i].word->meaning, m[i].words);
+        const bool there = std::any_of(m.begin(), m.end(), [&](const Match& x) { return x.is(WordKind::object) && x.word->meaning == piece; });
+        const bool of_two_words = !m[i].words.ends_with("area") && !m[i].words.ends_with("nook") && !m[i].words.ends_with("kitchenette");
+        if (of_two_words && i + 1 < m.size()) m[i + 1].word = Word{WordKind::nuance, "feel"};
+        m[i].word = piece.empty() || there ? Word{WordKind::nuance, "feel"} : Word{WordKind::object, piece, false};
+    }
+}
+
+// Words between two rooms that say how one gets from one to the other.
+bool joins_rooms(const Match& m) {
+    static constexpr std::array<std::string_view, 14> kJoins{"opening to", "opening onto", "leading to", "leading into", "attached", "connected", "adjoining",
+                                                             "adjacent to", "next to", "through", "open", "open to", "off", "into"};
+    return std::find(kJoins.begin(), kJoins.end(), m.words) != kJoins.end() || (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
+}
+
+// "a bedroom with an en-suite bathroom", "a living room opening to a kitchen": the second room lies behind a doorway.
+void find_next_room(Reading& r) {
+    Matches& m = r.m;
+    const auto first = std::find_if(m.begin(), m.end(), [](const Match& x) { return is_room(x) && !is_en_suite(x); });
+    if (first == m.end()) return;
+    const std::string room = first->word->meaning;
+    const bool en_suite = std::any_of(m.begin(), m.end(), is_en_suite);
+    static constexpr std::array<std::string_view, 4> kNever{"attic", "loft", "sunroom", "kids"};
+    for (auto x = m.begin(); x != m.end(); ++x) {
+        if (!is_room(*x) || x == first || x->word->meaning == room || !x->word->exact) continue;
+        const std::string& type = x->word->meaning;
+        if (std::find(kNever.begin(), kNever.end(), type) != kNever.end() || (!r.spec.next_room.empty() && r.spec.next_room != type)) continue;
+        r.spec.next_room = type;
+        const bool said = (en_suite && type == "bathroom") || std::any_of(first, x, joins_rooms);
+        x->word = Word{WordKind::nuance, "next room", said};
+    }
+}
+
+}  // namespace
+
+void settle_rooms(Reading& r) {
+    count_other_rooms(r.m);
+    choose_room(r.m, r.spec);
+    furnish_parts(r.m);
+    if (r.spec.structure.empty()) find_next_room(r);
+}
+
+}  // namespace fastscene::reading
