@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <optional>
 #include <set>
 
 #include "fastscene/rooms/layout.h"
@@ -114,8 +117,54 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         }
     }
     EXPECT_GE(asked, 350u);
-    // Five of 423 small things stand behind others since what is asked is placed first (docs/rooms.md); the goal is none.
-    EXPECT_LE(static_cast<double>(hidden), 0.013 * static_cast<double>(asked)) << list;
+    // None with Debian's furniture pack; without it other pieces stand in, and one may be missed.
+    EXPECT_LE(hidden, pack(Assets::cc0) ? 0u : 2u) << list;
+}
+
+// Where a class is seen: the mean of its pixels' columns as an angle that grows to the right of the picture; nothing: hardly seen.
+std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& klass, bool requested) {
+    double x = 0, y = 0;
+    int n = 0;
+    for (int row = 0; row < object_of_pixel.height; ++row)
+        for (int column = 0; column < object_of_pixel.width; ++column) {
+            const std::int32_t i = object_of_pixel.at(column, row);
+            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass || room.objects[static_cast<std::size_t>(i)].requested != requested) continue;
+            const double angle = 2 * std::numbers::pi * column / object_of_pixel.width;
+            x += std::cos(angle), y += std::sin(angle), ++n;
+        }
+    return n > 8 ? std::optional(std::atan2(y, x)) : std::nullopt;
+}
+
+// By the picture, not by the layout's own formulas: who stands before the bed sees the armchair left of it.
+TEST(Prompts, LeftIsLeftInThePicture) {
+    struct Case {
+        const char *text, *thing, *place;
+        int side;
+    };
+    int looked = 0;
+    for (const Case& c : {Case{"a bedroom with a red armchair to the left of the bed", "armchair", "bed", -1},
+                          {"a bedroom with a red armchair to the right of the bed", "armchair", "bed", 1},
+                          {"a living room with a floor lamp to the left of the sofa", "floor_lamp", "sofa", -1},
+                          {"a living room with a floor lamp to the right of the sofa", "floor_lamp", "sofa", 1}})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            SCOPED_TRACE(c.text + std::string(", seed ") + std::to_string(seed));
+            fastscene::Run run;
+            run.seed = seed;
+            PromptSpec spec = understand_prompt(c.text, false);
+            const TracedRoom room(make_room(spec, run));
+            const auto& objects = room.room().objects;
+            const auto place = std::find_if(objects.begin(), objects.end(), [&](const RoomObject& o) { return o.klass == c.place; });
+            ASSERT_NE(place, objects.end());
+            // Only from before it, not from its side: there left and right are as one takes them.
+            const Vec3f to = -place->world_from_object.translation, front = place->world_from_object.rotation.column(2);
+            if (front.x * to.x + front.z * to.z < 0.7f * std::hypot(to.x, to.z)) continue;
+            const Shot shot = room.panorama({}, {256, 128}, {.color = false, .range = false, .object = true}, run);
+            const auto thing = bearing(room.room(), shot.object, c.thing, true), there = bearing(room.room(), shot.object, c.place, true);
+            if (!thing || !there) continue;
+            ++looked;
+            EXPECT_GT(c.side * std::remainder(*thing - *there, 2 * std::numbers::pi), 0.02);
+        }
+    EXPECT_GE(looked, 6);
 }
 
 TEST(Pack, UnexpectedNounsComeFromItInManyLanguages) {

@@ -13,8 +13,8 @@ namespace {
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
-bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides"}); }
-bool is_before(const std::string& relation) { return is_one_of(relation, {"in front of", "at the foot"}); }
+bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"}); }
+bool is_before(const std::string& relation) { return is_one_of(relation, {"in front of", "at the foot of"}); }
 
 // Two pieces must stand before what is asked to be between them can.
 bool both_stand(const Layout& l, const Ask& ask) {
@@ -234,7 +234,7 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
         const float side = ask.relation == "left of" ? -1.f : 1.f;
         PieceRequest sized = r;
         sized.size_m = {0.8f, 0, 1.4f};
-        for (const float k : {side, is_one_of(ask.relation, {"next to", "on both sides"}) ? -side : side})
+        for (const float k : {side, is_one_of(ask.relation, {"next to", "on both sides of"}) ? -side : side})
             if (const auto i =
                     l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
                 return l_.join(*i, anchor), i;

@@ -80,8 +80,8 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "above") return std::abs(aside) < at.box.half.x + 0.1f && box.y0 >= at.box.y1 - 0.02f && far < 0.3f;
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
-    if (relation == "at the foot") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
-    if (relation == "on both sides") return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f && far < (opening ? 0.75f : 0.7f);
+    if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
+    if (relation == "on both sides of") return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f && far < (opening ? 0.75f : 0.7f);
     if (relation == "facing") return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
     if (relation == "opposite")
         return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f && std::abs(aside) < at.box.half.x + extent(box, right_of_viewer(at.front)) + 0.2f;
@@ -108,7 +108,7 @@ bool is_opening_of(const Opening& o, std::string_view klass) {
 }
 
 std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish) {
-    if (wish.relation.empty()) return {};
+    if (wish.relation.empty() || wish.relation == "in the next room") return {};
     const Footprint box = footprint_of(piece);
     const Vec2f front = heading_of(piece.yaw);
     if (wish.relation == "in the corner") {
@@ -133,7 +133,7 @@ std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>&
     }
     if (places.empty()) return {};
     const auto at = std::find_if(places.begin(), places.end(), [&](const Place& place) { return holds(wish.relation, box, front, piece, place); });
-    if (at == places.end() || wish.relation != "on both sides") return at != places.end();
+    if (at == places.end() || wish.relation != "on both sides of") return at != places.end();
     // As many on this side as on the other.
     const auto right = [&](const Footprint& f) { return dot(f.center - at->box.center, right_of_viewer(at->front)) > 0; };
     const int on_this = others_there(placed, piece, wish, [&](const Footprint& f) { return gap(f, at->box) < 0.75f && right(f) == right(box); });

@@ -26,7 +26,8 @@ std::string last_word(const std::string& words) {
 // A dryer and a washing machine are of one class, and yet two things: one of them is only the nearest there is.
 bool may_be_one(const Match& a, const Match& b) {
     if (a.words == b.words || last_word(a.words) == last_word(b.words)) return true;
-    return a.word->exact && b.word->exact;
+    // Few rooms have two fires: "a stone hearth … facing the fire".
+    return (a.word->exact && b.word->exact) || a.word->meaning == "fireplace";
 }
 
 // "the chair" after "two armchairs", "the lamp" after "a floor lamp".

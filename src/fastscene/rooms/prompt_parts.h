@@ -92,6 +92,9 @@ Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, cons
 
 // Which rooms the prompt speaks of, before its nouns; called by settle_double_meanings.
 void settle_rooms(Reading& r);
+// Pieces named behind the second room that belong there: "an en-suite bathroom with a freestanding tub".
+void fill_next_room(Reading& r);
+inline constexpr const char* kInNextRoom = "in the next room";
 
 // In this order:
 void settle_quantities(Matches& m);       // "fewer than five", "two or three", "for eight": one count each

@@ -115,7 +115,7 @@ void relate_both_sides(Reading& r, std::size_t at) {
     for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
         if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
-    attach(r, at, *subject, target, "on both sides");
+    attach(r, at, *subject, target, "on both sides of");
 }
 
 // "three chairs in a row", "in a row, three chairs".
@@ -195,7 +195,7 @@ void relate_one(Reading& r, std::size_t at) {
     }
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     if (is_passive(r.m[at]) && target) {
-        const std::string turned = relation == "between" ? "on both sides" : relation;
+        const std::string turned = relation == "between" ? "on both sides of" : relation;
         return attach(r, at, *target, subject, turned);
     }
     attach(r, at, *subject, target, relation);
@@ -207,6 +207,7 @@ void relate(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i)
         if (r.m[i].is(WordKind::relation)) relate_one(r, i);
     stack_pairs(r);
+    fill_next_room(r);
 }
 
 }  // namespace fastscene::reading

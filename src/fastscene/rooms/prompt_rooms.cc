@@ -121,7 +121,28 @@ void find_next_room(Reading& r) {
     }
 }
 
+// What belongs into a room of a type and hardly anywhere else.
+bool belongs_to(const std::string& klass, const std::string& room) {
+    using Classes = std::array<std::string_view, 6>;
+    static constexpr std::array<std::pair<std::string_view, Classes>, 5> kOf{{{"bathroom", {"bathtub", "shower", "toilet", "washbasin", "towel_rail", "vanity"}},
+                                                                              {"kitchen", {"kitchen_counter", "kitchen_island", "fridge", "bar_stool"}},
+                                                                              {"bedroom", {"bed", "nightstand"}},
+                                                                              {"dining", {"dining_table", "dining_table_round", "chair"}},
+                                                                              {"laundry", {"washing_machine"}}}};
+    return std::any_of(kOf.begin(), kOf.end(), [&](const auto& of) { return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end(); });
+}
+
 }  // namespace
+
+void fill_next_room(Reading& r) {
+    if (r.spec.next_room.empty()) return;
+    const auto next = std::find_if(r.m.begin(), r.m.end(), [](const Match& x) { return x.is(WordKind::nuance) && x.word->meaning == "next room"; });
+    for (auto x = next; x != r.m.end(); ++x) {
+        if (!has_object(*x) || x->negated) continue;
+        PromptObject& o = r.spec.objects[static_cast<std::size_t>(x->object)];
+        if (o.relation.empty() && belongs_to(o.klass, r.spec.next_room) && !belongs_to(o.klass, r.spec.room)) o.relation = kInNextRoom;
+    }
+}
 
 void settle_rooms(Reading& r) {
     count_other_rooms(r.m);

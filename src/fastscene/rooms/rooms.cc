@@ -195,12 +195,16 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
                 word.meaning += "; shown as " + placed.piece.klass;
             }
     }
+    for (const Placed& placed : room.placed_next)
+        if (placed.wish.id >= 0) ++spec.objects[static_cast<std::size_t>(placed.wish.id)].placed;
     for (PromptObject& object : spec.objects)
         if (is_shell(object.klass) && !object.forbidden)
             object.placed =
                 object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(),
                                                               [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
 }
+
+bool is_asked_next_door(const PromptObject& o) { return !o.forbidden && o.relation == "in the next room"; }
 
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
     Random dice(run.seed, "room:" + spec.text + draw);
@@ -213,24 +217,32 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
     out.camera = layout.viewpoint();
     out.hidden_wishes = static_cast<int>(layout.unseen(out.camera).size());
     if (out.plan.next) {
-        // A room of the same house: its own type, the same style and hour, nothing asked for.
+        // A room of the same house: its own type, the same style and hour; of what was asked for, what belongs there.
         PromptSpec next;
         next.room = out.plan.next->type;
         next.style = spec.style;
         next.time = spec.time;
         next.mood = spec.mood;
         next.clutter = spec.clutter;
-        for (const PromptObject& o : spec.objects)
-            if (o.forbidden) next.objects.push_back(o);
+        next.pack = spec.pack;
+        for (PromptObject o : spec.objects) {
+            const bool there = is_asked_next_door(o);
+            if (there) o.relation.clear();
+            if (o.forbidden || there) next.objects.push_back(o);
+        }
         Random next_dice(run.seed, "next room:" + spec.text);
         Layout beyond(out.plan.next->plan, next, next_dice, annealing);
         furnish(beyond);
         out.placed_next = beyond.placed();
+        spec.not_placed.insert(spec.not_placed.end(), next.not_placed.begin(), next.not_placed.end());
         for (Placed& p : out.placed_next) {
             const Rigid& move = out.plan.next->room_from_next;
             p.position = move * p.position;
             p.yaw = yaw_of(move.rotation * front_of(p.yaw));
         }
+    } else {
+        for (const PromptObject& o : spec.objects)
+            for (int i = 0; i < (is_asked_next_door(o) ? o.count : 0); ++i) spec.not_placed.push_back(o.words + ": there is no second room");
     }
     return out;
 }
