@@ -1,5 +1,6 @@
 // From tokens to terms of the lexicon.
 #include <algorithm>
+#include <array>
 
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -85,6 +86,7 @@ class Matcher {
     // A term of n tokens, spelt as in the lexicon, or with other spaces or a typo.
     bool take_term(std::size_t n) {
         const std::string term = joined(tokens_, at_, n);
+        if (leads_to_a_place(term, at_ + n)) return false;
         if (const auto word = look_up(term, tongue_.language)) return take({.words = term, .word = word}, n), true;
         if (!tongue_.unread.empty()) return false;
         if (n == 1 && known_[at_]) return false;
@@ -97,6 +99,12 @@ class Matcher {
         if (!meant) return false;
         take({.words = term, .word = look_up(*meant, tongue_.language), .note = "read as \"" + *meant + "\""}, n);
         return true;
+    }
+
+    // "lamps on both sides", "lights on the tree": not lamps that are on.
+    bool leads_to_a_place(const std::string& term, std::size_t next) const {
+        static constexpr std::array<std::string_view, 9> kLeads{"a", "an", "the", "both", "each", "either", "every", "top", "it"};
+        return term.ends_with("s on") && next < tokens_.size() && std::find(kLeads.begin(), kLeads.end(), tokens_[next]) != kLeads.end();
     }
 
     void take_unknown() {

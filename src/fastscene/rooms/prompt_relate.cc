@@ -155,7 +155,7 @@ std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at)
 bool names_other_things(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0 && !ends_clause(r.m[k]);)
         if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) ||
-            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) || (r.m[k].is(WordKind::nuance) && r.m[k].word->meaning == "thing"))
+            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) || (r.m[k].is(WordKind::nuance) && (r.m[k].word->meaning == "thing" || r.m[k].word->meaning == "motif")))
             return true;
     return false;
 }
@@ -172,6 +172,12 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
+    // "a vase in the middle of the table", "… in the center of it"
+    if (relation == "in the middle" && subject && r.m[at].words.ends_with(" of")) {
+        const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it");
+        const auto place = it ? meant_by(r, *subject, false) : target;
+        if (place && r.m[*place].is(WordKind::object)) return attach(r, at, *subject, place, "on");
+    }
     if (takes_no_target(relation)) {
         const bool inverted = opens_clause(r, at) || !subject;
         if (inverted) subject = noun_after(r, at);
