@@ -131,7 +131,8 @@ int in_row(const Things& subjects) {
         }
         std::sort(along.begin(), along.end());
         int chain = 1;
-        for (std::size_t i = 1; i < along.size(); ++i) chain = along[i] - along[i - 1] < 2 * first->wide + 0.6f ? chain + 1 : 1, best = std::max(best, chain);
+        for (std::size_t i = 1; i < along.size(); ++i)
+            chain = along[i] - along[i - 1] < 2 * first->wide + 0.6f ? chain + 1 : 1, best = std::max(best, chain);
     }
     return best;
 }
@@ -191,7 +192,8 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
     if (d.relation == "wall")
         return static_cast<int>(std::count_if(subjects.begin(), subjects.end(), [&](const Thing* s) {
             const Vec2f q = s->at - walls.middle;
-            return std::min(walls.half.x - std::abs(dot(q, walls.x)) - s->reach(walls.x), walls.half.y - std::abs(dot(q, walls.z)) - s->reach(walls.z)) < 0.25f;
+            return std::min(walls.half.x - std::abs(dot(q, walls.x)) - s->reach(walls.x),
+                            walls.half.y - std::abs(dot(q, walls.z)) - s->reach(walls.z)) < 0.25f;
         }));
     if (d.relation == "row") return in_row(subjects);
     const Things& at = places.front();
@@ -269,7 +271,9 @@ std::vector<Sentence> read_sentences(const std::filesystem::path& path) {
         for (const std::string& part : split(halves[1], ';')) {
             s.demands.push_back(demand_of(part));
             const Demand& d = s.demands.back();
-            const std::size_t wanted = d.relation == "between" ? 2 : d.relation == "corner" || d.relation == "middle" || d.relation == "wall" || d.relation == "row" ? 0 : 1;
+            const std::size_t wanted = d.relation == "between"                                                                           ? 2
+                                       : d.relation == "corner" || d.relation == "middle" || d.relation == "wall" || d.relation == "row" ? 0
+                                                                                                                                         : 1;
             if (d.what.empty() || d.places.size() != wanted)
                 throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number, wanted, d.relation,
                                        d.places.size());

@@ -128,7 +128,8 @@ std::optional<double> bearing(const Room& room, const Image<std::int32_t>& objec
     for (int row = 0; row < object_of_pixel.height; ++row)
         for (int column = 0; column < object_of_pixel.width; ++column) {
             const std::int32_t i = object_of_pixel.at(column, row);
-            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass || room.objects[static_cast<std::size_t>(i)].requested != requested) continue;
+            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass || room.objects[static_cast<std::size_t>(i)].requested != requested)
+                continue;
             const double angle = 2 * std::numbers::pi * column / object_of_pixel.width;
             x += std::cos(angle), y += std::sin(angle), ++n;
         }

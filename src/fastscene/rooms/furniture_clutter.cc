@@ -351,9 +351,28 @@ void picture_ledge(Kit& k) {
     k.piece.hang_height_m = 1.2f;
 }
 
-constexpr Entry kEntries[] = {{"cup", cup}, {"tray", tray}, {"place_setting", place_setting}, {"bottles", bottles}, {"photo_frame", photo_frame}, {"sculpture", sculpture}, {"globe", globe}, {"laptop", laptop},
-                              {"towel_stack", towel_stack}, {"toiletries", toiletries}, {"kettle", kettle}, {"toaster", toaster}, {"utensils", utensils}, {"pen", pens}, {"cutting_board", cutting_board}, {"pot", pot},
-                              {"magazines", magazines}, {"teddy_bear", teddy_bear}, {"toy_blocks", toy_blocks}, {"alarm_clock", alarm_clock}, {"storage_box", storage_box}, {"picture_ledge", picture_ledge}};
+constexpr Entry kEntries[] = {{"cup", cup},
+                              {"tray", tray},
+                              {"place_setting", place_setting},
+                              {"bottles", bottles},
+                              {"photo_frame", photo_frame},
+                              {"sculpture", sculpture},
+                              {"globe", globe},
+                              {"laptop", laptop},
+                              {"towel_stack", towel_stack},
+                              {"toiletries", toiletries},
+                              {"kettle", kettle},
+                              {"toaster", toaster},
+                              {"utensils", utensils},
+                              {"pen", pens},
+                              {"cutting_board", cutting_board},
+                              {"pot", pot},
+                              {"magazines", magazines},
+                              {"teddy_bear", teddy_bear},
+                              {"toy_blocks", toy_blocks},
+                              {"alarm_clock", alarm_clock},
+                              {"storage_box", storage_box},
+                              {"picture_ledge", picture_ledge}};
 
 }  // namespace
 

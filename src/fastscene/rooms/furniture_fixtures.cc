@@ -33,7 +33,7 @@ void kitchen_counter(Kit& k) {
     if (k.style.mouldings != Mouldings::none) splash.pattern = Pattern::subway, splash.scale_m = 0.15f;
     const int tiles = k.material(splash);
     const float w = s.x, d = 0.6f, z0 = -0.5f * d;
-    const bool cupboards = s.y > 1.5f;   // a low run stands below a window
+    const bool cupboards = s.y > 1.5f;  // a low run stands below a window
     k.board(dark, {0, 0, -0.04f}, {w, 0.1f, d - 0.1f});
     k.board(front, {0, 0.1f, -0.02f}, {w, 0.76f, d - 0.04f});
     k.board(top, {0, 0.86f, 0.01f}, {w + 0.01f, 0.04f, d + 0.03f}, 0.005f);

@@ -167,7 +167,7 @@ struct FurnishedRoom {
     Vec3f camera;
     // The room behind the doorway, if there is one.
     std::vector<Placed> placed_next;
-    int hidden_wishes = 0;   // pieces asked for of which the camera sees hardly anything
+    int hidden_wishes = 0;  // pieces asked for of which the camera sees hardly anything
     AnnealReport annealed;
 };
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).

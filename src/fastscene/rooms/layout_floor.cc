@@ -142,9 +142,11 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
             for (const Vec2f corner : corners_of(box)) fine = fine && distance_to(top, corner) <= 0.005f;
             fine = fine && !tops.empty() && free_on_top(p);
         } else if (p.piece.mount == Mount::wall) {
-            fine = fine && hangs(p) && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return overlap(box, footprint_of(other)); });
+            fine = fine && hangs(p) &&
+                   std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return overlap(box, footprint_of(other)); });
         } else if (p.piece.mount == Mount::ceiling) {
-            fine = fine && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); });
+            fine = fine && std::none_of(placed_.begin(), placed_.end(),
+                                        [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); });
         } else {
             fine = fine && fits(p, false);
         }

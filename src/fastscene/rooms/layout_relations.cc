@@ -60,14 +60,17 @@ float to_wall(const Plan& plan, const Footprint& box) {
 // Which corner it stands in; -1: none.
 int corner_of(const Plan& plan, const Footprint& box) {
     constexpr float kNear = 0.55f;
-    if (plan.width / 2 - std::abs(box.center.x) - extent(box, {1, 0}) >= kNear || plan.depth / 2 - std::abs(box.center.y) - extent(box, {0, 1}) >= kNear) return -1;
+    if (plan.width / 2 - std::abs(box.center.x) - extent(box, {1, 0}) >= kNear ||
+        plan.depth / 2 - std::abs(box.center.y) - extent(box, {0, 1}) >= kNear)
+        return -1;
     return (box.center.x > 0 ? 1 : 0) + (box.center.y > 0 ? 2 : 0);
 }
 
 // How many of the same wish stand there already: several share corners and sides evenly.
 template <class There>
 int others_there(const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish, const There& there) {
-    return static_cast<int>(std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return &p != &piece && p.wish.id == wish.id && there(footprint_of(p)); }));
+    return static_cast<int>(
+        std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return &p != &piece && p.wish.id == wish.id && there(footprint_of(p)); }));
 }
 
 // The relation to one place.
@@ -81,10 +84,12 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
     if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
-    if (relation == "on both sides of") return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f && far < (opening ? 0.75f : 0.7f);
+    if (relation == "on both sides of")
+        return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f && far < (opening ? 0.75f : 0.7f);
     if (relation == "facing") return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
     if (relation == "opposite")
-        return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f && std::abs(aside) < at.box.half.x + extent(box, right_of_viewer(at.front)) + 0.2f;
+        return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f &&
+               std::abs(aside) < at.box.half.x + extent(box, right_of_viewer(at.front)) + 0.2f;
     if (relation == "left of") return aside < -0.1f && far < 1.8f;
     if (relation == "right of") return aside > 0.1f && far < 1.8f;
     if (relation == "around") return far < 0.9f;
@@ -114,7 +119,8 @@ std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>&
     if (wish.relation == "in the corner") {
         const int corner = corner_of(plan, box);
         constexpr int kCorners = 4;
-        return corner >= 0 && others_there(placed, piece, wish, [&](const Footprint& f) { return corner_of(plan, f) == corner; }) <= (wish.count - 1) / kCorners;
+        return corner >= 0 &&
+               others_there(placed, piece, wish, [&](const Footprint& f) { return corner_of(plan, f) == corner; }) <= (wish.count - 1) / kCorners;
     }
     if (wish.relation == "in the middle") return std::abs(box.center.x) < 0.22f * plan.width && std::abs(box.center.y) < 0.22f * plan.depth;
     if (wish.relation == "far wall") return box.center.y > plan.depth / 2 - box.half.y - box.half.x - 0.4f;

@@ -14,9 +14,26 @@ constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is lo
 
 // What a room keeps even when nobody asked for it.
 bool makes_the_room(std::string_view klass) {
-    static constexpr std::array<std::string_view, 20> kMain{"bed",    "bed_single",      "crib",         "sofa",           "loveseat", "dining_table", "dining_table_round",
-                                                            "desk",   "kitchen_counter", "fridge",       "kitchen_island", "bathtub",  "shower",       "toilet",
-                                                            "curtain", "washbasin",      "washing_machine", "wardrobe",    "tv",       "blind"};
+    static constexpr std::array<std::string_view, 20> kMain{"bed",
+                                                            "bed_single",
+                                                            "crib",
+                                                            "sofa",
+                                                            "loveseat",
+                                                            "dining_table",
+                                                            "dining_table_round",
+                                                            "desk",
+                                                            "kitchen_counter",
+                                                            "fridge",
+                                                            "kitchen_island",
+                                                            "bathtub",
+                                                            "shower",
+                                                            "toilet",
+                                                            "curtain",
+                                                            "washbasin",
+                                                            "washing_machine",
+                                                            "wardrobe",
+                                                            "tv",
+                                                            "blind"};
     return std::find(kMain.begin(), kMain.end(), klass) != kMain.end();
 }
 
@@ -49,7 +66,8 @@ float Layout::show(int piece, Vec3f eye, bool anywhere) {
                     p.yaw = a.yaw;
                     p.position = a.position + right * (s.center.x + u * slack_x) + front * (s.center.z + v * slack_z) + Vec3f{0, s.center.y, 0};
                     if (!free_on_top(p, piece) || as_asked(p, p.wish) < asked) continue;
-                    if (const float seen = sight.look(piece, eye).pixels; seen > best) best = seen, best_pose.position = p.position, best_pose.yaw = p.yaw, best_pose.on = top;
+                    if (const float seen = sight.look(piece, eye).pixels; seen > best)
+                        best = seen, best_pose.position = p.position, best_pose.yaw = p.yaw, best_pose.on = top;
                 }
         }
     }
@@ -78,7 +96,8 @@ void Layout::take_away(std::vector<int> pieces) {
     std::vector<int> now(placed_.size(), -1);
     std::vector<Placed> left;
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
-        if (!gone.contains(i)) now[static_cast<std::size_t>(i)] = static_cast<int>(left.size()), left.push_back(std::move(placed_[static_cast<std::size_t>(i)]));
+        if (!gone.contains(i))
+            now[static_cast<std::size_t>(i)] = static_cast<int>(left.size()), left.push_back(std::move(placed_[static_cast<std::size_t>(i)]));
     for (Placed& p : left)
         for (int* index : {&p.on, &p.below, &p.with})
             if (*index >= 0) *index = now[static_cast<std::size_t>(*index)];

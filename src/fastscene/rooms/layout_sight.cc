@@ -126,7 +126,7 @@ Sight::View Sight::look(int piece, Vec3f eye) const {
     if (points.empty()) return view;
     constexpr int kPoints = 64, kEnoughForLarge = 12;
     constexpr float kPixel = 2 * std::numbers::pi_v<float> / 512.f;  // radians, both ways
-    float seen = 0;  // square pixels
+    float seen = 0;                                                  // square pixels
     std::map<int, float> hidden;
     int n = 0;
     for (; n < kPoints && !(n >= kEnoughForLarge && seen * points.area() > kMany * static_cast<float>(n)); ++n) {

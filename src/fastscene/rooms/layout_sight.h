@@ -14,8 +14,8 @@ class Sight {
     Sight(const Plan& plan, const std::vector<Placed>& placed);
 
     struct View {
-        float pixels = 0;          // of a panorama of 512 x 256, about; what is large is counted no further than kMany
-        std::vector<int> hiders;   // the pieces before it, what hides most first
+        float pixels = 0;         // of a panorama of 512 x 256, about; what is large is counted no further than kMany
+        std::vector<int> hiders;  // the pieces before it, what hides most first
     };
     static constexpr float kMany = 60.f;
     View look(int piece, Vec3f eye) const;

@@ -53,7 +53,8 @@ TEST(Sight, AWallsCornerHidesToo) {
 }
 
 TEST(Reveal, SmallThingsThatWereAskedForAreSeen) {
-    for (const char* text : {"a study with a globe, a cup and a pen", "a cozy kitchen with a kettle and a bowl", "a cluttered bedroom with a book and a candle on the dresser"})
+    for (const char* text : {"a study with a globe, a cup and a pen", "a cozy kitchen with a kettle and a bowl",
+                             "a cluttered bedroom with a book and a candle on the dresser"})
         for (std::uint64_t seed = 0; seed < 2; ++seed) {
             SCOPED_TRACE(text + std::string(", seed ") + std::to_string(seed));
             PromptSpec spec = understand_prompt(text, false);

@@ -32,7 +32,7 @@ void hang_up(Piece& piece, float height) {
 }  // namespace
 
 bool Layout::free_on_top(const Placed& p, int self) const {
-    constexpr float kBeams = 0.25f;   // what hangs from the ceiling is in no box
+    constexpr float kBeams = 0.25f;  // what hangs from the ceiling is in no box
     const Footprint box = footprint_of(p);
     if (!plan_.holds(box) || (plan_.beams && box.y1 > plan_.height - kBeams)) return false;
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {

@@ -41,7 +41,8 @@ bool Ask::at_piece() const { return !relation.empty() && !at.empty() && !at_shel
 
 Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     for (const PromptObject& o : spec.objects)
-        asks_.push_back({&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) || o.relation == "in the next room" ? 0 : o.count});
+        asks_.push_back(
+            {&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) || o.relation == "in the next room" ? 0 : o.count});
     const auto ask_for = [&](const std::string& klass) {
         const auto i =
             std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });

@@ -116,8 +116,8 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         const float margin = wants_corners(spec) ? 2 * kCornerMargin : 0.6f;
         const float width = bay ? length - 0.3f
                                 : std::min(std::max(0.6f, length - margin), large   ? dice.uniform(2.2f, 3.0f)
-                                                          : small ? dice.uniform(0.7f, 0.9f)
-                                                                  : dice.uniform(1.3f, 1.8f));
+                                                                            : small ? dice.uniform(0.7f, 0.9f)
+                                                                                    : dice.uniform(1.3f, 1.8f));
         window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);

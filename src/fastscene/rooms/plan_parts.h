@@ -33,7 +33,8 @@ void tell_measures(PromptSpec& spec, const Plan& plan);
 // Something is to stand in every corner: no corner is left out of the room, and doors and windows keep off them.
 inline bool wants_corners(const PromptSpec& spec) {
     constexpr int kMost = 3;  // of three, one may stand beside the door
-    return std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return !o.forbidden && o.relation == "in the corner" && o.count >= kMost; });
+    return std::any_of(spec.objects.begin(), spec.objects.end(),
+                       [](const PromptObject& o) { return !o.forbidden && o.relation == "in the corner" && o.count >= kMost; });
 }
 inline constexpr float kCornerMargin = 0.95f;
 

@@ -164,8 +164,11 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.openings.push_back(back);
         for (const int side : {0, dice.chance(0.5f) ? 1 : 3}) {
             const float length = p.wall(side).length, window = std::min(length - 1.f, wet ? 0.9f : dice.uniform(1.3f, 1.9f));
-            p.openings.push_back(
-                {Opening::Kind::window, side, (length - window) / 2, (length + window) / 2, wet ? 1.25f : next->type == "kitchen" ? 1.05f : 0.85f, std::min(p.height - 0.25f, 2.25f), false, ""});
+            p.openings.push_back({Opening::Kind::window, side, (length - window) / 2, (length + window) / 2,
+                                  wet                       ? 1.25f
+                                  : next->type == "kitchen" ? 1.05f
+                                                            : 0.85f,
+                                  std::min(p.height - 0.25f, 2.25f), false, ""});
         }
         plan.openings.push_back(o);
         plan.next = std::move(next);

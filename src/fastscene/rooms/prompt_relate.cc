@@ -77,8 +77,11 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     object.relation = relation;
     std::string to;
     constexpr int kCorners = 4;
-    if (says_every_corner(r.m[at])) object.count = object.counted && object.count % kCorners == 0 ? object.count : kCorners * (object.counted ? object.count : 1), object.counted = true;
-    if ((r.m[at].words.find("both corners") != std::string::npos || r.m[at].words.find("two corners") != std::string::npos || r.m[at].words.find("opposite corners") != std::string::npos) &&
+    if (says_every_corner(r.m[at]))
+        object.count = object.counted && object.count % kCorners == 0 ? object.count : kCorners * (object.counted ? object.count : 1),
+        object.counted = true;
+    if ((r.m[at].words.find("both corners") != std::string::npos || r.m[at].words.find("two corners") != std::string::npos ||
+         r.m[at].words.find("opposite corners") != std::string::npos) &&
         !object.counted)
         object.count = 2, object.counted = true;
     // "a picture above each bed": as many pictures as beds.
@@ -155,7 +158,8 @@ std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at)
 bool names_other_things(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0 && !ends_clause(r.m[k]);)
         if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) ||
-            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) || (r.m[k].is(WordKind::nuance) && (r.m[k].word->meaning == "thing" || r.m[k].word->meaning == "motif")))
+            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) ||
+            (r.m[k].is(WordKind::nuance) && (r.m[k].word->meaning == "thing" || r.m[k].word->meaning == "motif")))
             return true;
     return false;
 }
@@ -166,8 +170,11 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "in a row") return relate_row(r, at);
     // "a flat above a shop", "a room next to the park": where the house stands.
     std::size_t next = at + 1;
-    while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is_function("the")) && !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside")) ++next;
-    if (next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside" && (next + 1 == r.m.size() || !has_object(r.m[next + 1])))
+    while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is_function("the")) &&
+           !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside"))
+        ++next;
+    if (next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == "outside" &&
+        (next + 1 == r.m.size() || !has_object(r.m[next + 1])))
         return r.tell_near(at, "where the room lies, not what stands in it");
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");

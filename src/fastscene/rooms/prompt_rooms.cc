@@ -98,9 +98,11 @@ void furnish_parts(Matches& m) {
 
 // Words between two rooms that say how one gets from one to the other.
 bool joins_rooms(const Match& m) {
-    static constexpr std::array<std::string_view, 14> kJoins{"opening to", "opening onto", "leading to", "leading into", "attached", "connected", "adjoining",
-                                                             "adjacent to", "next to", "through", "open", "open to", "off", "into"};
-    return std::find(kJoins.begin(), kJoins.end(), m.words) != kJoins.end() || (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
+    static constexpr std::array<std::string_view, 14> kJoins{"opening to", "opening onto", "leading to",  "leading into", "attached",
+                                                             "connected",  "adjoining",    "adjacent to", "next to",      "through",
+                                                             "open",       "open to",      "off",         "into"};
+    return std::find(kJoins.begin(), kJoins.end(), m.words) != kJoins.end() ||
+           (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
 }
 
 // "a bedroom with an en-suite bathroom", "a living room opening to a kitchen": the second room lies behind a doorway.
@@ -124,12 +126,14 @@ void find_next_room(Reading& r) {
 // What belongs into a room of a type and hardly anywhere else.
 bool belongs_to(const std::string& klass, const std::string& room) {
     using Classes = std::array<std::string_view, 6>;
-    static constexpr std::array<std::pair<std::string_view, Classes>, 5> kOf{{{"bathroom", {"bathtub", "shower", "toilet", "washbasin", "towel_rail", "vanity"}},
-                                                                              {"kitchen", {"kitchen_counter", "kitchen_island", "fridge", "bar_stool"}},
-                                                                              {"bedroom", {"bed", "nightstand"}},
-                                                                              {"dining", {"dining_table", "dining_table_round", "chair"}},
-                                                                              {"laundry", {"washing_machine"}}}};
-    return std::any_of(kOf.begin(), kOf.end(), [&](const auto& of) { return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end(); });
+    static constexpr std::array<std::pair<std::string_view, Classes>, 5> kOf{
+        {{"bathroom", {"bathtub", "shower", "toilet", "washbasin", "towel_rail", "vanity"}},
+         {"kitchen", {"kitchen_counter", "kitchen_island", "fridge", "bar_stool"}},
+         {"bedroom", {"bed", "nightstand"}},
+         {"dining", {"dining_table", "dining_table_round", "chair"}},
+         {"laundry", {"washing_machine"}}}};
+    return std::any_of(kOf.begin(), kOf.end(),
+                       [&](const auto& of) { return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end(); });
 }
 
 }  // namespace
