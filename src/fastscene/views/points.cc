@@ -48,16 +48,23 @@ struct Candidate {
     float area, edge;   // square metres; edge strength times solid angle
 };
 
+// Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
+bool is_given(const Panorama& panorama) {
+    return panorama.known.empty() ||
+           std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(), [](Known k) { return k == Known::original; });
+}
+
 void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, std::vector<Candidate>& out) {
     const Panorama& panorama = panoramas[index];
+    const bool given = index == 0 || is_given(panorama);
     const EquirectSize size = panorama.size();
     const ImageMask cuts = range_edges(panorama.range);
     for (int y = 0; y < size.height; ++y) {
         const float angle = static_cast<float>(pixel_solid_angle(y, size));
         for (int x = 0; x < size.width; ++x) {
             const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
-            if (index == 0 ? known != Known::original : known != Known::invented) continue;
-            if (cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color
+            if (known != (given ? Known::original : Known::invented)) continue;
+            if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
             const Surface s = surface_at(panorama, cuts, x, y);
             const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
             out.push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle * distance * distance / cosine,

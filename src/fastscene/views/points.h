@@ -10,7 +10,7 @@
 namespace fastscene {
 
 // `count` samples: half of them spread evenly over the surface that is seen, half where the picture has edges.
-// From panorama 0's pixels, and from what the later ones invented.
+// From the pixels of panorama 0 and of others that were given (nothing in them is carried or invented), and from what walked ones invented.
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run);
 
 }  // namespace fastscene

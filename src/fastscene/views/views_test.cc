@@ -105,6 +105,33 @@ TEST(Points, LieOnTheSurfacesTheyName) {
     EXPECT_LT(area, 140);
 }
 
+int of_color(const ViewSet& set, Rgb8 color) {
+    return static_cast<int>(std::count_if(set.points.begin(), set.points.end(), [&](const SurfacePoint& p) { return p.color == color; }));
+}
+
+TEST(Points, ComeFromEveryGivenPanorama) {
+    const Panorama first = render_synthetic(room(), {}, kSize, 1);
+    Panorama second = render_synthetic(room(), {0.4f, 0, 0}, kSize, 1);
+    std::fill(second.color.pixels.begin(), second.color.pixels.end(), Vec3f{1, 0, 0});
+    second.known = Image<Known>(kSize.width, kSize.height, Known::original);
+    EXPECT_GT(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 1000);
+    second.known.at(3, 3) = Known::carried;   // walked: it repeats what the first has seen
+    EXPECT_EQ(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 0);
+}
+
+// A strip of the outside beside a window's frame, seen past it for the first time.
+TEST(Points, NarrowPaintedStripsHaveTheirOwn) {
+    const Panorama first = render_synthetic(room(), {}, kSize, 1);
+    Panorama walked = first;
+    walked.known = Image<Known>(kSize.width, kSize.height, Known::carried);
+    for (int y = kSize.height / 4; y < kSize.height * 3 / 4; ++y) {
+        walked.known.at(20, y) = Known::invented;
+        walked.range.at(20, y) = std::numeric_limits<float>::infinity();
+        walked.color.at(20, y) = {0, 1, 0};
+    }
+    EXPECT_GT(of_color(project_views({first, walked}, small_params(), {}), {0, 255, 0}), 20);
+}
+
 TEST(Points, SkyStandsFarAway) {
     Panorama panorama = render_synthetic(room(), {}, {64, 32}, 1);
     for (float& r : panorama.range.pixels) r = std::numeric_limits<float>::infinity();
