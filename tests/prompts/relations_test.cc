@@ -49,8 +49,8 @@ TEST(Relations, MostStandWhereTheSentenceSays) {
             if (!complaint.empty()) list += "\n  " + sentence.text + ": " + complaint;
         }
     }
-    EXPECT_GE(asked, 70);
-    EXPECT_GE(kept, 0.78 * asked) << kept << " of " << asked << list;
+    EXPECT_GE(asked, 110);
+    EXPECT_GE(kept, 0.94 * asked) << kept << " of " << asked << list;
 }
 
 }  // namespace
