@@ -92,7 +92,7 @@ void sofa_of(Kit& k, float width, int seats, int pillows) {
     switch (sofa_form(k)) {
         case framed: return frame_sofa(k, width, seats);
         case buttoned: return chesterfield(k, width, seats);
-        case channelled: return channel_seat(k, width, seats * 5);
+        case channelled: return channel_seat(k, width, seats * 8);
         default: return couch(k, width, seats, pillows);
     }
 }
@@ -110,7 +110,7 @@ void armchair(Kit& k) {
     switch (form) {
         case padded_chair: return couch(k, 0.92f, 1, k.dice.index(2));
         case wing: return wing_chair(k);
-        case tub: return channel_seat(k, 0.8f, 9);
+        case tub: return channel_seat(k, 0.8f, 17);
         case sling: return sling_chair(k);
         case rattan: return rattan_chair(k);
         default: return shell_chair(k);

@@ -19,7 +19,7 @@ constexpr Paints kPaints[] = {
     {"japandi", {"greige", "oatmeal", "linen", "light clay", "off white"}},    {"industrial", {"ash", "off white", "stone", "gray", "ash"}},
     {"classic", {"ivory", "light sage", "light sky", "champagne", "ivory"}},   {"boho", {"cream", "light terracotta", "cream", "light dusty pink", "sand"}},
     {"rustic", {"cream", "cream", "light olive", "linen", "wheat"}},           {"mid-century", {"off white", "light mustard", "off white", "light teal", "cream"}},
-    {"mediterranean", {"ivory", "white", "sand", "light terracotta", "cream"}}, {"art deco", {"champagne", "blush", "champagne", "light emerald", "ivory"}},
+    {"mediterranean", {"ivory", "white", "off white", "white", "cream"}}, {"art deco", {"champagne", "blush", "champagne", "light emerald", "ivory"}},
 };
 
 // Libraries and studies may be dark: the lamp and the books shine in them.
