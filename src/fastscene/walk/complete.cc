@@ -124,8 +124,8 @@ void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageM
         }
 }
 
-// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. A mean of wall and sky would
-// hang in the air between them: each pixel belongs to what most of its surroundings are.
+// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Between a frame and the outside
+// that makes surfaces in between; without them the outside behind a frame, which no viewpoint sees, would have no splats at all.
 void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
     const int w = rest.width, h = rest.height;
     const EquirectSize size{w, h};
@@ -154,9 +154,9 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 const Vec2f at =
                     pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
                 const int px = wrap_column(static_cast<int>(at.x), w), py = std::min(static_cast<int>(at.y), h - 1);
-                const float r = view.range.at(px, py);
+                const float q = inverse_range(view.range.at(px, py));
                 color.at(x, y) = view.color.at(px, py);
-                inverse.at(x, y) = r < kFarthestRange ? Vec3f{1.f / r, 1.f, 0.f} : Vec3f{};  // and whether it is a surface
+                inverse.at(x, y) = {q, q, q};
                 hole.at(x, y) = avoid.at(px, py);
             }
         color = world.inpainter->fill(color, hole, run);
@@ -167,10 +167,8 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 const Vec3f d = direction_of_pixel(x, y, size);
                 if (face_of_direction(d) != face) continue;
                 const Vec2f at = *camera.project(transpose(pano_from_camera) * d);
-                const Vec3f filled = sample_flat(inverse, at);
-                const bool surface = filled.y >= 0.5f;
-                view.color.at(x, y) = surface || world.outside.empty() ? sample_flat(color, at) : world.outside.at(x, y);
-                view.range.at(x, y) = surface ? filled.y / std::max(filled.x, filled.y / kFarthestRange) : std::numeric_limits<float>::infinity();
+                view.color.at(x, y) = sample_flat(color, at);
+                view.range.at(x, y) = 1.f / std::max(sample_flat(inverse, at).x, 1.f / kFarthestRange);
                 view.plane.at(x, y) = kNoPlane;
             }
     }
