@@ -11,7 +11,6 @@
 #include <cstring>
 #include <ctime>
 #include <iostream>
-#include <numbers>
 
 #include "bench/noise_pixels.h"
 #include "fastscene/base/file.h"
@@ -188,8 +187,7 @@ Json export_room(const Flags& flags) {
     // The sky as Cycles maps it: u against the azimuth, v up from the nadir.
     constexpr int kSkyHeight = 1024;
     std::vector<float> sky;
-    constexpr float kPi = std::numbers::pi_v<float>;
-    for (int y = 0; y < kSkyHeight; ++y)
+        for (int y = 0; y < kSkyHeight; ++y)
         for (int x = 0; x < 2 * kSkyHeight; ++x) {
             const float a = -((static_cast<float>(x) + 0.5f) / (2 * kSkyHeight) - 0.5f) * 2 * kPi;
             const float t = ((static_cast<float>(y) + 0.5f) / kSkyHeight - 0.5f) * kPi;

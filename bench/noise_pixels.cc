@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <numbers>
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
@@ -16,7 +15,6 @@
 namespace fastscene::bench {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSide = 4, kParts = kSide * kSide;
 
 struct Pixel {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "fastscene/base/parallel.h"
@@ -12,7 +11,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr EquirectSize kLook{512, 256};  // lines of a room are found at this size; finer is furniture
 
 // How strongly the picture changes across a line that runs level (down) or upright (across), 0..1.

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/base/random.h"
 #include "fastscene/depth/align.h"
@@ -14,7 +13,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr EquirectSize kSize{256, 128};
 
 BoxLayout some_box() { return {0.4f, {2.1f, 3.4f, 1.7f, 2.6f}, 1.5f, 1.1f, 0}; }

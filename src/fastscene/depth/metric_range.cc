@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNearest = 0.1f;
+constexpr float kNearestMetres = 0.1f;
 
 // A pixel that may lie on the floor (sine < 0 is down) or the ceiling.
 struct Sample {
@@ -140,7 +140,7 @@ MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
 
 ImageF metric_range(const ImageF& relative, const MetricFit& fit) {
     ImageF range = relative;
-    for (float& r : range.pixels) r = std::max(kNearest, fit.scale * r + fit.shift);
+    for (float& r : range.pixels) r = std::max(kNearestMetres, fit.scale * r + fit.shift);
     return range;
 }
 

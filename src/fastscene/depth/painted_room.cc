@@ -14,7 +14,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>, kFar = std::numeric_limits<float>::infinity();
+constexpr float kFar = std::numeric_limits<float>::infinity();
 
 enum class Pattern { plain, stripes, checker, planks, clouds, count };
 

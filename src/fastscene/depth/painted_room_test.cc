@@ -9,11 +9,11 @@
 namespace fastscene {
 namespace {
 
-constexpr EquirectSize kSize{128, 64};
+constexpr EquirectSize kSmall{128, 64};
 
 DepthExample room(std::uint64_t i) {
     Random dice(11, "painted", i);
-    return painted_room(kSize, dice);
+    return painted_room(kSmall, dice);
 }
 
 TEST(PaintedRoom, DependsOnTheDiceOnly) {
@@ -36,7 +36,7 @@ TEST(PaintedRoom, IsARoomAroundTheCamera) {
         light /= static_cast<double>(e.range.size());
         EXPECT_TRUE(light > 0.1 && light < 0.5) << i << ": " << light;
         // Straight down is the floor or something on it; nothing lies below 2 m.
-        EXPECT_LT(e.range.at(5, kSize.height - 1), 2.01f);
+        EXPECT_LT(e.range.at(5, kSmall.height - 1), 2.01f);
     }
 }
 
@@ -45,11 +45,11 @@ TEST(PaintedRoom, SurfacesAreFlatForTheMostPart) {
     int flat = 0, all = 0;
     for (std::uint64_t i = 0; i < 20; ++i) {
         const DepthExample e = room(i);
-        for (int x = 1; x + 1 < kSize.width; ++x) {
+        for (int x = 1; x + 1 < kSmall.width; ++x) {
             const float a = e.range.at(x - 1, 30), b = e.range.at(x, 30), c = e.range.at(x + 1, 30);
             if (!(a > 0 && b > 0 && c > 0)) continue;
             // Three rays a step apart meet a plane: 1/range is linear up to the cosine of the step.
-            const float step = 2 * 3.14159265f / kSize.width;
+            const float step = 2 * 3.14159265f / kSmall.width;
             flat += std::abs((1 / a + 1 / c) / (2 * std::cos(step)) - 1 / b) < 0.02f / b;
             ++all;
         }

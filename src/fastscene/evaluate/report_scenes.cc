@@ -14,20 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Room {
+struct RoomResults {
     std::string scene;
     std::uint64_t seed = 0;
     std::vector<const Json*> records;  // a row each
 };
 
 // In the order in which they first appear; a peer's scene joins the first room of its name.
-std::vector<Room> rooms_of(const Json& results) {
-    std::vector<Room> rooms;
+std::vector<RoomResults> rooms_of(const Json& results) {
+    std::vector<RoomResults> rooms;
     for (const Json& record : results.at("records")) {
         const std::string scene = record.at("scene");
         const std::uint64_t seed = record.at("seed");
         const bool peer = record.at("kind") == "peer";
-        auto room = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.scene == scene && (peer || r.seed == seed); });
+        auto room = std::find_if(rooms.begin(), rooms.end(), [&](const RoomResults& r) { return r.scene == scene && (peer || r.seed == seed); });
         if (room == rooms.end()) room = rooms.insert(rooms.end(), {scene, seed, {}});
         room->records.push_back(&record);
     }
@@ -35,7 +35,7 @@ std::vector<Room> rooms_of(const Json& results) {
 }
 
 // Figures of a room: a row for each of its rows' groups, a column for what any of them has.
-std::string facts_html(const Room& room, const Json& results) {
+std::string facts_html(const RoomResults& room, const Json& results) {
     std::vector<std::pair<std::string, std::map<std::string, std::string>>> rows;  // title, column -> text
     std::vector<const Json*> shown;
     for (const Json* record : room.records)
@@ -81,7 +81,7 @@ Json beside(const std::vector<std::pair<std::string, const Json*>>& figures) {
 }
 
 // The rows' figures at equal places of equal kind together; those of one row alone with its name.
-Json figures_of(const Room& room) {
+Json figures_of(const RoomResults& room) {
     Json out = Json::array();
     std::size_t most = 0;
     for (const Json* record : room.records) most = std::max(most, record->value("figures", Json::array()).size());
@@ -107,7 +107,7 @@ Json figures_of(const Room& room) {
 }
 
 // Panorama 0, once for each way to take it.
-std::string panoramas_html(const Room& room, const fs::path& out) {
+std::string panoramas_html(const RoomResults& room, const fs::path& out) {
     std::vector<std::string> shown;
     std::string html;
     for (const Json* record : room.records) {
@@ -120,7 +120,7 @@ std::string panoramas_html(const Room& room, const fs::path& out) {
     return html;
 }
 
-std::string room_html(const Room& room, const Json& results, const fs::path& out) {
+std::string room_html(const RoomResults& room, const Json& results, const fs::path& out) {
     const Json& first = *room.records.front();
     const std::string prompt = text_of(first, "prompt");
     std::string html = fmt::format("<section class=\"scene\"><h3>{}</h3>\n", html_escaped(prompt.empty() ? room.scene : "“" + prompt + "”"));
@@ -146,7 +146,7 @@ std::string room_html(const Room& room, const Json& results, const fs::path& out
 
 std::string scenes_html(const Json& results, const fs::path& out) {
     std::string html;
-    for (const Room& room : rooms_of(results)) html += room_html(room, results, out);
+    for (const RoomResults& room : rooms_of(results)) html += room_html(room, results, out);
     return html;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/test_pictures.h"
 #include "fastscene/geometry/cubemap.h"
 #include "fastscene/geometry/range_edges.h"
 
@@ -19,11 +20,6 @@ ImageColor soft_equirect(EquirectSize size) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) out.at(x, y) = soft_color(direction_of_pixel(x, y, size));
     return out;
-}
-float greatest_difference(const ImageColor& a, const ImageColor& b) {
-    float most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, length(a.pixels[i] - b.pixels[i]));
-    return most;
 }
 
 TEST(Sphere, AxesLieWhereTheConventionSays) {

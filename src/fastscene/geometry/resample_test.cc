@@ -6,12 +6,13 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/test_pictures.h"
 
 namespace fastscene {
 namespace {
 
 // A picture without detail finer than the pixels: spherical waves of a few cycles a turn.
-Vec3f soft_color(Vec3f d) {
+Vec3f wavy_color(Vec3f d) {
     return {0.5f + 0.3f * std::sin(5 * d.x + 2 * d.y) * std::cos(4 * d.z), 0.5f + 0.4f * std::sin(6 * d.z + d.x),
             0.5f + 0.4f * d.y * std::cos(7 * d.x)};
 }
@@ -28,7 +29,7 @@ ImageColor painted(const SpherePicture& p) {
                 d = pano_from_face(kCubeFaces[static_cast<std::size_t>(face)]) *
                     p.camera.direction_at({at.x, at.y - static_cast<float>(face * p.width)});
             }
-            out.at(x, y) = soft_color(p.world_from_picture * normalize(d));
+            out.at(x, y) = wavy_color(p.world_from_picture * normalize(d));
         }
     return out;
 }
@@ -42,11 +43,6 @@ double psnr_between(const ImageColor& a, const ImageColor& b, const ImageMask* m
         ++n;
     }
     return -10 * std::log10(sum / static_cast<double>(n) + 1e-20);
-}
-float greatest_difference(const ImageColor& a, const ImageColor& b) {
-    float most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, length(a.pixels[i] - b.pixels[i]));
-    return most;
 }
 const Mat3f kTilted = rotation_about(normalize(Vec3f{1, 2, -0.5f}), 1.1f);
 

@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 constexpr std::int32_t kPinholeModel = 1;
 
 // COLMAP counts from 1. Equal cameras are one camera.
-struct Cameras {
+struct CameraList {
     std::vector<Pinhole> list;
     std::vector<int> id_of_view;
-    explicit Cameras(const std::vector<View>& views) {
+    explicit CameraList(const std::vector<View>& views) {
         for (const View& view : views) {
             std::size_t i = 0;
             while (i < list.size() && !(list[i] == view.camera)) ++i;
@@ -36,7 +36,7 @@ Rigidd camera_from_world(const View& view) {
     return inverse(Rigidd{{to_double(r.row0), to_double(r.row1), to_double(r.row2)}, to_double(view.world_from_camera.translation)});
 }
 
-std::string cameras_text(const Cameras& cameras) {
+std::string cameras_text(const CameraList& cameras) {
     std::string out = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, FX, FY, CX, CY\n";
     for (std::size_t i = 0; i < cameras.list.size(); ++i) {
         const Pinhole& c = cameras.list[i];
@@ -44,7 +44,7 @@ std::string cameras_text(const Cameras& cameras) {
     }
     return out;
 }
-std::string cameras_binary(const Cameras& cameras) {
+std::string cameras_binary(const CameraList& cameras) {
     std::string out;
     append(out, std::uint64_t{cameras.list.size()});
     for (std::size_t i = 0; i < cameras.list.size(); ++i) {
@@ -58,7 +58,7 @@ std::string cameras_binary(const Cameras& cameras) {
     return out;
 }
 
-std::string images_text(const std::vector<View>& views, const Cameras& cameras) {
+std::string images_text(const std::vector<View>& views, const CameraList& cameras) {
     std::string out = "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME; then a line of 2D points (none)\n";
     for (std::size_t i = 0; i < views.size(); ++i) {
         const Rigidd pose = camera_from_world(views[i]);
@@ -68,7 +68,7 @@ std::string images_text(const std::vector<View>& views, const Cameras& cameras) 
     }
     return out;
 }
-std::string images_binary(const std::vector<View>& views, const Cameras& cameras) {
+std::string images_binary(const std::vector<View>& views, const CameraList& cameras) {
     std::string out;
     append(out, std::uint64_t{views.size()});
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -109,7 +109,7 @@ std::string points_binary(const std::vector<SurfacePoint>& points) {
 
 void save_colmap(const fs::path& dir, const ViewSet& set) {
     make_directories(dir);
-    const Cameras cameras(set.views);
+    const CameraList cameras(set.views);
     write_file(dir / "cameras.txt", cameras_text(cameras));
     write_file(dir / "cameras.bin", cameras_binary(cameras));
     write_file(dir / "images.txt", images_text(set.views, cameras));

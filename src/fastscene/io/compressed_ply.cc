@@ -33,7 +33,7 @@ struct Bounds3 {
 std::uint32_t pack_11_10_11(Vec3f v) { return unorm(v.x, 11) << 21 | unorm(v.y, 10) << 11 | unorm(v.z, 11); }
 
 // The largest component is left out: 2 bits say which, 10 bits each the others.
-std::uint32_t pack_rotation(Quatf q) {
+std::uint32_t bits_of_rotation(Quatf q) {
     const std::array<float, 4> c = unit_quaternion(q);
     const std::size_t largest = largest_of(c);
     const float sign = c[largest] < 0 ? -1.f : 1.f;
@@ -104,7 +104,7 @@ std::string compressed_ply_bytes(const Splats& splats) {
             const Vec3f c = color.share(color_of(i));
             const float opacity = sigmoid(splats.opacity_logit[i]);
             append(vertex_bytes, pack_11_10_11(mean.share(splats.mean_m[i])));
-            append(vertex_bytes, pack_rotation(splats.rotation[i]));
+            append(vertex_bytes, bits_of_rotation(splats.rotation[i]));
             append(vertex_bytes, pack_11_10_11(scale.share(clamped_scale(splats.log_scale[i]))));
             append(vertex_bytes, unorm(c.x, 8) << 24 | unorm(c.y, 8) << 16 | unorm(c.z, 8) << 8 | unorm(opacity, 8));
         }
@@ -147,7 +147,7 @@ struct BoundColumns {
 
 Vec3f unpack_11_10_11(std::uint32_t v) { return {from_unorm(v, 21, 11), from_unorm(v, 11, 10), from_unorm(v, 0, 11)}; }
 
-Quatf unpack_rotation(std::uint32_t v) {
+Quatf rotation_of_bits(std::uint32_t v) {
     std::array<float, 4> c{};
     const std::size_t largest = v >> 30;
     float rest = 1;
@@ -187,7 +187,7 @@ Splats splats_of_compressed_ply(const Ply& ply) {
         const std::uint32_t c = packed(packed_color);
         splats.mean_m[i] = mean.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(position)));
         splats.log_scale[i] = scale.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(packed_scale)));
-        splats.rotation[i] = unpack_rotation(packed(rotation));
+        splats.rotation[i] = rotation_of_bits(packed(rotation));
         splats.sh0[i] =
             (color.between(ply, chunk, i / kChunk, {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) - Vec3f{0.5f, 0.5f, 0.5f}) /
             kSh0;

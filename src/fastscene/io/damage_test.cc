@@ -13,6 +13,7 @@
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_scratch.h"
 #include "fastscene/io/view_io.h"
 
 namespace fastscene {
@@ -20,13 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch(const std::string& name) {
-    const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_damage_test";
-    fs::create_directories(dir);
-    return dir / name;
-}
-
-Splats some_splats(int degree) {
+Splats nine_splats(int degree) {
     Random random(2, "splats");
     Splats s;
     s.sh_degree = degree;
@@ -100,7 +95,7 @@ TEST(Damage, Spz) {
     for (const int degree : {0, 3}) {
         for (const int version : {2, 3, 4}) {
             const fs::path file = scratch(fmt::format("s{}{}.spz", version, degree));
-            const std::string whole = spz_bytes(some_splats(degree), version);
+            const std::string whole = spz_bytes(nine_splats(degree), version);
             damage(file, whole, [&] { (void)load_splats(file); });
             if (version < 4) damage(file, gunzip(whole), [&] { (void)load_splats(file); }, gzip);
         }
@@ -124,15 +119,15 @@ TEST(Damage, PromisesOfSpzAreNotBelieved) {
 TEST(Damage, Glb) {
     for (const int degree : {0, 1}) {
         const fs::path file = scratch(fmt::format("g{}.glb", degree));
-        damage(file, splat_glb_bytes(some_splats(degree)), [&] { (void)load_splats(file); });
+        damage(file, splat_glb_bytes(nine_splats(degree)), [&] { (void)load_splats(file); });
     }
 }
 
 TEST(Damage, Ply) {
     const fs::path file = scratch("p.ply");
-    save_compressed_ply(file, some_splats(2));
+    save_compressed_ply(file, nine_splats(2));
     damage(file, read_file(file), [&] { (void)load_splats(file); });
-    save_splat_ply(file, some_splats(1), PlyBands::present);
+    save_splat_ply(file, nine_splats(1), PlyBands::present);
     damage(file, read_file(file), [&] { (void)load_splats(file); });
     std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n";
     for (const char* name :
@@ -148,7 +143,7 @@ TEST(Damage, Ply) {
 
 TEST(Damage, PlyHeadersAsProgramsWriteThem) {
     const fs::path file = scratch("h.ply");
-    save_splat_ply(file, some_splats(1), PlyBands::present);
+    save_splat_ply(file, nine_splats(1), PlyBands::present);
     const std::string whole = read_file(file);
     const auto with = [&](const std::string& old_text, const std::string& new_text) {
         std::string text = whole;
@@ -156,9 +151,9 @@ TEST(Damage, PlyHeadersAsProgramsWriteThem) {
         write_file(file, text);
         return load_splats(file).splats.size();
     };
-    const std::string count = fmt::format("element vertex {}\n", some_splats(1).size());
-    EXPECT_EQ(with("ply\n", "ply\ncomment before the format\n"), some_splats(1).size());
-    EXPECT_EQ(with(count, "comment " + std::string(5000, 'x') + "\n" + count), some_splats(1).size());
+    const std::string count = fmt::format("element vertex {}\n", nine_splats(1).size());
+    EXPECT_EQ(with("ply\n", "ply\ncomment before the format\n"), nine_splats(1).size());
+    EXPECT_EQ(with(count, "comment " + std::string(5000, 'x') + "\n" + count), nine_splats(1).size());
     for (const char* number : {"-1", "2.5", "0x10", "1e3", ""}) EXPECT_THROW(with(count, fmt::format("element vertex {}\n", number)), Error) << number;
     write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n+-1\n"));
     EXPECT_THROW(Ply{file}, Error);

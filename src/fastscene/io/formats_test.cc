@@ -15,18 +15,13 @@
 #include "fastscene/base/random.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_scratch.h"
 #include "fastscene/io/view_io.h"
 
 namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scratch(const std::string& name) {
-    const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_formats_test";
-    fs::create_directories(dir);
-    return dir / name;
-}
 
 void write_png(const fs::path& path, png_uint_32 format, const void* pixels) {
     png_image image{};

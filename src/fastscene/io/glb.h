@@ -1,12 +1,15 @@
 // glTF binary with KHR_gaussian_splatting, read. Private to io/; splat_io.h is the door.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
 #include "fastscene/scene/splats.h"
 
 namespace fastscene {
+
+inline constexpr std::uint32_t kGlbMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 bool is_glb(std::string_view bytes);
 Splats splats_of_glb(const std::filesystem::path& path, std::string_view bytes);

@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 constexpr const char* kExtension = "KHR_gaussian_splatting";
 constexpr int kDeepestNode = 100;
 
@@ -21,7 +20,7 @@ class Glb {
   public:
     Glb(const fs::path& path, std::string_view bytes) : path_(path) {
         ByteReader in(path, bytes);
-        if (in.get<std::uint32_t>() != kMagic) in.refuse("expected the sign glTF, found another");
+        if (in.get<std::uint32_t>() != kGlbMagic) in.refuse("expected the sign glTF, found another");
         if (const auto version = in.get<std::uint32_t>(); version != 2) in.refuse(fmt::format("expected glTF 2, found {}", version));
         if (const auto size = in.get<std::uint32_t>(); size > bytes.size()) in.refuse(fmt::format("expected {} bytes, found {}", size, bytes.size()));
         std::string_view text;

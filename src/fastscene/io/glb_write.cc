@@ -4,6 +4,7 @@
 
 #include "fastscene/base/json.h"
 #include "fastscene/io/bytes.h"
+#include "fastscene/io/glb.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"
 #include "fastscene/io/splat_io.h"
@@ -12,7 +13,6 @@ namespace fastscene {
 namespace {
 
 constexpr int kByte = 5121, kFloat = 5126, kArrayBuffer = 34962, kPoints = 0;
-constexpr std::uint32_t kMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 // Collects the attributes: a buffer view, an accessor and a name each.
 class Attributes {
@@ -103,7 +103,7 @@ std::string splat_glb_bytes(const Splats& world) {
     const std::size_t size = 12 + 8 + text.size() + 8 + attributes.binary.size();  // every attribute is a multiple of 4 long
     if (size > 0xffffffffu) throw Error("glTF binary holds up to 4 GiB, found {} bytes", size);
     std::string out;
-    for (const std::uint32_t v : {kMagic, 2u, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(text.size()), kJsonChunk}) append(out, v);
+    for (const std::uint32_t v : {kGlbMagic, 2u, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(text.size()), kJsonChunk}) append(out, v);
     out += text;
     for (const std::uint32_t v : {static_cast<std::uint32_t>(attributes.binary.size()), kBinaryChunk}) append(out, v);
     return out + attributes.binary;

@@ -12,6 +12,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_scratch.h"
 #include "fastscene/io/test_splats.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
@@ -20,12 +21,6 @@ namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scratch(const std::string& name) {
-    const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_io_test";
-    fs::create_directories(dir);
-    return dir / name;
-}
 
 ImageRgb8 noise(int width, int height) {
     Random random(1, "noise");

@@ -11,13 +11,12 @@
 #include "fastscene/base/random.h"
 #include "fastscene/image/orientation.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/io/test_scratch.h"
 
 namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scratch(const std::string& name) { return fs::path(::testing::TempDir()) / ("fastscene-light-" + name); }
 
 // A TIFF block with one entry: the orientation.
 std::string exif_block(int orientation, bool little) {

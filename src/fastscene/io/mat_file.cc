@@ -58,7 +58,7 @@ class Elements {
 };
 
 template <class T>
-void append(std::vector<double>& out, std::string_view data) {
+void append_numbers(std::vector<double>& out, std::string_view data) {
     for (std::size_t at = 0; at + sizeof(T) <= data.size(); at += sizeof(T)) {
         T value;
         std::memcpy(&value, data.data() + at, sizeof value);
@@ -69,13 +69,13 @@ void append(std::vector<double>& out, std::string_view data) {
 std::vector<double> numbers(const Element& element, const Elements& place) {
     std::vector<double> out;
     switch (element.type) {
-        case kInt8: append<std::int8_t>(out, element.data); break;
-        case kUint8: append<std::uint8_t>(out, element.data); break;
-        case kInt16: append<std::int16_t>(out, element.data); break;
-        case kUint16: append<std::uint16_t>(out, element.data); break;
-        case kInt32: append<std::int32_t>(out, element.data); break;
-        case kUint32: append<std::uint32_t>(out, element.data); break;
-        case kDouble: append<double>(out, element.data); break;
+        case kInt8: append_numbers<std::int8_t>(out, element.data); break;
+        case kUint8: append_numbers<std::uint8_t>(out, element.data); break;
+        case kInt16: append_numbers<std::int16_t>(out, element.data); break;
+        case kUint16: append_numbers<std::uint16_t>(out, element.data); break;
+        case kInt32: append_numbers<std::int32_t>(out, element.data); break;
+        case kUint32: append_numbers<std::uint32_t>(out, element.data); break;
+        case kDouble: append_numbers<double>(out, element.data); break;
         default: throw place.broken("numbers");
     }
     return out;

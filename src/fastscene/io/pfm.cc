@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Header {
+struct PfmHeader {
     int width = 0, height = 0;
     bool little = true, color = false;
     std::size_t data = 0;
 };
 
-Header parse(const fs::path& path, std::string_view bytes) {
-    Header header;
+PfmHeader pfm_header(const fs::path& path, std::string_view bytes) {
+    PfmHeader header;
     float scale = 0;
     int read = 0;
     const std::string head(bytes.substr(0, 128));
@@ -37,30 +37,30 @@ float swapped(float v) { return std::bit_cast<float>(__builtin_bswap32(std::bit_
 }  // namespace
 
 PictureInfo pfm_info(const fs::path& path, std::string_view bytes) {
-    const Header header = parse(path, bytes);
+    const PfmHeader header = pfm_header(path, bytes);
     return {header.width, header.height};
 }
 
 namespace {
 
-std::size_t row_bytes(const Header& header, std::size_t channels) { return sizeof(float) * channels * static_cast<std::size_t>(header.width); }
+std::size_t row_bytes(const PfmHeader& header, std::size_t channels) { return sizeof(float) * channels * static_cast<std::size_t>(header.width); }
 
 // Before memory is asked for.
-void check_length(const fs::path& path, std::string_view bytes, const Header& header, std::size_t channels) {
+void check_length(const fs::path& path, std::string_view bytes, const PfmHeader& header, std::size_t channels) {
     const std::size_t expected = header.data + row_bytes(header, channels) * static_cast<std::size_t>(header.height);
     if (bytes.size() < expected) throw Error("{}: expected {} bytes for {} x {} floats, found {}", path.string(), expected, header.width, header.height, bytes.size());
 }
 
 // `channels` floats a pixel, the lowest row first.
-void read_rows(std::string_view bytes, const Header& header, std::size_t channels, float* pixels) {
+void read_rows(std::string_view bytes, const PfmHeader& header, std::size_t channels, float* pixels) {
     const std::size_t row = row_bytes(header, channels), rows = static_cast<std::size_t>(header.height);
     for (std::size_t y = 0; y < rows; ++y) std::memcpy(pixels + (rows - 1 - y) * row / sizeof(float), bytes.data() + header.data + y * row, row);
     if (header.little) return;
     for (std::size_t i = 0; i < rows * row / sizeof(float); ++i) pixels[i] = swapped(pixels[i]);
 }
 
-Header checked_header(const fs::path& path, std::string_view bytes) {
-    const Header header = parse(path, bytes);
+PfmHeader checked_header(const fs::path& path, std::string_view bytes) {
+    const PfmHeader header = pfm_header(path, bytes);
     if (!plausible_size(header.width, header.height))
         throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, header.width, header.height);
     return header;
@@ -70,7 +70,7 @@ Header checked_header(const fs::path& path, std::string_view bytes) {
 
 ImageF load_pfm(const fs::path& path) {
     const std::string bytes = read_file(path);
-    const Header header = checked_header(path, bytes);
+    const PfmHeader header = checked_header(path, bytes);
     if (header.color) throw Error("{}: expected a gray float map (\"Pf\"), found color (\"PF\")", path.string());
     check_length(path, bytes, header, 1);
     ImageF image(header.width, header.height);
@@ -80,7 +80,7 @@ ImageF load_pfm(const fs::path& path) {
 
 ImageColor load_pfm_color(const fs::path& path) {
     const std::string bytes = read_file(path);
-    const Header header = checked_header(path, bytes);
+    const PfmHeader header = checked_header(path, bytes);
     check_length(path, bytes, header, header.color ? 3 : 1);
     ImageColor image(header.width, header.height);
     if (header.color) {

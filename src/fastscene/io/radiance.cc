@@ -16,12 +16,12 @@ namespace fs = std::filesystem;
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-struct Header {
+struct RadianceHeader {
     int width = 0, height = 0;
     std::size_t data = 0;  // where the rows begin
 };
 
-Header parse(const fs::path& path, std::string_view bytes) {
+RadianceHeader radiance_header(const fs::path& path, std::string_view bytes) {
     std::size_t at = 0;
     const auto line = [&] {
         const std::size_t end = bytes.find('\n', at);
@@ -33,7 +33,7 @@ Header parse(const fs::path& path, std::string_view bytes) {
     for (std::string text = line(); !text.empty(); text = line())
         if (text.starts_with("FORMAT=") && text.find("32-bit_rle_rgbe") == std::string::npos)
             throw Error("{}: expected FORMAT=32-bit_rle_rgbe, found {}", path.string(), text);
-    Header header;
+    RadianceHeader header;
     const std::string size = line();
     int read = 0;
     if (std::sscanf(size.c_str(), "-Y %d +X %d%n", &header.height, &header.width, &read) != 2)
@@ -100,12 +100,12 @@ Vec3f light_of(Rgbe pixel) {
 }  // namespace
 
 PictureInfo radiance_info(const fs::path& path, std::string_view bytes) {
-    const Header header = parse(path, bytes);
+    const RadianceHeader header = radiance_header(path, bytes);
     return {header.width, header.height};
 }
 
 ImageColor decode_radiance(const fs::path& path, std::string_view bytes) {
-    const Header header = parse(path, bytes);
+    const RadianceHeader header = radiance_header(path, bytes);
     // A row takes at least 8 bytes however it is packed.
     if (!plausible_size(header.width, header.height) || static_cast<std::size_t>(header.height) * 8 > bytes.size())
         throw Error("{}: expected a size that the file can hold, found {} x {} in {} bytes", path.string(), header.width, header.height, bytes.size());

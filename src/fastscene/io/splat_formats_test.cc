@@ -13,6 +13,7 @@
 #include "fastscene/io/bytes.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/io/test_scratch.h"
 #include "fastscene/io/test_splats.h"
 #include "fastscene/scene/sh.h"
 
@@ -20,12 +21,6 @@ namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path scratch(const std::string& name) {
-    const fs::path dir = fs::path(::testing::TempDir()) / "fastscene_splat_formats_test";
-    fs::create_directories(dir);
-    return dir / name;
-}
 
 // Largest differences; the rotations by the axes they turn to.
 struct Difference {

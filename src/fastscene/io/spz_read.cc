@@ -19,16 +19,16 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kGzipMagic = "\x1f\x8b";
 
-struct Header {
+struct SpzHeader {
     std::uint32_t version = 0;
     std::size_t count = 0;
     int sh_degree = 0, fractional_bits = 0;
     std::uint8_t flags = 0;
 };
 
-Header parse_header(ByteReader& in) {
+SpzHeader parse_header(ByteReader& in) {
     if (const auto magic = in.get<std::uint32_t>(); magic != kSpzMagic) in.refuse(fmt::format("expected the sign NGSP, found {:08x}", magic));
-    Header h;
+    SpzHeader h;
     h.version = in.get<std::uint32_t>();
     if (h.version < 2 || h.version > 4) in.refuse(fmt::format("expected SPZ version 2, 3 or 4, found {}", h.version));
     h.count = in.get<std::uint32_t>();
@@ -64,7 +64,7 @@ std::string gunzip(const fs::path& path, std::string_view bytes, std::size_t& ex
         if (!header_known && out.size() >= kSpzHeader) {
             header_known = true;
             ByteReader in(path, out);
-            const Header h = parse_header(in);
+            const SpzHeader h = parse_header(in);
             expected = kSpzHeader;
             for (const std::size_t b : spz_stream_bytes(h.version, h.sh_degree)) expected += b * h.count;
             may_go_on = h.flags & kSpzHasExtensions;
@@ -94,7 +94,7 @@ std::string unzstd(const fs::path& path, std::string_view bytes, std::size_t at,
 }
 
 struct Packed {
-    Header header;
+    SpzHeader header;
     std::array<std::string, kSpzStreams> streams;
 };
 
@@ -116,7 +116,7 @@ Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
 Packed unpack_zstd(const fs::path& path, std::string_view bytes) {
     ByteReader in(path, bytes);
     Packed packed{parse_header(in), {}};
-    const Header& h = packed.header;
+    const SpzHeader& h = packed.header;
     if (h.version != 4) in.refuse(fmt::format("expected version 4 in a plain header, found {}", h.version));
     const std::size_t streams = in.get<std::uint8_t>(), table = in.get<std::uint32_t>();
     const auto sizes = spz_stream_bytes(h.version, h.sh_degree);
@@ -159,7 +159,7 @@ Quatf rotation2(const std::uint8_t* b) {
 }
 
 Splats splats_of(const Packed& packed) {
-    const Header& h = packed.header;
+    const SpzHeader& h = packed.header;
     const auto bytes = [&](SpzStream stream) { return reinterpret_cast<const std::uint8_t*>(packed.streams[stream].data()); };
     const float unit = 1.f / static_cast<float>(1 << h.fractional_bits);
     const auto stored = static_cast<std::size_t>((h.sh_degree + 1) * (h.sh_degree + 1) - 1);

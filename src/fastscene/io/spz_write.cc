@@ -27,7 +27,7 @@ void append_fixed(std::string& out, float metres) {
 }
 
 // Version 3: the largest of x y z w is left out; for the others a sign and 9 bits of size.
-std::uint32_t pack_rotation(const std::array<float, 4>& xyzw) {
+std::uint32_t bits_of_smallest_three(const std::array<float, 4>& xyzw) {
     const std::size_t largest = largest_of(xyzw);
     const bool negated = xyzw[largest] < 0;
     auto out = static_cast<std::uint32_t>(largest);
@@ -41,7 +41,7 @@ std::uint32_t pack_rotation(const std::array<float, 4>& xyzw) {
 
 void append_rotation(std::string& out, Quatf q, int version) {
     const auto [w, x, y, z] = unit_quaternion(q);
-    if (version >= 3) return append(out, pack_rotation({x, y, z, w}));
+    if (version >= 3) return append(out, bits_of_smallest_three({x, y, z, w}));
     for (const float v : {x, y, z}) out += static_cast<char>(byte_near(v * (w < 0 ? -127.5f : 127.5f) + 127.5f));
 }
 

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace fastscene {
+
+inline constexpr float kPi = std::numbers::pi_v<float>;
 
 template <class F>
 struct Vec2 {

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Notes what is told, and asks to stop when `stops_at` says so.
-struct Heard : EventSink {
+struct Overheard : EventSink {
     std::vector<std::string> warnings;
     std::vector<std::int64_t> done;
     std::stop_source stop;
@@ -196,7 +196,7 @@ TEST_F(Folders, WhatStandsForAFileIsCalledByItsName) {
 TEST_F(Folders, WhatIsNotReadIsSaid) {
     const fs::path folder = copy();
     const auto warnings = [&](const std::string& prompt, const std::string& negative) {
-        Heard heard;
+        Overheard heard;
         fastscene::Run run;
         run.events = &heard;
         Diffusion360Settings settings = small();
@@ -238,7 +238,7 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
         SCOPED_TRACE(c.folder);
         const fs::path folder = copy();
         spoil(folder / c.folder / c.file, c.key);
-        Heard heard;
+        Overheard heard;
         fastscene::Run run;
         run.events = &heard;
         expect_says(message_of([&] { (void)Diffusion360(folder, settings, {}).paint("a room", run); }),
@@ -263,7 +263,7 @@ TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
         Upscale360Settings settings;
         settings.steps = 2;
         settings.to = "3";
-        Heard heard;
+        Overheard heard;
         fastscene::Run run;
         run.events = &heard;
         expect_says(message_of([&] { (void)Upscale360(folder, 64, settings, run).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", run); }),
@@ -274,7 +274,7 @@ TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
 
 TEST_F(Folders, AStopIsHeardBetweenLayers) {
     const auto outcome = [&](const std::function<bool(const Event&)>& stops_at) {
-        Heard heard;
+        Overheard heard;
         heard.stops_at = stops_at;
         fastscene::Run run;
         run.events = &heard;

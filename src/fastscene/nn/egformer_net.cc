@@ -13,7 +13,6 @@ namespace {
 
 using at::Tensor;
 
-constexpr double kPi = std::numbers::pi;
 
 Tensor table_tensor(std::vector<float> values, at::IntArrayRef shape) { return at::from_blob(values.data(), shape, at::kFloat).clone(); }
 
@@ -86,7 +85,7 @@ Tensor equirect_attention(const Scope& s, const Tensor& qkv, const Tensor& x, Gr
     const Tensor strength = at::clamp_min(loudness / loudness.amax(1, true), 0.5);
     // Distance-based attention score (DAS): 1 - cos of the normalised score, in place of softmax.
     const Tensor normalised = score / score.norm(2, -1, true).clamp_min(1e-12);
-    const Tensor attention = (1 - at::cos(normalised * (kPi / 2))) * strength.view({n, count, 1, 1, 1});
+    const Tensor attention = (1 - at::cos(normalised * (std::numbers::pi / 2))) * strength.view({n, count, 1, 1, 1});
     const Tensor said = at::matmul(attention, v);
     const Tensor raster = (columns ? said.permute({0, 3, 1, 2, 4}) : said.permute({0, 1, 3, 2, 4})).reshape({n, h * w, c});
     // What a weak window does not say is said by the input (EaAR). As published, the input is cut into chunks of a
@@ -143,7 +142,7 @@ EgformerConstants::EgformerConstants(const EgformerShape& of, at::Device device)
         column_bias[i] = table_tensor(vertical_chord_table(h), {1, 1, 1, h, h}).to(device);
         if (level >= 2) {
             // Rows near the poles are short circles.
-            const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (kPi / h)).view({1, h, 1, 1, 1});
+            const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (std::numbers::pi / h)).view({1, h, 1, 1, 1});
             row_bias[i] = (table_tensor(horizontal_chord_table(w), {1, 1, 1, w, w}) * shrink).to(device);
         }
     }

@@ -7,7 +7,6 @@
 namespace fastscene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 // Python's % on doubles: the result has the sign of the divisor.
 double floored_modulo(double value, double divisor) {
@@ -38,15 +37,15 @@ std::vector<float> tangent_patch_table(int height, int width) {
     // The patch on the tangent plane: one pixel apart at the equator (gnomonic projection).
     double right[3], down[3];
     for (int r = -1; r <= 1; ++r) {
-        right[r + 1] = std::tan(r * 2 * kPi / width);
-        down[r + 1] = std::tan(r * kPi / height) / std::cos(r * 2 * kPi / width);
+        right[r + 1] = std::tan(r * 2 * std::numbers::pi / width);
+        down[r + 1] = std::tan(r * std::numbers::pi / height) / std::cos(r * 2 * std::numbers::pi / width);
     }
     std::vector<float> table;
     table.reserve(static_cast<std::size_t>(height) * static_cast<std::size_t>(width) * 18);
     for (int i = 0; i < height; ++i) {
-        const double lat0 = (static_cast<double>(i) / height - 0.5) * kPi;
+        const double lat0 = (static_cast<double>(i) / height - 0.5) * std::numbers::pi;
         for (int j = 0; j < width; ++j) {
-            const double lon0 = (static_cast<double>(j) / width - 0.5) * 2 * kPi;
+            const double lon0 = (static_cast<double>(j) / width - 0.5) * 2 * std::numbers::pi;
             for (int tap = 0; tap < 9; ++tap) {
                 const double x = right[tap % 3], y = down[tap / 3];
                 const double rho = tap == 4 ? 1e-8 : std::sqrt(x * x + y * y);
@@ -54,15 +53,15 @@ std::vector<float> tangent_patch_table(int height, int width) {
                 const double lat = std::asin(std::cos(nu) * std::sin(lat0) + y * std::sin(nu) * std::cos(lat0) / rho);
                 // atan, not atan2: beyond a pole the tap stays on this side. Published so; the weights know it.
                 const double lon = std::atan(x * std::sin(nu) / (rho * std::cos(lat0) * std::cos(nu) - y * std::sin(lat0) * std::sin(nu))) + lon0;
-                table.push_back(static_cast<float>((lat / kPi + 0.5) * height));
-                table.push_back(static_cast<float>(floored_modulo((lon / (2 * kPi) + 0.5) * width, width)));
+                table.push_back(static_cast<float>((lat / std::numbers::pi + 0.5) * height));
+                table.push_back(static_cast<float>(floored_modulo((lon / (2 * std::numbers::pi) + 0.5) * width, width)));
             }
         }
     }
     return table;
 }
 
-std::vector<float> vertical_chord_table(int count) { return chord_table(count, kPi); }
-std::vector<float> horizontal_chord_table(int count) { return chord_table(count, 2 * kPi); }
+std::vector<float> vertical_chord_table(int count) { return chord_table(count, std::numbers::pi); }
+std::vector<float> horizontal_chord_table(int count) { return chord_table(count, 2 * std::numbers::pi); }
 
 }  // namespace fastscene

@@ -30,7 +30,7 @@ Tensor tensor_of(const ImageRgb8& image) {  // [3, H, W], 0..255
     return bytes.permute({2, 0, 1}).to(at::kFloat).contiguous();
 }
 
-std::vector<float> unit_vector(const Tensor& features) {
+std::vector<float> unit_features(const Tensor& features) {
     const Tensor row = (features / features.norm()).to(at::kFloat).flatten().contiguous();
     return {row.data_ptr<float>(), row.data_ptr<float>() + row.numel()};
 }
@@ -109,7 +109,7 @@ std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const {
     const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
     const Tensor pixels = tensor_of(clip_crop(image, static_cast<int>(parts_->config.vision.image_size))) / 255;
     const Tensor normalized = (pixels - row(.48145466, .4578275, .40821073)) / row(.26862954, .26130258, .27577711);
-    return unit_vector(nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, normalized.unsqueeze(0), parts_->config.dimension));
+    return unit_features(nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, normalized.unsqueeze(0), parts_->config.dimension));
 }
 
 std::vector<float> ClipMeasure::of_text(const std::string& text) const {
@@ -117,7 +117,7 @@ std::vector<float> ClipMeasure::of_text(const std::string& text) const {
     use_our_threads();
     const std::vector<int> tokens = parts_->tokenizer.padded(text, 0);
     const Tensor ids = at::tensor(std::vector<std::int64_t>(tokens.begin(), tokens.end()), at::kLong).unsqueeze(0);
-    return unit_vector(nn::clip_text_features(Scope(*parts_->weights), parts_->config.text, ids, parts_->config.dimension));
+    return unit_features(nn::clip_text_features(Scope(*parts_->weights), parts_->config.text, ids, parts_->config.dimension));
 }
 
 double cosine(const std::vector<float>& a, const std::vector<float>& b) {

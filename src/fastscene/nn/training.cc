@@ -19,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::string_view kHeldOut = "held-out ";
 constexpr int kShares = 1000;   // units of the progress shown
 
 double minutes_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count() / 60; }

@@ -11,7 +11,6 @@
 namespace fastscene::nn {
 namespace {
 
-constexpr std::string_view kHeldOut = "held-out ";
 constexpr std::size_t kMostPoints = 150;   // of a curve; more are averaged
 
 std::vector<std::string> cells(const std::string& line) {

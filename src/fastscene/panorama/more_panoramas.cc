@@ -17,9 +17,9 @@ constexpr float kFarthest_m = 1000;      // positions beyond are a mistake of un
 constexpr float kRotationError = 1e-3f;  // what few digits in a file leave
 
 // One entry of the list, by its key.
-class Entry {
+class ListEntry {
   public:
-    Entry(const fs::path& list, std::size_t index, const Json& json) : where_(fmt::format("{}: panorama {}", list.string(), index)), json_(json) {
+    ListEntry(const fs::path& list, std::size_t index, const Json& json) : where_(fmt::format("{}: panorama {}", list.string(), index)), json_(json) {
         if (!json.is_object()) fail("an object with color and world_from_pano, or position", json.dump());
         static constexpr std::string_view kKnown[] = {"name", "color", "range", "world_from_pano", "position", "yaw_deg"};
         for (const auto& [key, value] : json.items())
@@ -82,7 +82,7 @@ std::vector<MorePanorama> read_more_panoramas(const fs::path& list) {
         throw Error("{}: expected {{\"panoramas\": [...]}} with one entry or more (docs/depth.md), found none", list.string());
     std::vector<MorePanorama> out;
     for (const Json& one : json["panoramas"]) {
-        const Entry entry(list, out.size() + 1, one);
+        const ListEntry entry(list, out.size() + 1, one);
         out.push_back({entry.file("color", list.parent_path()), entry.file("range", list.parent_path()), entry.pose()});
         if (out.back().color.empty()) entry.fail("color, the name of a picture", "none");
     }

@@ -9,17 +9,17 @@
 namespace fastscene {
 namespace {
 
-struct Box {
+struct Bounds {
     Vec3f low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
     void add(Vec3f p) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
     }
     bool holds(Vec3f p) const { return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z; }
     bool empty() const { return !(low.x < high.x && low.y < high.y && low.z < high.z); }
-    Box shrunk(float by) const { return {low + Vec3f{by, by, by}, high - Vec3f{by, by, by}}; }
+    Bounds shrunk(float by) const { return {low + Vec3f{by, by, by}, high - Vec3f{by, by, by}}; }
 };
-Box common(const Box& a, const Box& b) {
-    Box out;
+Bounds common(const Bounds& a, const Bounds& b) {
+    Bounds out;
     for (std::size_t i = 0; i < 3; ++i) out.low[i] = std::max(a.low[i], b.low[i]), out.high[i] = std::min(a.high[i], b.high[i]);
     return out;
 }
@@ -32,7 +32,7 @@ struct Body {
     bool soft = false;      // others may sink into it, and it into others
     bool of_shell = false;
     bool hung = false;      // its rose is let into the ceiling
-    Box box;
+    Bounds box;
     std::vector<Triangle> triangles;
 };
 
@@ -70,11 +70,11 @@ int solids_around(Vec3f p, const std::vector<Triangle>& triangles) {
 
 // Points of `a` deep in `b`.
 void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Crossing>& found) {
-    const Box part = common(a.box, b.box.shrunk(tolerance));
+    const Bounds part = common(a.box, b.box.shrunk(tolerance));
     if (part.empty()) return;
     std::vector<Triangle> column;
     for (const Triangle& t : b.triangles) {
-        Box box;
+        Bounds box;
         for (const Vec3f p : t) box.add(p);
         // A hand wider than needed for counting, so that sides near by limit the depth.
         constexpr float kBeside = 0.05f;
@@ -95,7 +95,7 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     };
     constexpr float kStep = 0.02f;
     for (const Triangle& t : a.triangles) {
-        Box box;
+        Bounds box;
         for (const Vec3f p : t) box.add(p);
         if (common(box, part).low.x > common(box, part).high.x || box.low.y > part.high.y || box.high.y < part.low.y || box.low.z > part.high.z ||
             box.high.z < part.low.z)

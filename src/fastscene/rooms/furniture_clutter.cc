@@ -351,7 +351,7 @@ void picture_ledge(Kit& k) {
     k.piece.hang_height_m = 1.2f;
 }
 
-constexpr Entry kEntries[] = {{"cup", cup},
+constexpr Entry kClutter[] = {{"cup", cup},
                               {"tray", tray},
                               {"place_setting", place_setting},
                               {"bottles", bottles},
@@ -376,6 +376,6 @@ constexpr Entry kEntries[] = {{"cup", cup},
 
 }  // namespace
 
-std::span<const Entry> clutter() { return kEntries; }
+std::span<const Entry> clutter() { return kClutter; }
 
 }  // namespace fastscene::furniture

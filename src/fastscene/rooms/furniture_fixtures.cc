@@ -290,11 +290,11 @@ void fireplace(Kit& k) {
     k.piece.against_wall = true;
 }
 
-constexpr Entry kEntries[] = {{"kitchen_counter", kitchen_counter}, {"kitchen_island", kitchen_island}, {"fridge", fridge}, {"washing_machine", washing_machine}, {"toilet", toilet}, {"bathtub", bathtub}, {"shower", shower},
+constexpr Entry kFixtures[] = {{"kitchen_counter", kitchen_counter}, {"kitchen_island", kitchen_island}, {"fridge", fridge}, {"washing_machine", washing_machine}, {"toilet", toilet}, {"bathtub", bathtub}, {"shower", shower},
                               {"washbasin", washbasin}, {"mirror", mirror}, {"towel_rail", towel_rail}, {"radiator", radiator}, {"fireplace", fireplace}};
 
 }  // namespace
 
-std::span<const Entry> fixtures() { return kEntries; }
+std::span<const Entry> fixtures() { return kFixtures; }
 
 }  // namespace fastscene::furniture

@@ -7,7 +7,6 @@
 namespace fastscene::furniture {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 
 void feet(Kit& k, int wood, float width, float depth, float high, float lean = 0.02f) {
     for (const float sx : {-1.f, 1.f})

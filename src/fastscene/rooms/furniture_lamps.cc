@@ -159,10 +159,10 @@ void chandelier(Kit& k) {
     k.piece.mount = Mount::ceiling;
 }
 
-constexpr Entry kEntries[] = {{"floor_lamp", floor_lamp}, {"table_lamp", table_lamp}, {"pendant_lamp", pendant_lamp}, {"ceiling_lamp", ceiling_lamp}, {"chandelier", chandelier}};
+constexpr Entry kLamps[] = {{"floor_lamp", floor_lamp}, {"table_lamp", table_lamp}, {"pendant_lamp", pendant_lamp}, {"ceiling_lamp", ceiling_lamp}, {"chandelier", chandelier}};
 
 }  // namespace
 
-std::span<const Entry> lamps() { return kEntries; }
+std::span<const Entry> lamps() { return kLamps; }
 
 }  // namespace fastscene::furniture

@@ -336,11 +336,11 @@ void cushion(Kit& k) {
     k.piece.mount = Mount::surface;
 }
 
-constexpr Entry kEntries[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
+constexpr Entry kSeats[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
                               {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}};
 
 }  // namespace
 
-std::span<const Entry> seats() { return kEntries; }
+std::span<const Entry> seats() { return kSeats; }
 
 }  // namespace fastscene::furniture

@@ -333,12 +333,12 @@ void toy_box(Kit& k) {
     k.piece.against_wall = true;
 }
 
-constexpr Entry kEntries[] = {{"coffee_table", coffee_table}, {"side_table", side_table}, {"dining_table", dining_table}, {"dining_table_round", dining_table_round}, {"console_table", console_table}, {"desk", desk},
+constexpr Entry kTables[] = {{"coffee_table", coffee_table}, {"side_table", side_table}, {"dining_table", dining_table}, {"dining_table_round", dining_table_round}, {"console_table", console_table}, {"desk", desk},
                               {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"tv_stand", tv_stand},
                               {"bookshelf", bookshelf}, {"shelf", shelf}, {"ladder_shelf", ladder_shelf}, {"toy_box", toy_box}};
 
 }  // namespace
 
-std::span<const Entry> tables() { return kEntries; }
+std::span<const Entry> tables() { return kTables; }
 
 }  // namespace fastscene::furniture

@@ -11,8 +11,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kBesideDoor = 0.1f;       // its casing, and a finger
-constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
+constexpr float kDoorCasing = 0.1f;   // and a finger
 
 }  // namespace
 
@@ -47,7 +46,7 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
         Footprint zone{
-            flat(middle), {(o.u1 - o.u0) / 2 + (door ? kBesideDoor : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
+            flat(middle), {(o.u1 - o.u0) / 2 + (door ? kDoorCasing : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
         if (!door) zone.y0 = o.y0 + kAboveSill;
         if (overlap(box, zone)) return true;
     }

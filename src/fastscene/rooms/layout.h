@@ -12,6 +12,9 @@
 
 namespace fastscene {
 
+inline constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
+inline constexpr float kSlotStep = 0.07f;        // between the places along a wall that are tried
+
 // A piece and its pose. The front (+z of the object) looks along (sin yaw, 0, cos yaw).
 struct Placed {
     Piece piece;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <numbers>
 #include <optional>
 
 #include "fastscene/rooms/validate.h"
@@ -11,7 +10,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Pieces that move as one; `root` is the one the others were placed by.
 struct Group {

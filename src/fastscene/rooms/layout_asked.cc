@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
@@ -10,9 +11,6 @@
 namespace fastscene::furnishing {
 namespace {
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"}); }
 bool is_before(const std::string& relation) { return is_one_of(relation, {"in front of", "at the foot of"}); }
 

@@ -9,7 +9,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kEyeHeight = 1.5f;
 constexpr float kWorthSeeing = 0.6f;  // of a piece that was asked for, in the score of a place for the camera
 constexpr float kSeen = 12.f;         // pixels of 512 x 256, estimated: a mug on a table three metres away
 

@@ -3,15 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_anneal.h"
 #include "fastscene/rooms/layout_relations.h"
 
 namespace fastscene {
 namespace {
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 // An upright box with its axes: sines are taken once.
 struct Box {

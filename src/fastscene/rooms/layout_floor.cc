@@ -3,16 +3,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "fastscene/rooms/layout.h"
 
 namespace fastscene {
 namespace {
 
-constexpr float kSlotStep = 0.07f;
 constexpr float kWallGap = 0.015f;
-constexpr float kPi = std::numbers::pi_v<float>;
 
 }  // namespace
 

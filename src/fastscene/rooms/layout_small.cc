@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -12,9 +11,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kSlotStep = 0.07f;
-constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A thing that hangs on walls set upright on a top: a clock or a picture on the mantelpiece.
 void stand_up(Piece& piece) {

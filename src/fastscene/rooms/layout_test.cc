@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/rooms/layout_anneal.h"
 #include "fastscene/rooms/lexicon.h"
@@ -13,17 +12,16 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 
-struct Furnished {
+struct LaidOut {
     PromptSpec spec;
     Plan plan;
     std::vector<Placed> placed;
     Vec3f camera;
 };
 
-Furnished furnished(const std::string& text, std::uint64_t seed) {
-    Furnished out{understand_prompt(text, false), {}, {}, {}};
+LaidOut laid_out(const std::string& text, std::uint64_t seed) {
+    LaidOut out{understand_prompt(text, false), {}, {}, {}};
     Random dice(seed, "layout test");
     out.plan = make_plan(out.spec, dice);
     Layout layout(out.plan, out.spec, dice);
@@ -69,7 +67,7 @@ TEST(Layout, NothingIsWrongOver500SeedsOfAllRoomsAndStyles) {
 TEST(Layout, PiecesWithABackStandAtAWallAndLookIntoTheRoom) {
     for (const std::uint64_t seed : {1u, 2u, 3u})
         for (const char* text : {"a living room", "a bedroom", "a study", "a kitchen", "a bathroom"}) {
-            const Furnished f = furnished(text, seed);
+            const LaidOut f = laid_out(text, seed);
             for (const Placed& p : f.placed) {
                 for (const char* klass :
                      {"bed", "wardrobe", "bookshelf", "tv_stand", "fireplace", "fridge", "kitchen_counter", "washbasin", "picture", "mirror"}) {
@@ -87,7 +85,7 @@ TEST(Layout, PiecesWithABackStandAtAWallAndLookIntoTheRoom) {
 TEST(Layout, SmallThingsStandOnWhatCarriesThem) {
     for (const char* text : {"a cluttered living room", "a cozy bedroom", "a lamp on the desk in a study"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(text, seed);
+            const LaidOut f = laid_out(text, seed);
             int carried = 0;
             for (const Placed& p : f.placed) {
                 if (p.piece.mount != Mount::surface && p.on < 0) continue;
@@ -106,7 +104,7 @@ TEST(Layout, SmallThingsStandOnWhatCarriesThem) {
 TEST(Layout, RelationsHold) {
     int under = 0, on = 0;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
-        const Furnished f = furnished("a bedroom with a desk under the window and a lamp on the desk", seed);
+        const LaidOut f = laid_out("a bedroom with a desk under the window and a lamp on the desk", seed);
         for (const Placed& p : f.placed) {
             if (p.piece.klass == "table_lamp" && !p.wish.klass.empty())
                 on += p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == "desk";
@@ -138,7 +136,7 @@ TEST(Layout, WhatWasAskedForComesBeforeWhatTheRoomAdds) {
                          {"a bedroom with a cat on the bed", "cat", "bed"},
                          {"a living room with books on the sofa", "book_stack", "sofa"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(c.text, seed);
+            const LaidOut f = laid_out(c.text, seed);
             EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(),
                                     [&](const Placed& p) {
                                         return p.wish.klass == c.thing && p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == c.at;
@@ -155,7 +153,7 @@ TEST(Layout, ThingsHangAboveWhatTheyWereAskedToHangAbove) {
                          {"a living room with a mirror above the console table", "mirror", "console_table"},
                          {"a dining room with a chandelier above the dining table", "chandelier", "dining_table"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(c.text, seed);
+            const LaidOut f = laid_out(c.text, seed);
             bool above = false;
             for (const Placed& p : f.placed)
                 for (const Placed& q : f.placed)
@@ -167,14 +165,14 @@ TEST(Layout, ThingsHangAboveWhatTheyWereAskedToHangAbove) {
 
 TEST(Layout, PiecesThatWaitForEachOtherStandAnyway) {
     for (const char* text : {"a laundry room with a dryer on top of the washing machine", "a living room with a sofa next to the armchair, the armchair next to the sofa"}) {
-        const Furnished f = furnished(text, 1);
+        const LaidOut f = laid_out(text, 1);
         EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(), [](const Placed& p) { return p.wish.id >= 0; })) << text;
     }
 }
 
 TEST(Layout, APictureBetweenTwoWindowsHasWallToHangOn) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-        const Furnished f = furnished("a living room with a painting between two windows", seed);
+        const LaidOut f = laid_out("a living room with a painting between two windows", seed);
         std::vector<Opening> windows;
         for (const Opening& o : f.plan.openings)
             if (o.kind == Opening::Kind::window) windows.push_back(o);
@@ -194,7 +192,7 @@ TEST(Layout, APictureBetweenTwoWindowsHasWallToHangOn) {
 // A sofa that looks past the screen, a shelf that stands in a wardrobe's way: annealing mends what one slot after the other cannot see.
 TEST(Anneal, MendsABadRoomAndKeepsAGoodOne) {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        Furnished f = furnished("a living room with a sofa and a tv", seed);
+        LaidOut f = laid_out("a living room with a sofa and a tv", seed);
         for (Placed& p : f.placed) p.piece.meshes.clear();
         // Everything small away: what stands on the floor, and its groups.
         const float good = layout_cost(f.plan, f.placed).sum();
@@ -228,7 +226,7 @@ TEST(Anneal, LowersTheCostOfRoomsAndLeavesThemSound) {
 
 TEST(Layout, PicturesHangAtEyeHeight) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-        const Furnished f = furnished("a modern living room with three pictures", seed);
+        const LaidOut f = laid_out("a modern living room with three pictures", seed);
         int pictures = 0;
         for (const Placed& p : f.placed) {
             if (p.piece.klass != "picture" || p.on >= 0) continue;
@@ -244,7 +242,7 @@ TEST(Layout, PicturesHangAtEyeHeight) {
 TEST(Layout, NothingHangsBeforeAWindow) {
     for (const std::string& room : room_types())
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished("a " + room_title(room) + " with a mirror and two pictures", seed);
+            const LaidOut f = laid_out("a " + room_title(room) + " with a mirror and two pictures", seed);
             for (const Placed& p : f.placed) {
                 if (p.piece.klass != "mirror" && p.piece.klass != "picture") continue;
                 const Footprint box = footprint_of(p);
@@ -262,7 +260,7 @@ TEST(Layout, NothingHangsBeforeAWindow) {
 
 TEST(Layout, CurtainsHangBeforeTheirWindow) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-        const Furnished f = furnished("a bedroom with red curtains", seed);
+        const LaidOut f = laid_out("a bedroom with red curtains", seed);
         int curtains = 0;
         for (const Placed& p : f.placed) {
             if (p.piece.klass != "curtain") continue;
@@ -282,7 +280,7 @@ TEST(Layout, CurtainsHangBeforeTheirWindow) {
 
 TEST(Layout, NothingIsPutOnSeats) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-        const Furnished f = furnished("a cluttered living room with an armchair and a sofa", seed);
+        const LaidOut f = laid_out("a cluttered living room with an armchair and a sofa", seed);
         for (const Placed& p : f.placed) {
             if (p.on < 0 || p.piece.klass == "cushion" || p.piece.klass == "cat") continue;
             const std::string& below = f.placed[static_cast<std::size_t>(p.on)].piece.klass;
@@ -292,7 +290,7 @@ TEST(Layout, NothingIsPutOnSeats) {
 }
 
 // Every class asked for, or reported, once for each time it was asked for.
-void expect_there_or_reported(const Furnished& f, const std::string& klass) {
+void expect_there_or_reported(const LaidOut& f, const std::string& klass) {
     for (const PromptObject& wish : f.spec.objects) {
         if (wish.klass != klass) continue;
         const auto there = std::count_if(f.placed.begin(), f.placed.end(), [&](const Placed& p) { return p.wish.klass == klass; }) +
@@ -311,7 +309,7 @@ TEST(Layout, AWayLeadsFromTheDoorToTheCameraEvenInACrowd) {
           "a living room with ten armchairs and six bookshelves", "a small kitchen with a kitchen island, six stools and a dining table",
           "a tiny bathroom with a bathtub, a shower and a washing machine", "a boho sunroom with ten plants"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(text, seed);
+            const LaidOut f = laid_out(text, seed);
             Ways ways(f.plan);
             for (const Placed& p : f.placed) ways.add(p);
             EXPECT_TRUE(ways.open()) << text << ", seed " << seed;
@@ -361,7 +359,7 @@ TEST(Layout, OpeningsAreCountedAndKeepApart) {
     for (const char* text : {"a study with two doors", "a living room with six windows", "a living room with four large windows",
                              "a small bathroom with four large windows"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(text, seed);
+            const LaidOut f = laid_out(text, seed);
             expect_there_or_reported(f, "window");
             expect_there_or_reported(f, "door");
             for (std::size_t i = 0; i < f.plan.openings.size(); ++i)
@@ -370,7 +368,7 @@ TEST(Layout, OpeningsAreCountedAndKeepApart) {
                     EXPECT_TRUE(a.wall != b.wall || a.u1 + 0.1f <= b.u0 || b.u1 + 0.1f <= a.u0) << text << ", seed " << seed;
                 }
         }
-    const std::vector<Opening> openings = furnished("a bedroom with no door", 1).plan.openings;
+    const std::vector<Opening> openings = laid_out("a bedroom with no door", 1).plan.openings;
     EXPECT_TRUE(std::none_of(openings.begin(), openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::door; }));
 }
 
@@ -380,7 +378,7 @@ TEST(Layout, NothingIsAddedToWhatIsCounted) {
                                       std::pair{"a classic study with two bookshelves", "bookshelf"},
                                       std::pair{"a rustic kitchen with two baskets", "basket"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Furnished f = furnished(text, seed);
+            const LaidOut f = laid_out(text, seed);
             const auto stand =
                 std::count_if(f.placed.begin(), f.placed.end(), [k = klass](const Placed& p) { return p.piece.klass.starts_with(k); });
             EXPECT_LE(stand, 2) << text << ", seed " << seed;
@@ -391,11 +389,11 @@ TEST(Layout, NothingIsAddedToWhatIsCounted) {
 TEST(Layout, ASunroomIsFurnished) {
     for (const std::string& style : styles())
         for (const std::uint64_t seed : {1u, 2u, 11u, 12u})
-            EXPECT_GE(furnished("a " + style + " sunroom", seed).placed.size(), 10u) << style << ", seed " << seed;
+            EXPECT_GE(laid_out("a " + style + " sunroom", seed).placed.size(), 10u) << style << ", seed " << seed;
 }
 
 TEST(Layout, FaultsAreFound) {
-    Furnished f = furnished("a living room with a sofa", 1);
+    LaidOut f = laid_out("a living room with a sofa", 1);
     ASSERT_FALSE(f.placed.empty());
     f.placed.push_back(f.placed.front());
     EXPECT_FALSE(room_faults(f.plan, f.placed, f.camera).empty()) << "two pieces in one place";

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kCell = 0.1f;
 constexpr float kBodyRadius = 0.27f;      // a walkway of about 0.55 m
-constexpr float kEyeHeight = 1.5f, kEyeRadius = 0.65f;  // air that the camera wants around it
+constexpr float kEyeRadius = 0.65f;  // air that the camera wants around it
 constexpr float kEyeBand = 0.7f;          // heights that count for that: as Layout::camera_position has it
 constexpr float kHead = 1.75f;            // of who walks
 constexpr float kStepOver = 1.2f;         // what hangs higher is walked under (or beside: wall lamps, pictures)

@@ -8,6 +8,8 @@
 
 namespace fastscene {
 
+inline constexpr float kEyeHeight = 1.5f;   // of the camera, metres above the floor
+
 struct Placed;
 
 class Ways {

@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene::furnishing {
 namespace {
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
 // Hangs where it is asked to: what stands below it is placed first.
 bool is_hung(std::string_view klass) {

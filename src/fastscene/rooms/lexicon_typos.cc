@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kShortest = 4;    // letters of a word that may hold a typo
+constexpr std::size_t kShortestWord = 4;    // letters of a word that may hold a typo
 constexpr std::size_t kLong = 8;        // from here on two letters may be wrong
 constexpr std::size_t kFewLetters = 6;  // of a term that may be spelt with other spaces
 
@@ -30,7 +30,7 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t most) {
 
 // How far a typo may be from the word that is meant; two wrong letters only after a right first one.
 std::size_t reach(std::string_view word, std::string_view meant) {
-    if (word.size() < kShortest || meant.size() < kShortest) return 0;
+    if (word.size() < kShortestWord || meant.size() < kShortestWord) return 0;
     return word.size() >= kLong && meant.size() >= kLong && word[0] == meant[0] ? 2 : 1;
 }
 
@@ -38,7 +38,7 @@ std::size_t reach(std::string_view word, std::string_view meant) {
 bool is_near(std::string_view word, std::string_view meant, std::size_t& far) {
     const std::size_t most = reach(word, meant);
     if (most == 0) return false;
-    if (word.size() == kShortest && (meant.size() != kShortest || !std::is_permutation(word.begin(), word.end(), meant.begin()))) return false;
+    if (word.size() == kShortestWord && (meant.size() != kShortestWord || !std::is_permutation(word.begin(), word.end(), meant.begin()))) return false;
     far = distance(word, meant, most);
     return far > 0 && far <= most;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/pack_parts.h"
 
 namespace fastscene {
@@ -123,9 +124,6 @@ const Choice* choice_of(std::string_view klass) {
     return at == choices().end() ? nullptr : &*at;
 }
 
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
 bool has_word(std::string_view klass, std::string_view word) { return klass.find(word) != std::string_view::npos; }
 
 }  // namespace

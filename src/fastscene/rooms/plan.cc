@@ -23,12 +23,6 @@ constexpr Proportions kProportions[] = {
     {"loft", 5.4f, 6.6f, 6.0f, 7.2f},    {"laundry", 2.4f, 3.0f, 3.0f, 3.6f},  {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
 };
 
-const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
-    for (const PromptObject& o : spec.objects)
-        if (o.klass == klass && o.forbidden == forbidden) return &o;
-    return nullptr;
-}
-
 // Words such as "oak" and "walnut" are woods before they are colors.
 void apply_floor_wish(Material& m, PromptObject wish) {
     if (wish.material.empty() || wish.material == "wood")
@@ -40,7 +34,7 @@ void apply_floor_wish(Material& m, PromptObject wish) {
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
 
 // The end of a door that stands at the left of its wall, with its casing and a hand of wall.
-constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kBesideDoor = kDoorMargin + kDoorWidth + 0.3f;
+constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kClearOfDoor = kDoorMargin + kDoorWidth + 0.3f;
 
 // What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above a window that
 // ends low enough, and between two windows there must be wall.
@@ -127,7 +121,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
             window.u1 = high - 0.3f;
-            window.u0 = std::max(std::max(low, 0.f) + kBesideDoor, window.u1 - width);
+            window.u0 = std::max(std::max(low, 0.f) + kClearOfDoor, window.u1 - width);
             if (!(window.u1 - window.u0 >= 0.5f)) {
                 if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
                 continue;

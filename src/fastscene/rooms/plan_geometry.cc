@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kShortest = 0.3f;   // shorter faces take nothing
+constexpr float kShortestFace = 0.3f;   // shorter faces take nothing
 
 // The part of a wall that a block stands at, along u; empty when it does not touch the wall.
 std::pair<float, float> shadow(const WallFace& face, const Block& block) {
@@ -56,17 +56,17 @@ std::vector<WallFace> Plan::faces() const {
         std::vector<std::pair<float, float>> covered;
         for (const Block& b : blocks) covered.push_back(shadow(face, b));
         for (const auto& [a, b] : gaps(face.length, covered))
-            if (b - a > kShortest) out.push_back({face.point(a, 0), face.along, face.inward, b - a, i, a});
+            if (b - a > kShortestFace) out.push_back({face.point(a, 0), face.along, face.inward, b - a, i, a});
     }
     const float w = width / 2 - 0.01f, d = depth / 2 - 0.01f;
     for (const Block& b : blocks) {
         // As seen from the room, a side of a block runs the other way round than the walls about it.
         const float x = b.high.x - b.low.x, z = b.high.y - b.low.y;
         if (b.kind == Block::Kind::column) continue;
-        if (b.low.y > -d && x > kShortest) out.push_back({{b.low.x, 0, b.low.y}, {1, 0, 0}, {0, 0, -1}, x});
-        if (b.high.y < d && x > kShortest) out.push_back({{b.high.x, 0, b.high.y}, {-1, 0, 0}, {0, 0, 1}, x});
-        if (b.low.x > -w && z > kShortest) out.push_back({{b.low.x, 0, b.high.y}, {0, 0, -1}, {-1, 0, 0}, z});
-        if (b.high.x < w && z > kShortest) out.push_back({{b.high.x, 0, b.low.y}, {0, 0, 1}, {1, 0, 0}, z});
+        if (b.low.y > -d && x > kShortestFace) out.push_back({{b.low.x, 0, b.low.y}, {1, 0, 0}, {0, 0, -1}, x});
+        if (b.high.y < d && x > kShortestFace) out.push_back({{b.high.x, 0, b.high.y}, {-1, 0, 0}, {0, 0, 1}, x});
+        if (b.low.x > -w && z > kShortestFace) out.push_back({{b.low.x, 0, b.high.y}, {0, 0, -1}, {-1, 0, 0}, z});
+        if (b.high.x < w && z > kShortestFace) out.push_back({{b.high.x, 0, b.low.y}, {0, 0, 1}, {1, 0, 0}, z});
     }
     return out;
 }

@@ -2,10 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <string_view>
 
 #include "fastscene/rooms/plan.h"
 
 namespace fastscene {
+
+// The first wish for this class, or, with `forbidden`, the first that says there shall be none; or nothing.
+inline const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
+    for (const PromptObject& o : spec.objects)
+        if (o.klass == klass && o.forbidden == forbidden) return &o;
+    return nullptr;
+}
 
 // One of the paints that go with the room's style.
 void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice);

@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
 
 namespace fastscene {
 namespace {
-
-const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
-    for (const PromptObject& o : spec.objects)
-        if (o.klass == klass && o.forbidden == forbidden) return &o;
-    return nullptr;
-}
-bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
-}
 
 // Asked for: yes; asked not to: no; else by the dice. Drawn in any case, so that a wish changes nothing else.
 bool decide(const PromptSpec& spec, std::string_view klass, float probability, Random& dice) {
@@ -29,15 +21,15 @@ struct Habits {
     const char* room;
     float breast, corner, bay, alcove, doorway;
 };
-constexpr Habits kHabits[] = {
+constexpr Habits kShapeHabits[] = {
     {"living", 0.28f, 0.2f, 0.14f, 0.12f, 0.5f}, {"bedroom", 0.1f, 0.2f, 0.18f, 0.22f, 0.15f}, {"kids", 0.1f, 0.25f, 0.2f, 0.2f, 0.f},    {"kitchen", 0.f, 0.2f, 0.f, 0.f, 0.5f},
     {"dining", 0.3f, 0.15f, 0.25f, 0.1f, 0.55f}, {"bathroom", 0.f, 0.1f, 0.f, 0.1f, 0.f},     {"study", 0.3f, 0.15f, 0.2f, 0.15f, 0.25f}, {"hallway", 0.f, 0.f, 0.f, 0.4f, 0.85f},
     {"loft", 0.f, 0.2f, 0.f, 0.f, 0.3f},         {"laundry", 0.f, 0.1f, 0.f, 0.1f, 0.15f},     {"sunroom", 0.f, 0.f, 0.f, 0.f, 0.6f},      {"attic", 0.f, 0.f, 0.f, 0.f, 0.f},
 };
 const Habits& habits_of(const std::string& room) {
-    for (const Habits& h : kHabits)
+    for (const Habits& h : kShapeHabits)
         if (room == h.room) return h;
-    return kHabits[0];
+    return kShapeHabits[0];
 }
 
 void add_breast(Plan& plan, Random& dice) {

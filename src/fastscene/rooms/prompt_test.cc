@@ -7,11 +7,10 @@
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan.h"
 #include "fastscene/rooms/rooms.h"
+#include "fastscene/rooms/test_prompts.h"
 
 namespace fastscene {
 namespace {
-
-PromptSpec read(const std::string& text) { return understand_prompt(text, false); }
 
 std::vector<std::string> words_of(const PromptSpec& spec, PromptWord::Fate fate) {
     std::vector<std::string> out;
@@ -21,7 +20,8 @@ std::vector<std::string> words_of(const PromptSpec& spec, PromptWord::Fate fate)
 std::vector<std::string> not_understood(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::not_understood); }
 std::vector<std::string> approximated(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::approximated); }
 
-const PromptObject* object_of(const PromptSpec& spec, std::string_view klass) {
+// Also one that says there shall be none.
+const PromptObject* wish_of(const PromptSpec& spec, std::string_view klass) {
     for (const PromptObject& o : spec.objects)
         if (o.klass == klass) return &o;
     return nullptr;
@@ -108,17 +108,17 @@ TEST(Prompt, AnUnknownWordBetweenAdjectivesLosesNoColor) {
 TEST(Prompt, NegationForbids) {
     const PromptSpec spec = read("a bedroom with a bed but no curtains, and a lamp");
     ASSERT_TRUE(object_of(spec, "curtain") && object_of(spec, "bed") && object_of(spec, "table_lamp"));
-    EXPECT_TRUE(object_of(spec, "curtain")->forbidden);
-    EXPECT_FALSE(object_of(spec, "bed")->forbidden);
-    EXPECT_FALSE(object_of(spec, "table_lamp")->forbidden);
+    EXPECT_TRUE(wish_of(spec, "curtain")->forbidden);
+    EXPECT_FALSE(wish_of(spec, "bed")->forbidden);
+    EXPECT_FALSE(wish_of(spec, "table_lamp")->forbidden);
     const PromptSpec without = read("a living room without a tv, with red curtains");
-    EXPECT_TRUE(object_of(without, "tv")->forbidden);
-    EXPECT_FALSE(object_of(without, "curtain")->forbidden);
+    EXPECT_TRUE(wish_of(without, "tv")->forbidden);
+    EXPECT_FALSE(wish_of(without, "curtain")->forbidden);
     EXPECT_EQ(object_of(without, "curtain")->color, "red");
     const PromptSpec neither = read("a living room with neither a sofa nor a tv but with a piano");
-    EXPECT_TRUE(object_of(neither, "sofa")->forbidden);
-    EXPECT_TRUE(object_of(neither, "tv")->forbidden);
-    EXPECT_FALSE(object_of(neither, "piano")->forbidden);
+    EXPECT_TRUE(wish_of(neither, "sofa")->forbidden);
+    EXPECT_TRUE(wish_of(neither, "tv")->forbidden);
+    EXPECT_FALSE(wish_of(neither, "piano")->forbidden);
 }
 
 TEST(Prompt, Relations) {

@@ -6,17 +6,11 @@
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/rooms.h"
+#include "fastscene/rooms/test_prompts.h"
 
 namespace fastscene {
 namespace {
 
-PromptSpec read(const std::string& text) { return understand_prompt(text, false); }
-
-const PromptObject* object_of(const PromptSpec& spec, std::string_view klass) {
-    for (const PromptObject& o : spec.objects)
-        if (o.klass == klass && !o.forbidden) return &o;
-    return nullptr;
-}
 // What became of a word: "understood: …", "" when it is in no list.
 std::string told(const PromptSpec& spec, std::string_view words) {
     static constexpr const char* kFates[] = {"understood", "approximated", "not understood"};

@@ -9,7 +9,6 @@
 namespace fastscene::shapes {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 
 float cell(int x, int y, int z, std::uint32_t seed) {
     const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 42) ^

@@ -8,7 +8,6 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr int kLogit = 10;
 constexpr float kGone = -30.f;       // logit of a dead splat: drawn nowhere
 constexpr float kSplitShrink = 1.6f;  // as published
 

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <ctime>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -48,7 +47,6 @@ void grow(T& v, std::size_t size) {
 Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model, bool antialias) {
     const Rigid c = inverse(world_from_camera);
     const auto w = static_cast<float>(camera.width), h = static_cast<float>(camera.height);
-    constexpr float kPi = std::numbers::pi_v<float>;
     if (model == CameraModel::equirectangular)
         return {c.rotation, c.translation, w / (2 * kPi), h / kPi, w / 2, h / 2, 0, 0, 0, 0, model, antialias};
     // 15 % of the picture beyond its border, as in Kerbl et al.'s implementation.

@@ -27,6 +27,7 @@ struct Gaussian {
     Vec3<F> sh0;
 };
 inline constexpr int kParameters = 14;
+inline constexpr int kLogit = 10;   // the place of the opacity among them
 
 // camera_from_world and the lens. Pinhole: the slope x/z used in the linearization is held within [min_u, max_u]:
 // far outside the picture the tangent plane is no likeness of the perspective. Equirectangular: fx and fy are

@@ -9,7 +9,6 @@ namespace fastscene::splat {
 namespace {
 
 constexpr float kDeadOpacity = 0.005f;  // nowhere above 1/255 for long
-constexpr int kLogit = 10;
 
 // Two halves of one splat along its longest axis: sizes and places chosen so that together they look much
 // like it did (the sum of the two, 0.75 sigma wide and 1.2 sigma apart, is within 4 % of one of 1 sigma).

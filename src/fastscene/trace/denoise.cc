@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<float, 5> kSpline{1.f / 16, 1.f / 4, 3.f / 8, 1.f / 4, 1.f / 16};
 constexpr float kDeviations = 2.2f;       // values that differ by less are the same light
 constexpr float kExact = 0.004f;          // relative standard error below which nothing is left to do
-constexpr float kEven = 0.12f;            // how far off a pixel's plane, by its distance, a neighbour may lie
+constexpr float kOffPlane = 0.12f;            // how far off a pixel's plane, by its distance, a neighbour may lie
 
 bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
@@ -91,7 +91,7 @@ float same_surface(const Guides& guides, int x, int y, Vec3f position, Vec3f nor
     const float turned = dot(normal, guides.normal.at(x, y));
     if (!(turned > 0.5f)) return 0;
     const Vec3f to = guides.position.at(x, y) - position;
-    const float off = dot(to, normal), reach2 = dot(to, to) * (kEven * kEven) + 1e-7f;
+    const float off = dot(to, normal), reach2 = dot(to, to) * (kOffPlane * kOffPlane) + 1e-7f;
     const float t2 = turned * turned, t8 = t2 * t2 * t2 * t2;
     return t8 * t8 * std::exp(-off * off / reach2);
 }

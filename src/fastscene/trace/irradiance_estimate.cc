@@ -2,7 +2,6 @@
 // ask again where it is too coarse.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -17,7 +16,6 @@ using namespace irradiance;
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 // A sunlit cell close by is asked too rarely and answers too loudly: within so many cells the bounce finds it instead.
 constexpr float kNearSun = 8;
 

@@ -1,14 +1,12 @@
 #include "fastscene/trace/outside_rows.h"
 
 #include <array>
-#include <numbers>
 
 #include "fastscene/trace/noise.h"
 
 namespace fastscene::outside {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Where the ray meets the plane that faces the viewer at an azimuth: metres to the right of it, and above the ground.
 Vec2f on_plane(float da, float height, float distance_m, float eye_m) {

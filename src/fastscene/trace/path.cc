@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
@@ -12,12 +11,9 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kMaxBounces = 48;
 constexpr int kSureBounces = 3;   // no path ends before by chance
 
-// Veach's power heuristic for one sample of each kind.
-float weight_of(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
 
 // What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
 struct Arrival {
@@ -69,7 +65,7 @@ Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choi
         const Scatter scatter = local.towards(light.direction);
         const Vec3f value = scatter.value * light.radiance;
         if (luminance(value) > 0 && !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
-            sum += value * (weight_of(light.density, scatter.density) / light.density);
+            sum += value * (power_heuristic(light.density, scatter.density) / light.density);
     }
     // The sun is met by chance by nobody: its disc is not in the sky.
     const Vec2f disc = sampler.next2();
@@ -88,7 +84,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
         const RayHit hit = scene.bvh.first_hit(origin, direction);
         float by_chance = 1;
-        if (arrival.lights) by_chance = weight_of(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
+        if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
         if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * (by_chance * (arrival.density > 0 ? 1.f : scene.room.sky.seen));
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));

@@ -4,27 +4,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/response.h"
 #include "fastscene/trace/sky.h"
+#include "fastscene/trace/test_room.h"
 #include "fastscene/trace/trace.h"
 
 namespace fastscene {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-const Vec3f kLow{-2, -1.1f, -2.5f}, kHigh{2, 1.5f, 2.5f};
-
-Material diffuse(Vec3f albedo, Vec3f emission = {}) {
-    Material m;
-    m.color_a = m.color_b = m.color_c = albedo;
-    m.emission = emission;
-    m.specular = 0;
-    m.roughness = 1;
-    return m;
-}
 
 float mean_radiance(const Room& room, Vec3f direction, int paths) {
     const SceneBvh bvh(room);

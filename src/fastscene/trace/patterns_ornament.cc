@@ -3,7 +3,6 @@
 namespace fastscene::patterns {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 
 // Signed distance inside (> 0) of a rose curve with `petals` petals of radius r.
 float rose(Vec2f p, int petals, float r, float depth) {

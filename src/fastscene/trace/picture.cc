@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "fastscene/base/parallel.h"
@@ -15,7 +14,6 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kVeryNoisy = 0.06f;   // relative standard error of a pixel's light
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.

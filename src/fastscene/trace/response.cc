@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 // Rougher dielectrics mirror so little and so widely that the light around stands for it.
 constexpr float kMirrorRoughness = 0.5f;
 

@@ -4,12 +4,16 @@
 // too (Burley 2020, "Practical hash-based Owen scrambling"): any power of two of consecutive samples is well spread in every pair.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "fastscene/base/random.h"
 #include "fastscene/math/vec.h"
 
 namespace fastscene {
+
+// Veach's power heuristic for one sample of each kind: the weight of the one with density `mine`.
+inline float power_heuristic(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
 
 class Sampler {
   public:

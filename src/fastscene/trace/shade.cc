@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
@@ -12,10 +11,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 
-// Veach's power heuristic for one sample of each kind.
-float weight_of(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
 
 // What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
 struct Mirrored {
@@ -57,11 +53,11 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
         const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
         if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
-            asked = light.radiance * (cone * weight_of(light.density, cone) / light.density);
+            asked = light.radiance * (cone * power_heuristic(light.density, cone) / light.density);
     }
     if (max_component(seen.light) > 0) {
         const float density = scene.lights.density(scene.room, choice, origin, out, seen.hit);
-        seen.light = seen.light * weight_of(ggx_density(s.bumped, r.alpha, direction, out), density);
+        seen.light = seen.light * power_heuristic(ggx_density(s.bumped, r.alpha, direction, out), density);
     }
     Vec3f met = seen.light + seen.rest;
     // A single bright thing met by chance would sparkle: it is held to a few times the light around.

@@ -11,6 +11,7 @@
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/sky.h"
+#include "fastscene/trace/test_room.h"
 #include "fastscene/trace/texture.h"
 #include "fastscene/trace/trace.h"
 
@@ -19,16 +20,6 @@ namespace {
 
 // A box; `inward` = the inside of a room, else a solid.
 Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) { return box_mesh(low, high, material, object, inward); }
-
-Material diffuse(Vec3f albedo) {
-    Material m;
-    m.color_a = m.color_b = m.color_c = albedo;
-    m.specular = 0;
-    m.roughness = 1;
-    return m;
-}
-
-const Vec3f kLow{-2, -1.1f, -2.5f}, kHigh{2, 1.5f, 2.5f};
 
 Room empty_room(Material walls) {
     Room room;

@@ -10,5 +10,7 @@ namespace fastscene {
 float free_distance(const ImageF& range, Vec3f direction, float cone_cosine = 0.9f);
 // The same straight ahead (6 degrees): what a step would run into.
 inline float distance_ahead(const ImageF& range, Vec3f direction) { return free_distance(range, direction, 0.9945f); }
+// The share of that distance that may be gone: nobody looks from within a wall.
+inline constexpr float kMostOfTheWay = 0.9f;
 
 }  // namespace fastscene

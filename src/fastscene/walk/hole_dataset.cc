@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kMostOfTheWay = 0.9f;   // of the free distance: nobody looks from within a wall
 
 std::vector<double> numbers_in(const std::string& flag, const std::string& list) {
     std::vector<double> out;
@@ -37,11 +36,6 @@ std::vector<double> numbers_in(const std::string& flag, const std::string& list)
     return out;
 }
 
-Image<double> in_double(const ImageF& image) {
-    Image<double> out(image.width, image.height);
-    std::copy(image.pixels.begin(), image.pixels.end(), out.pixels.begin());
-    return out;
-}
 Vec3f in_float(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 ImageMask published_hole(const ImageRgb8& color, const ImageF& range, Vec3d direction, double share) {

@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr EquirectSize kSize{512, 256};
+constexpr EquirectSize kTableSize{512, 256};
 const SyntheticWorld& world() {
     static const SyntheticWorld w = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     return w;
@@ -16,7 +16,7 @@ const SyntheticWorld& world() {
 float distance_in_world(Vec3f from, Vec3f direction) { return trace_synthetic(world(), from, direction).range; }
 
 TEST(HoleTable, OurHolesAreTheTrueDisocclusions) {
-    const Panorama first = render_synthetic(world(), {}, kSize, 1);
+    const Panorama first = render_synthetic(world(), {}, kTableSize, 1);
     const WarpSource source = make_warp_source(first.color, first.range, {}, {}, {});
     const float most = *std::max_element(first.range.pixels.begin(), first.range.pixels.end());
     // A short step opens strips narrower than a pixel; where in its pixel a silhouette runs decides whether a grid point falls in.

@@ -10,11 +10,6 @@
 namespace fastscene {
 namespace {
 
-Image<double> in_double(const ImageF& image) {
-    Image<double> out(image.width, image.height);
-    std::copy(image.pixels.begin(), image.pixels.end(), out.pixels.begin());
-    return out;
-}
 Panorama furnished(EquirectSize size) {
     return render_synthetic(SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks), {}, size, 1);
 }

@@ -14,7 +14,6 @@ namespace fastscene {
 namespace {
 
 constexpr int kFaceSize = 512;          // as published for 1024 columns; fewer columns need no more than half of them
-constexpr float kMostOfTheWay = 0.9f;   // of the free distance: a step never ends in a wall
 
 // What the driver carries from step to step.
 struct Frame {
@@ -55,11 +54,6 @@ Stepped step_to(const Frame& from, Vec3d move_m) {
     return to;
 }
 
-Image<double> in_double(const ImageF& image) {
-    Image<double> out(image.width, image.height);
-    std::copy(image.pixels.begin(), image.pixels.end(), out.pixels.begin());
-    return out;
-}
 ImageF in_float(const Image<double>& image) {
     ImageF out(image.width, image.height);
     std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](double v) { return static_cast<float>(v); });

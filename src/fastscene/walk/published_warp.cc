@@ -10,7 +10,6 @@
 namespace fastscene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 // Sines and cosines of the rows' latitudes and the columns' longitudes.
 struct Angles {
@@ -37,8 +36,8 @@ double PublishedWarp::hole_ratio() const {
 }
 
 Image<Vec3d> published_directions(int width, int height) {
-    const Angles row(height, [&](int y) { return (1 - 2.0 * y / height) * kPi / 2; });
-    const Angles column(width, [&](int x) { return 2 * kPi * (0.5 - static_cast<double>(x) / width); });
+    const Angles row(height, [&](int y) { return (1 - 2.0 * y / height) * std::numbers::pi / 2; });
+    const Angles column(width, [&](int x) { return 2 * std::numbers::pi * (0.5 - static_cast<double>(x) / width); });
     Image<Vec3d> out(width, height);
     for (std::size_t y = 0, i = 0; y < static_cast<std::size_t>(height); ++y)
         for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, ++i)
@@ -59,7 +58,7 @@ PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range,
                 const double far = length(p);
                 const Vec3d to = p / far;
                 const double theta = std::atan2(to.y, std::sqrt(to.x * to.x + to.z * to.z)), phi = std::atan2(-to.z, to.x);
-                const double ty = std::floor((0.5 - theta / kPi) * h), tx = std::floor((0.5 - phi / (2 * kPi)) * w);
+                const double ty = std::floor((0.5 - theta / std::numbers::pi) * h), tx = std::floor((0.5 - phi / (2 * std::numbers::pi)) * w);
                 if (far > 0 && ty > 0 && ty < h && tx > 0 && tx < w)
                     landing.pixels[i] = {static_cast<std::int32_t>(ty) * w + static_cast<std::int32_t>(tx), far};
             }

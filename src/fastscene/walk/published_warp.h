@@ -4,6 +4,8 @@
 // docs/decisions/0010 lists what was observed.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 
 #include "fastscene/image/image.h"
 
@@ -21,6 +23,13 @@ struct PublishedWarp {
 // `move` in the units of `range`, in the official frame: x towards the middle of the picture, y up, z to its right.
 // Sizes must agree; ranges > 0. A tie in distance goes to the first pixel in reading order.
 PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range, Vec3d move);
+
+// The official program computes in double.
+inline Image<double> in_double(const ImageF& image) {
+    Image<double> out(image.width, image.height);
+    std::copy(image.pixels.begin(), image.pixels.end(), out.pixels.begin());
+    return out;
+}
 
 // Unit directions of a picture's pixels, official frame.
 Image<Vec3d> published_directions(int width, int height);

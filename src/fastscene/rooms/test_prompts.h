@@ -1,0 +1,19 @@
+// For tests: a prompt read without the furniture pack, and what it wishes of a class.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fastscene/rooms/rooms.h"
+
+namespace fastscene {
+
+inline PromptSpec read(const std::string& text) { return understand_prompt(text, false); }
+
+inline const PromptObject* object_of(const PromptSpec& spec, std::string_view klass) {
+    for (const PromptObject& o : spec.objects)
+        if (o.klass == klass && !o.forbidden) return &o;
+    return nullptr;
+}
+
+}  // namespace fastscene
