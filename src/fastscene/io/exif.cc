@@ -55,7 +55,7 @@ int orientation_of_png(std::string_view file) {
 // RIFF's chunks: name, length, data, to an even length. Some writers put JPEG's name before the block.
 int orientation_of_webp(std::string_view file) {
     for (std::size_t at = 12; at + 8 <= file.size();) {
-        const std::size_t length = number_at(file, at + 4, 4, true);
+        const std::size_t length = integer_at(file, at + 4, 4, true);
         if (file.substr(at, 4) == "EXIF") {
             const std::string_view block = file.substr(at + 8, length);
             constexpr std::string_view kExif("Exif\0\0", 6);

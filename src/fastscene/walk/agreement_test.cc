@@ -50,6 +50,7 @@ TEST(Agreement, SaysOneWhereNothingIsShared) {
 TEST(WalkWithMore, GivenPanoramasAreObservedAndViewpointsAreShared) {
     const Panorama first = box_from({}), second = box_from({1.2f, 0, -0.5f});
     WalkParams params;
+    params.inpainter = "harmonic";
     params.viewpoints = 4;
     const auto walked = walk_through(first, params, {}, {}, {second}).panoramas;
     ASSERT_EQ(walked.size(), 6u);

@@ -260,6 +260,7 @@ Panorama panorama_of_window_room(Vec3f from) {
 TEST(Walk, ThroughAWindowHolesAreTheOutside) {
     WalkParams params;
     params.viewpoints = 8;
+    params.inpainter = "harmonic";
     int holes = 0, right = 0, sky = 0;
     for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {}).panoramas) {
         const Panorama truth = panorama_of_window_room(panorama.world_from_pano.translation);
@@ -321,6 +322,7 @@ std::string error_of(const Panorama& first) {
     try {
         WalkParams params;
         params.viewpoints = 1;
+        params.inpainter = "harmonic";
         walk_through(first, params, {});
         return "";
     } catch (const Error& e) {
@@ -355,6 +357,7 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
         params.kind = kind;
         params.viewpoints = 2;
         params.steps = 2;
+        params.inpainter = "harmonic";
         Heard heard;
         const auto walked = walk_through(first, params, {0, &heard, {}}).panoramas;
         EXPECT_NE(heard.warnings.find("96 pixels of the range map have no range"), std::string::npos) << kind << heard.warnings;
@@ -383,6 +386,7 @@ TEST(Walk, TinyAndHugeRoomsAndStepsThatAreTooLong) {
             params.reach_m = 10;
             params.step = 0.5f;
             params.steps = 3;
+            params.inpainter = "harmonic";
             Heard heard;
             for (const Panorama& panorama : walk_through(first, params, {0, &heard, {}}).panoramas) {
                 const Vec3f p = panorama.world_from_pano.translation;
