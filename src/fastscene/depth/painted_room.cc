@@ -16,10 +16,10 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-enum class Pattern { plain, stripes, checker, planks, clouds, count };
+enum class PaintPattern { plain, stripes, checker, planks, clouds, count };
 
 struct Paint {
-    Pattern pattern = Pattern::plain;
+    PaintPattern pattern = PaintPattern::plain;
     Vec3f a{0.5f, 0.5f, 0.5f}, b{0.5f, 0.5f, 0.5f};
     float scale = 0.3f, turn = 0;
     std::uint32_t seed = 0;
@@ -126,12 +126,12 @@ Vec3f color_of(const Paint& paint, Vec3f local, Vec3f normal) {
     const Vec2f uv{(c * flat.x - s * flat.y) / paint.scale, (s * flat.x + c * flat.y) / paint.scale};
     float t = 0;
     switch (paint.pattern) {
-        case Pattern::stripes: t = static_cast<float>(floor_int(uv.x) & 1); break;
-        case Pattern::checker: t = static_cast<float>((floor_int(uv.x) + floor_int(uv.y)) & 1); break;
-        case Pattern::planks:
+        case PaintPattern::stripes: t = static_cast<float>(floor_int(uv.x) & 1); break;
+        case PaintPattern::checker: t = static_cast<float>((floor_int(uv.x) + floor_int(uv.y)) & 1); break;
+        case PaintPattern::planks:
             t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0, paint.seed);
             break;
-        case Pattern::clouds: t = 0.6f * noise2(uv, paint.seed) + 0.4f * noise2(uv * 3.1f, paint.seed + 1); break;
+        case PaintPattern::clouds: t = 0.6f * noise2(uv, paint.seed) + 0.4f * noise2(uv * 3.1f, paint.seed + 1); break;
         default: break;
     }
     return paint.a + (paint.b - paint.a) * t;
@@ -165,7 +165,7 @@ Paint random_paint(Random& dice, float low, float high, float plain) {
     Paint paint;
     paint.a = random_color(dice, low, high);
     paint.b = dice.chance(0.5f) ? paint.a * dice.uniform(0.5f, 1.3f) : random_color(dice, low, high);
-    if (!dice.chance(plain)) paint.pattern = static_cast<Pattern>(1 + dice.index(static_cast<int>(Pattern::count) - 1));
+    if (!dice.chance(plain)) paint.pattern = static_cast<PaintPattern>(1 + dice.index(static_cast<int>(PaintPattern::count) - 1));
     paint.scale = std::exp(dice.uniform(std::log(0.06f), std::log(0.8f)));
     paint.turn = dice.chance(0.7f) ? (dice.chance(0.5f) ? 0.f : kPi / 2) : dice.uniform(0, kPi);
     paint.seed = dice.next_u32();
