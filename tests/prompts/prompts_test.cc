@@ -96,18 +96,17 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         run.seed = 1;
         const FurnishedRoom furnished = furnish_room(spec, run);
         for (const Fault& fault : room_faults(furnished.plan, furnished.placed, furnished.camera)) ADD_FAILURE() << fault.text;
-        PromptSpec again = understand_prompt(text, false, pack(Assets::cc0));
-        const TracedRoom room(make_room(again, run));
-        for (const PromptObject& wish : again.objects)
+        const TracedRoom room(room_of(spec, furnished, run));
+        for (const PromptObject& wish : spec.objects)
             EXPECT_TRUE(wish.forbidden || wish.placed > 0 ||
-                        std::any_of(again.not_placed.begin(), again.not_placed.end(),
+                        std::any_of(spec.not_placed.begin(), spec.not_placed.end(),
                                     [&](const std::string& line) { return line.starts_with(wish.words + ": "); }))
                 << wish.words << " is neither there nor reported";
         // Every word stands in exactly one list.
-        const Json report = to_json(again);
+        const Json report = to_json(spec);
         std::size_t listed = report["not_understood"].size();
         for (const char* name : {"understood", "approximated", "not_placed"}) listed += report[name].size();
-        EXPECT_EQ(listed, again.words.size());
+        EXPECT_EQ(listed, spec.words.size());
         const Shot shot = room.panorama({}, {512, 256}, {.color = false, .range = false, .object = true}, run);
         const Json objects = room_json(room.room(), shot.object)["objects"];
         for (const Json& object : objects) {

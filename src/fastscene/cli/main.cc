@@ -3,11 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 #include "fastscene/base/check.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/suggest.h"
 #include "fastscene/cli/inpaint.h"
