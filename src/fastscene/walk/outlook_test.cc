@@ -9,7 +9,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kSky = std::numeric_limits<float>::infinity();
+constexpr float kOutside = std::numeric_limits<float>::infinity();
 
 TEST(Outlook, GoesOnAlongTheRows) {
     ImageColor color(64, 32);
@@ -18,7 +18,7 @@ TEST(Outlook, GoesOnAlongTheRows) {
         for (int x = 0; x < 64; ++x) color.at(x, y) = {static_cast<float>(y), 0, x < 20 || x > 44 ? 9.f : 1.f};
     EXPECT_TRUE(outside_picture(color, range).empty());
     for (int y = 8; y < 24; ++y)
-        for (int x = 20; x <= 44; ++x) range.at(x, y) = kSky;
+        for (int x = 20; x <= 44; ++x) range.at(x, y) = kOutside;
     const ImageColor out = outside_picture(color, range);
     for (int y = 12; y < 20; ++y)
         for (int x = 0; x < 64; ++x) {
@@ -38,7 +38,7 @@ TEST(Outlook, WhatWasNotSeenIsSmoothAndAsBright) {
     float seen = 0, count = 0;
     for (int y = 40; y < 90; ++y)
         for (int x = 100; x < 140; ++x) {
-            range.at(x, y) = kSky;
+            range.at(x, y) = kOutside;
             const float v = dice.chance(0.3f) ? 0.02f : dice.uniform(0.2f, 0.4f);
             color.at(x, y) = {v, v, v};
             seen += v;
