@@ -264,8 +264,9 @@ TEST(Room, BathroomShelvesHoldNoBooks) {
         PromptSpec spec;
         const Room room = room_of("a bathroom with a shelf", seed, &spec);
         for (const Mesh& mesh : room.meshes)
-            if (mesh.object >= 0 && room.objects[static_cast<std::size_t>(mesh.object)].klass == "shelf")
+            if (mesh.object >= 0 && room.objects[static_cast<std::size_t>(mesh.object)].klass == "shelf") {
                 EXPECT_NE(room.materials[static_cast<std::size_t>(mesh.material)].pattern, Pattern::book);
+            }
     }
 }
 

@@ -28,9 +28,7 @@ Vec3f nearest_on_triangle(Vec3f p, Vec3f a, Vec3f b, Vec3f c) {
     return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
 }
 
-struct Corners {
-    std::vector<std::array<Vec3f, 3>> triangles;
-};
+using Corners = std::vector<std::array<Vec3f, 3>>;   // of the triangles of one mesh
 
 struct NearestQuery {
     const std::vector<Corners>* meshes;
@@ -40,7 +38,7 @@ struct NearestQuery {
 
 bool visit_triangle(RTCPointQueryFunctionArguments* args) {
     auto* query = static_cast<NearestQuery*>(args->userPtr);
-    const auto& t = (*query->meshes)[args->geomID].triangles[args->primID];
+    const auto& t = (*query->meshes)[args->geomID][args->primID];
     const float far = length(query->point - nearest_on_triangle(query->point, t[0], t[1], t[2]));
     if (far >= query->best) return false;
     query->best = args->query->radius = far;
@@ -87,8 +85,8 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
         for (std::size_t t = 0; t < count; ++t)
-            impl_->meshes[m].triangles.push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
-        if (count == 0) impl_->meshes[m].triangles.push_back({});
+            impl_->meshes[m].push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
+        if (count == 0) impl_->meshes[m].push_back({});
     }
     for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcCommitScene(scene);
 }
