@@ -123,7 +123,8 @@ void read_one(Reading& r, std::size_t i) {
     switch (m.word->kind) {
         case WordKind::room:
             // A second room of another kind is not made; the studio and the loft have room for both.
-            choose(r, i, &PromptSpec::room, "room", room_title(m.word->meaning));
+            if (r.spec.room != m.word->meaning && is_same_room(r.spec.room, m.word->meaning) && !m.negated) r.tell(i, "room: " + room_title(r.spec.room));
+            else choose(r, i, &PromptSpec::room, "room", room_title(m.word->meaning));
             break;
         case WordKind::style: read_style(r, i); break;
         case WordKind::time: choose(r, i, &PromptSpec::time, "time", m.word->meaning); break;

@@ -51,7 +51,7 @@ Match owner_at(const std::vector<std::string>& tokens, std::size_t i, Language l
     const auto room = look_up(owner + " room");
     const bool room_follows = std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(), [&](const std::string& t) {
         const auto word = look_up(t, language);
-        return word && word->kind == WordKind::room;
+        return word && word->kind == WordKind::room && !(room && is_same_room(room->meaning, word->meaning));
     });
     return {.words = joined(tokens, i, 1), .word = room && room->kind == WordKind::room && !room_follows ? *room : Word{WordKind::nuance, "owner"}};
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "fastscene/rooms/rooms.h"
 
 namespace fastscene::reading {
+
+// Whether two room types name one room: a kids' room is a bedroom ("a child's pirate bedroom").
+inline bool is_same_room(std::string_view first, std::string_view other) { return first == other || (first == "kids" && other == "bedroom"); }
 
 // A matched piece of the prompt.
 struct Match {

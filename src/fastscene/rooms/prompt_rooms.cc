@@ -114,7 +114,7 @@ void find_next_room(Reading& r) {
     const bool en_suite = std::any_of(m.begin(), m.end(), is_en_suite);
     static constexpr std::array<std::string_view, 4> kNever{"attic", "loft", "sunroom", "kids"};
     for (auto x = m.begin(); x != m.end(); ++x) {
-        if (!is_room(*x) || x == first || x->word->meaning == room || !x->word->exact) continue;
+        if (!is_room(*x) || x == first || is_same_room(room, x->word->meaning) || !x->word->exact) continue;
         const std::string& type = x->word->meaning;
         if (std::find(kNever.begin(), kNever.end(), type) != kNever.end() || (!r.spec.next_room.empty() && r.spec.next_room != type)) continue;
         r.spec.next_room = type;

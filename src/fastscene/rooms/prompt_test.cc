@@ -107,7 +107,7 @@ TEST(Prompt, AnUnknownWordBetweenAdjectivesLosesNoColor) {
 
 TEST(Prompt, NegationForbids) {
     const PromptSpec spec = read("a bedroom with a bed but no curtains, and a lamp");
-    ASSERT_TRUE(object_of(spec, "curtain") && object_of(spec, "bed") && object_of(spec, "table_lamp"));
+    ASSERT_TRUE(wish_of(spec, "curtain") && object_of(spec, "bed") && object_of(spec, "table_lamp"));
     EXPECT_TRUE(wish_of(spec, "curtain")->forbidden);
     EXPECT_FALSE(wish_of(spec, "bed")->forbidden);
     EXPECT_FALSE(wish_of(spec, "table_lamp")->forbidden);

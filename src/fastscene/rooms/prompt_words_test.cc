@@ -32,6 +32,13 @@ Furnished furnished(const std::string& text, std::uint64_t seed = 3) {
     return out;
 }
 
+TEST(PromptWords, AChildsBedroomIsAKidsRoomWhateverStandsBetween) {
+    for (const char* text : {"a child's pirate bedroom", "a child's bedroom", "my daughter's room", "a boy's blue bedroom"}) EXPECT_EQ(read(text).room, "kids") << text;
+    EXPECT_TRUE(is_told(read("a child's pirate bedroom"), "bedroom", "understood: room: kids' room"));
+    EXPECT_EQ(read("a kitchen with a child's chair").room, "kitchen");
+    EXPECT_EQ(read("a captain's bedroom").room, "bedroom");
+}
+
 TEST(PromptWords, TyposInCompoundsAreRead) {
     EXPECT_EQ(read("a livng room").room, "living");
     EXPECT_EQ(read("a livingroom").room, "living");
