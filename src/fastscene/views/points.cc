@@ -10,26 +10,28 @@
 namespace fastscene {
 namespace {
 
-constexpr float kSky_m = 30.f;           // where points of the sky stand
+constexpr float kSky_m = 30.f;           // where points of the sky stand, at least
 constexpr float kFlattest = 0.15f;       // least cosine: grazing pixels must not eat all points
+constexpr float kMostArea = 4.f;         // of a pixel, in medians: nor far ones
 
 struct Surface {
     Vec3f point, normal;
 };
 
-Vec3f point_at(const Panorama& panorama, int x, int y) {
+// Nothing stands behind the sky: a painted range between a wall's and the sky's may be of kilometres.
+Vec3f point_at(const Panorama& panorama, float sky_m, int x, int y) {
     const float range = panorama.range.at(x, y);
-    return direction_of_pixel(x, y, panorama.size()) * (range < kFarthestRange ? range : kSky_m);
+    return direction_of_pixel(x, y, panorama.size()) * (range < sky_m ? range : sky_m);
 }
 
 // Differences to the neighbours on the same surface; a pixel alone looks at the viewpoint.
-Surface surface_at(const Panorama& panorama, const ImageMask& cuts, int x, int y) {
+Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m, int x, int y) {
     const int w = cuts.width, h = cuts.height, left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
-    const Vec3f p = point_at(panorama, x, y);
-    const Vec3f a = cuts.at(left, y) & kCutRight ? p : point_at(panorama, left, y);
-    const Vec3f b = cuts.at(x, y) & kCutRight ? p : point_at(panorama, right, y);
-    const Vec3f c = y == 0 || (cuts.at(x, y - 1) & kCutDown) ? p : point_at(panorama, x, y - 1);
-    const Vec3f d = y + 1 == h || (cuts.at(x, y) & kCutDown) ? p : point_at(panorama, x, y + 1);
+    const Vec3f p = point_at(panorama, sky_m, x, y);
+    const Vec3f a = cuts.at(left, y) & kCutRight ? p : point_at(panorama, sky_m, left, y);
+    const Vec3f b = cuts.at(x, y) & kCutRight ? p : point_at(panorama, sky_m, right, y);
+    const Vec3f c = y == 0 || (cuts.at(x, y - 1) & kCutDown) ? p : point_at(panorama, sky_m, x, y - 1);
+    const Vec3f d = y + 1 == h || (cuts.at(x, y) & kCutDown) ? p : point_at(panorama, sky_m, x, y + 1);
     Vec3f normal = normalize(cross(b - a, d - c));
     if (!(dot(normal, normal) > 0.5f)) normal = -normalize(p);
     return {p, dot(normal, p) > 0 ? -normal : normal};
@@ -45,7 +47,8 @@ float gradient_at(const ImageColor& color, int x, int y) {
 // The pixels that may give points, with their shares.
 struct Candidate {
     std::uint32_t panorama, pixel;
-    float area, edge;   // square metres; edge strength times solid angle
+    float angle, area, edge;   // steradians; square metres; edge strength times solid angle
+    bool outside;              // no range: where it stands is ours, and so is its area
 };
 
 // Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
@@ -54,7 +57,18 @@ bool is_given(const Panorama& panorama) {
            std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(), [](Known k) { return k == Known::original; });
 }
 
-void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, std::vector<Candidate>& out) {
+// Behind all that was taken or traced.
+float sky_distance(const std::vector<Panorama>& panoramas) {
+    constexpr float kBeyond = 1.5f, kMost_m = 1000.f;   // SPZ holds 2048 m
+    float far = 0;
+    for (std::size_t i = 0; i < panoramas.size(); ++i)
+        if (i == 0 || is_given(panoramas[i]))
+            for (const float r : panoramas[i].range.pixels)
+                if (r < kMost_m) far = std::max(far, r);
+    return std::clamp(kBeyond * far, kSky_m, kMost_m);
+}
+
+void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, float sky_m, std::vector<Candidate>& out) {
     const Panorama& panorama = panoramas[index];
     const bool given = index == 0 || is_given(panorama);
     const EquirectSize size = panorama.size();
@@ -65,44 +79,78 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, std::v
             const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
             if (known != (given ? Known::original : Known::invented)) continue;
             if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
-            const Surface s = surface_at(panorama, cuts, x, y);
+            const Surface s = surface_at(panorama, cuts, sky_m, x, y);
             const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
-            out.push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle * distance * distance / cosine,
-                           angle * (0.01f + gradient_at(panorama.color, x, y))});
+            out.push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
+                           angle * (0.01f + gradient_at(panorama.color, x, y)), !(panorama.range.at(x, y) < sky_m)});
         }
     }
+}
+
+// What area a pixel counts with: the outside like the room's surfaces, or a window would take half of all points.
+std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
+    std::vector<float> per_angle;
+    for (const Candidate& c : candidates)
+        if (!c.outside) per_angle.push_back(c.area / c.angle);
+    const auto middle = per_angle.begin() + static_cast<std::ptrdiff_t>(per_angle.size() / 2);
+    if (!per_angle.empty()) std::nth_element(per_angle.begin(), middle, per_angle.end());
+    const float usual = per_angle.empty() ? 1.f : *middle;
+    std::vector<float> areas;
+    areas.reserve(candidates.size());
+    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual : std::min(c.area, kMostArea * usual * c.angle));
+    return areas;
+}
+
+// How many points each pixel gives in the mean: half of them by area, half by edges. More than one would stand where the first does.
+std::vector<double> shares_of(const std::vector<Candidate>& candidates, int count) {
+    const std::vector<float> areas = counted_areas(candidates);
+    double area = 0, edge = 0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        area += static_cast<double>(areas[i]);
+        edge += static_cast<double>(candidates[i].edge);
+    }
+    std::vector<double> shares(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) shares[i] = 0.5 * static_cast<double>(areas[i]) / area + 0.5 * static_cast<double>(candidates[i].edge) / edge;
+    // What pixels cannot take goes to the others.
+    double scale = count;
+    constexpr int kRounds = 12;
+    for (int round = 0; round < kRounds; ++round) {
+        double full = 0, open = 0;
+        for (const double s : shares) (scale * s >= 1 ? full : open) += scale * s >= 1 ? 1 : s;
+        if (open <= 0 || full >= count) break;
+        scale = (count - full) / open;
+    }
+    for (double& s : shares) s = std::min(1.0, scale * s);
+    return shares;
 }
 
 }  // namespace
 
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run) {
     std::vector<Candidate> candidates;
-    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, candidates);
+    const float sky_m = sky_distance(panoramas);
+    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, sky_m, candidates);
     if (candidates.empty()) return {};
-    double area = 0, edge = 0;
-    for (const Candidate& c : candidates) {
-        area += static_cast<double>(c.area);
-        edge += static_cast<double>(c.edge);
-    }
+    const std::vector<double> shares = shares_of(candidates, count);
     // One walk along the sum of shares, with one jittered draw a step: spread more evenly than free draws.
     std::vector<SurfacePoint> points;
     points.reserve(static_cast<std::size_t>(count));
     std::vector<ImageMask> cuts(panoramas.size());
     Random random(run.seed, "views/points");
     double sum = 0, next = static_cast<double>(random.uniform());
-    for (const Candidate& c : candidates) {
-        const double share = static_cast<double>(count) * (0.5 * static_cast<double>(c.area) / area + 0.5 * static_cast<double>(c.edge) / edge);
-        sum += share;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& c = candidates[i];
+        sum += shares[i];
         while (next < sum && static_cast<int>(points.size()) < count) {
             const Panorama& panorama = panoramas[c.panorama];
             if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panorama.range);
             const int x = static_cast<int>(c.pixel) % panorama.color.width, y = static_cast<int>(c.pixel) / panorama.color.width;
-            const Surface s = surface_at(panorama, cuts[c.panorama], x, y);
+            const Surface s = surface_at(panorama, cuts[c.panorama], sky_m, x, y);
             SurfacePoint point;
             point.position_m = panorama.world_from_pano * s.point;
             point.normal = panorama.world_from_pano.rotation * s.normal;
             point.color = srgb8_from_linear(panorama.color.at(x, y));
-            point.radius_m = static_cast<float>(std::sqrt(static_cast<double>(c.area) / share));
+            point.radius_m = static_cast<float>(std::sqrt(static_cast<double>(c.area) / shares[i]));
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }

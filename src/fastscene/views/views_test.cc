@@ -129,7 +129,28 @@ TEST(Points, NarrowPaintedStripsHaveTheirOwn) {
         walked.range.at(20, y) = std::numeric_limits<float>::infinity();
         walked.color.at(20, y) = {0, 1, 0};
     }
-    EXPECT_GT(of_color(project_views({first, walked}, small_params(), {}), {0, 255, 0}), 20);
+    EXPECT_GT(of_color(project_views({first, walked}, small_params(), {}), {0, 255, 0}), 2);
+}
+
+// Windows: a twentieth of the sphere, thirty metres away, took half of all points, many of them at one place.
+TEST(Points, TheOutsideTakesNoMoreThanItsPartOfThePicture) {
+    Panorama panorama = render_synthetic(room(), {}, kSize, 1);
+    int outside = 0;
+    for (int y = kSize.height * 3 / 8; y < kSize.height * 5 / 8; ++y)
+        for (int x = 0; x < kSize.width / 8; ++x) panorama.range.at(x, y) = std::numeric_limits<float>::infinity(), ++outside;
+    const std::vector<SurfacePoint> points = project_views({panorama}, small_params(), {}).points;
+    const auto far = static_cast<double>(std::count_if(points.begin(), points.end(), [](const SurfacePoint& p) { return length(p.position_m) > 20; }));
+    const double part = static_cast<double>(outside) / static_cast<double>(panorama.range.size());
+    EXPECT_GT(far, 0.5 * part * static_cast<double>(points.size()));
+    EXPECT_LT(far, 2.5 * part * static_cast<double>(points.size()));
+}
+
+TEST(Points, NothingStandsBehindTheSky) {
+    const Panorama first = render_synthetic(room(), {}, kSize, 1);
+    Panorama walked = first;
+    walked.known = Image<Known>(kSize.width, kSize.height, Known::invented);
+    for (float& r : walked.range.pixels) r = 2569.f;
+    for (const SurfacePoint& p : project_views({first, walked}, small_params(), {}).points) EXPECT_LE(length(p.position_m), 30.1f);
 }
 
 TEST(Points, SkyStandsFarAway) {
