@@ -83,8 +83,8 @@ int usage(const std::string& text) {
 
 // Two things are read when libraries are loaded, so a verb with networks begins anew with what nobody (the start script, the user) has said:
 // libtorch's threads sleep while they wait (spinning ones take the core from those that work: beside another program a depth map costs ten
-// times as much), and large blocks of memory come in large pages (a twentieth of the page faults, 4 % of a scene's CPU time). Where that is
-// not possible it goes on as it is.
+// times as much), and large blocks of memory come in large pages (a twentieth of the page faults). Where that is not possible it goes
+// on as it is.
 void begin_with_settings(const std::string& verb, char** argv) {
     if (!is_one_of(verb, {"make", "panorama", "depth", "walk", "inpaint", "splat", "metrics", "evaluate"})) return;
     static constexpr std::pair<const char*, const char*> kSettings[] = {{"OMP_WAIT_POLICY", "passive"}, {"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/io/ply.h"
 
 namespace fastscene {
@@ -23,7 +24,7 @@ fs::path mask_for(const fs::path& masks, const std::string& name) {
     const fs::path whole = masks / name;
     if (const fs::path file = whole.string() + ".png"; fs::is_regular_file(file)) return file;  // COLMAP's way
     if (fs::is_regular_file(whole)) return whole;
-    for (const char* ending : {".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".PNG", ".JPG", ".JPEG"}) {
+    for (const char* ending : kPictureEndings) {
         if (const fs::path file = fs::path(whole).replace_extension(ending); fs::is_regular_file(file)) return file;
         if (const fs::path file = whole.string() + ending; fs::is_regular_file(file)) return file;
     }

@@ -49,8 +49,7 @@ PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format)
 bool has_picture_ending(const fs::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff"};
-    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+    return std::find(kPictureEndings.begin(), kPictureEndings.end(), ending) != kPictureEndings.end();
 }
 
 PictureInfo picture_info(const fs::path& path) {

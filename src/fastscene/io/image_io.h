@@ -1,6 +1,7 @@
 // Pictures: .png .jpg .webp .tif .exr .pfm .hdr. One file a format; this header opens any of them, whatever the file is called.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,6 +16,8 @@ struct PictureInfo {
     int orientation = 1;        // as EXIF says how it is to be turned (image/orientation.h); load_rgb8 turns nothing
     bool light = false;         // floats: .exr .pfm .hdr, some .tif
 };
+// As color pictures are called, besides other mixes of large and small letters.
+inline constexpr std::array kPictureEndings{".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".PNG", ".JPG", ".JPEG"};
 // Whether a file of a folder is called like a color picture: .png .jpg .jpeg .webp .tif .tiff, small or large.
 bool has_picture_ending(const std::filesystem::path& path);
 // From the header alone, so that a huge or odd picture is refused before it is decoded.

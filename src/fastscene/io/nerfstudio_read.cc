@@ -65,9 +65,11 @@ class Transforms {
         if (folders_.images.empty() && folders_.downscale > 1 && path.has_parent_path())
             places.push_back(dir_ / (path.parent_path().string() + "_" + std::to_string(folders_.downscale)) / path.filename());
         if (folders_.images.empty()) places.push_back(dir_ / path);
-        for (const fs::path& place : places)
-            for (const char* ending : {"", ".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".JPG", ".PNG"})
+        for (const fs::path& place : places) {
+            if (fs::is_regular_file(place)) return place;
+            for (const char* ending : kPictureEndings)
                 if (const fs::path whole = place.string() + ending; fs::is_regular_file(whole)) return whole;
+        }
         return places.back();
     }
 

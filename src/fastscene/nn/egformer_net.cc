@@ -13,7 +13,6 @@ namespace {
 
 using at::Tensor;
 
-
 Tensor table_tensor(std::vector<float> values, at::IntArrayRef shape) { return at::from_blob(values.data(), shape, at::kFloat).clone(); }
 
 // A stage works on a grid of tokens, row-major: [N, height * width, channels].

@@ -7,7 +7,6 @@
 namespace fastscene {
 namespace {
 
-
 // Python's % on doubles: the result has the sign of the divisor.
 double floored_modulo(double value, double divisor) {
     const double rest = std::fmod(value, divisor);

@@ -423,8 +423,8 @@ void cat(Kit& k) {
 }
 
 constexpr Entry kDecor[] = {{"plant", plant}, {"plant_tree", plant_tree}, {"plant_small", plant_small}, {"vase", vase}, {"vase_small", vase_small}, {"picture", picture}, {"rug", rug}, {"curtain", curtain}, {"basket", basket},
-                              {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
-                              {"coat_rack", coat_rack}, {"cat", cat}};
+                            {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
+                            {"coat_rack", coat_rack}, {"cat", cat}};
 
 }  // namespace
 

@@ -291,7 +291,7 @@ void fireplace(Kit& k) {
 }
 
 constexpr Entry kFixtures[] = {{"kitchen_counter", kitchen_counter}, {"kitchen_island", kitchen_island}, {"fridge", fridge}, {"washing_machine", washing_machine}, {"toilet", toilet}, {"bathtub", bathtub}, {"shower", shower},
-                              {"washbasin", washbasin}, {"mirror", mirror}, {"towel_rail", towel_rail}, {"radiator", radiator}, {"fireplace", fireplace}};
+                               {"washbasin", washbasin}, {"mirror", mirror}, {"towel_rail", towel_rail}, {"radiator", radiator}, {"fireplace", fireplace}};
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 namespace fastscene::furniture {
 namespace {
 
-
 void feet(Kit& k, int wood, float width, float depth, float high, float lean = 0.02f) {
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) {

@@ -337,7 +337,7 @@ void cushion(Kit& k) {
 }
 
 constexpr Entry kSeats[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
-                              {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}};
+                            {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}};
 
 }  // namespace
 

@@ -334,8 +334,8 @@ void toy_box(Kit& k) {
 }
 
 constexpr Entry kTables[] = {{"coffee_table", coffee_table}, {"side_table", side_table}, {"dining_table", dining_table}, {"dining_table_round", dining_table_round}, {"console_table", console_table}, {"desk", desk},
-                              {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"tv_stand", tv_stand},
-                              {"bookshelf", bookshelf}, {"shelf", shelf}, {"ladder_shelf", ladder_shelf}, {"toy_box", toy_box}};
+                             {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"tv_stand", tv_stand},
+                             {"bookshelf", bookshelf}, {"shelf", shelf}, {"ladder_shelf", ladder_shelf}, {"toy_box", toy_box}};
 
 }  // namespace
 

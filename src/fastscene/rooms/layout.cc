@@ -60,9 +60,22 @@ bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, fl
 }
 
 bool clear_of_walls(const Plan& plan, const Placed& placed) {
-    constexpr float kPanelling = 0.035f;  // stands proud of the wall
     const bool stands = placed.piece.mount == Mount::floor && !placed.flat && placed.on < 0;
     return plan.holds(footprint_of(placed, plan.panelling && stands ? kPanelling : 0.f));
+}
+
+bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& p) {
+    for (const WallFace& face : faces) {
+        const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2, off = dot(p.position - face.origin, face.inward);
+        if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half || u > face.length - half) continue;
+        return wall_is_free(plan, face, u - half, u + half, p.position.y, p.position.y + p.piece.size_m.y);
+    }
+    return false;
+}
+
+void Layout::find_ways() {
+    ways_ = Ways(plan_);
+    for (const Placed& p : placed_) ways_.add(p);
 }
 
 bool Layout::fits(const Placed& placed, bool with_clearance) const {

@@ -13,6 +13,7 @@
 namespace fastscene {
 
 inline constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
+inline constexpr float kPanelling = 0.035f;      // stands proud of the wall
 inline constexpr float kSlotStep = 0.07f;        // between the places along a wall that are tried
 
 // A piece and its pose. The front (+z of the object) looks along (sin yaw, 0, cos yaw).
@@ -31,6 +32,8 @@ struct Placed {
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
 // In the door's way, tall before a window, or in its sill.
 bool blocks_opening(const Plan& plan, const Footprint& box);
+// Whether a piece of wall carries it, clear of doors and windows.
+bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& placed);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);
 // No door and no window in this part of a wall face.
@@ -140,7 +143,8 @@ class Layout {
     float ease_of(Vec3f eye) const;
     // Whether a thing may stand there on its top: in the room, out of others. `self`: its own index, if it has one.
     bool free_on_top(const Placed& placed, int self = -1) const;
-    bool hangs(const Placed& placed) const;
+    // Anew, when pieces have moved or left.
+    void find_ways();
     // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
     bool has_spare(const Placed& placed, const Spare& spare) const;

@@ -10,7 +10,6 @@
 namespace fastscene {
 namespace {
 
-
 // Pieces that move as one; `root` is the one the others were placed by.
 struct Group {
     int root = 0;
@@ -154,21 +153,13 @@ class Annealer {
         return {k};
     }
 
-    bool hangs(const Placed& p) const {
-        for (const WallFace& face : faces_) {
-            const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2, off = dot(p.position - face.origin, face.inward);
-            if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half || u > face.length - half) continue;
-            return wall_is_free(plan_, face, u - half, u + half, p.position.y, p.position.y + p.piece.size_m.y);
-        }
-        return false;
-    }
     // In the room, apart from all others, off doors and windows.
     bool stands_well(int group) {
         for (const int i : groups_[static_cast<std::size_t>(group)].members) {
             const Placed& p = at(i);
             const Footprint& box = boxes_[static_cast<std::size_t>(i)];
             if (!clear_of_walls(plan_, p)) return false;
-            if (p.piece.mount == Mount::wall && p.on < 0 && !hangs(p)) return false;
+            if (p.piece.mount == Mount::wall && p.on < 0 && !hangs_on_wall(plan_, faces_, p)) return false;
             if (p.piece.mount == Mount::floor && !p.flat && p.on < 0 && blocks_opening(plan_, box)) return false;
             for (std::size_t k = 0; k < placed_.size(); ++k) {
                 if (group_[k] == group || placed_[k].flat != p.flat) continue;
@@ -219,8 +210,7 @@ void Layout::improve() {
             bare[i].position = placed_[i].position, bare[i].yaw = placed_[i].yaw;
             placed_[i].position = (*stands)[i].position, placed_[i].yaw = (*stands)[i].yaw;
         }
-        ways_ = Ways(plan_);
-        for (const Placed& p : placed_) ways_.add(p);
+        find_ways();
         const Vec3f eye = camera_position();
         if (room_faults(plan_, placed_, eye).empty() && likely_hidden(eye) <= hidden) {
             annealed_.after = layout_cost(plan_, placed_).sum();

@@ -11,7 +11,6 @@
 namespace fastscene::furnishing {
 namespace {
 
-bool is_beside(const std::string& relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"}); }
 bool is_before(const std::string& relation) { return is_one_of(relation, {"in front of", "at the foot of"}); }
 
 // Two pieces must stand before what is asked to be between them can.

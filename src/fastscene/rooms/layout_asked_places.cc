@@ -145,8 +145,7 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
         if (wish.relation == "left of") sides = {-1};
         if (wish.relation == "right of") sides = {1};
         std::optional<int> stand;
-        if (anchor &&
-            (wish.relation == "next to" || wish.relation == "on both sides of" || wish.relation == "left of" || wish.relation == "right of"))
+        if (anchor && is_beside(wish.relation))
             for (const int side : sides)
                 if (!stand) stand = l_.beside(*anchor, table, side, 0.06f);
         if (!stand) stand = l_.against_wall(table, {.center_pull = 0.2f, .corner = wish.relation == "in the corner"});

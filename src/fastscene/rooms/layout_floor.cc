@@ -18,7 +18,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     p.piece = make_piece(request);
     const Vec3f size = p.piece.size_m;
     // Panelling and its rail stand proud of the wall; so does the sill of a window that the piece reaches up to.
-    const float gap = plan_.panelling ? 0.04f : kWallGap;
+    const float gap = plan_.panelling ? kPanelling + 0.005f : kWallGap;
     const auto gap_at = [&](const WallFace& face, float u) {
         const bool at_sill = std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
             const float left = face.from + u - size.x / 2, right = left + size.x;
@@ -139,7 +139,7 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
             for (const Vec2f corner : corners_of(box)) fine = fine && distance_to(top, corner) <= 0.005f;
             fine = fine && !tops.empty() && free_on_top(p);
         } else if (p.piece.mount == Mount::wall) {
-            fine = fine && hangs(p) &&
+            fine = fine && hangs_on_wall(plan_, faces_, p) &&
                    std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return overlap(box, footprint_of(other)); });
         } else if (p.piece.mount == Mount::ceiling) {
             fine = fine && std::none_of(placed_.begin(), placed_.end(),
@@ -150,16 +150,6 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
         if (fine && std::isfinite(as_asked(p, from))) return keep(p, from);
     }
     return {};
-}
-
-// Whether a piece of the wall carries it, clear of doors and windows.
-bool Layout::hangs(const Placed& p) const {
-    for (const WallFace& face : faces_) {
-        const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2, off = dot(p.position - face.origin, face.inward);
-        if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half || u > face.length - half) continue;
-        return wall_is_free(plan_, face, u - half, u + half, p.position.y, p.position.y + p.piece.size_m.y);
-    }
-    return false;
 }
 
 std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const PromptObject& from) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout.h"
 
 namespace fastscene::furnishing {
@@ -28,6 +29,8 @@ struct Ask {
 
 // Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and plant_small too).
 bool is_settled(const PromptSpec& spec, std::string_view klass);
+
+inline bool is_beside(std::string_view relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"}); }
 
 // While it lives, pieces stand where this wish says or not at all.
 class Insisting {

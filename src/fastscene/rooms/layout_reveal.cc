@@ -1,9 +1,9 @@
 // What was asked for is seen: small things stand on that side of a top which the camera sees, and nothing that nobody asked for hides them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_sight.h"
 
@@ -14,27 +14,8 @@ constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is lo
 
 // What a room keeps even when nobody asked for it.
 bool makes_the_room(std::string_view klass) {
-    static constexpr std::array<std::string_view, 20> kMain{"bed",
-                                                            "bed_single",
-                                                            "crib",
-                                                            "sofa",
-                                                            "loveseat",
-                                                            "dining_table",
-                                                            "dining_table_round",
-                                                            "desk",
-                                                            "kitchen_counter",
-                                                            "fridge",
-                                                            "kitchen_island",
-                                                            "bathtub",
-                                                            "shower",
-                                                            "toilet",
-                                                            "curtain",
-                                                            "washbasin",
-                                                            "washing_machine",
-                                                            "wardrobe",
-                                                            "tv",
-                                                            "blind"};
-    return std::find(kMain.begin(), kMain.end(), klass) != kMain.end();
+    return is_one_of(klass, {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "dining_table_round", "desk", "kitchen_counter", "fridge",
+                             "kitchen_island", "bathtub", "shower", "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain", "blind"});
 }
 
 }  // namespace
@@ -102,8 +83,7 @@ void Layout::take_away(std::vector<int> pieces) {
         for (int* index : {&p.on, &p.below, &p.with})
             if (*index >= 0) *index = now[static_cast<std::size_t>(*index)];
     placed_ = std::move(left);
-    ways_ = Ways(plan_);
-    for (const Placed& p : placed_) ways_.add(p);
+    find_ways();
 }
 
 namespace furnishing {

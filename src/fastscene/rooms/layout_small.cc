@@ -11,7 +11,6 @@
 namespace fastscene {
 namespace {
 
-
 // A thing that hangs on walls set upright on a top: a clock or a picture on the mantelpiece.
 void stand_up(Piece& piece) {
     for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, -piece.size_m.z / 2});

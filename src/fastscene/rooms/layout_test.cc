@@ -12,7 +12,6 @@
 namespace fastscene {
 namespace {
 
-
 struct LaidOut {
     PromptSpec spec;
     Plan plan;

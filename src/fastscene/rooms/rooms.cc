@@ -14,7 +14,6 @@
 namespace fastscene {
 namespace {
 
-
 struct Daylight {
     const char* name;
     Sky::Time time;

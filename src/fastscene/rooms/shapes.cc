@@ -9,7 +9,6 @@
 namespace fastscene::shapes {
 namespace {
 
-
 float cell(int x, int y, int z, std::uint32_t seed) {
     const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 42) ^
                      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 21) ^ static_cast<std::uint32_t>(z) ^

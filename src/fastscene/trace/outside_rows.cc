@@ -7,7 +7,6 @@
 namespace fastscene::outside {
 namespace {
 
-
 // Where the ray meets the plane that faces the viewer at an azimuth: metres to the right of it, and above the ground.
 Vec2f on_plane(float da, float height, float distance_m, float eye_m) {
     return {std::tan(da) * distance_m, std::tan(height) * distance_m / std::max(0.05f, std::cos(da)) + eye_m};

@@ -14,7 +14,6 @@ namespace {
 constexpr int kMaxBounces = 48;
 constexpr int kSureBounces = 3;   // no path ends before by chance
 
-
 // What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
 struct Arrival {
     float density = 0;       // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full

@@ -3,7 +3,6 @@
 namespace fastscene::patterns {
 namespace {
 
-
 // Signed distance inside (> 0) of a rose curve with `petals` petals of radius r.
 float rose(Vec2f p, int petals, float r, float depth) {
     const float d = length(p), a = std::atan2(p.y, p.x);

@@ -11,8 +11,6 @@
 namespace fastscene {
 namespace {
 
-
-
 // What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
 struct Mirrored {
     Vec3f light, rest;

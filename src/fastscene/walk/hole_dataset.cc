@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 std::vector<double> numbers_in(const std::string& flag, const std::string& list) {
     std::vector<double> out;
     for (std::size_t begin = 0; begin <= list.size();) {

@@ -10,7 +10,6 @@
 namespace fastscene {
 namespace {
 
-
 // Sines and cosines of the rows' latitudes and the columns' longitudes.
 struct Angles {
     std::vector<double> sine, cosine;
