@@ -22,9 +22,9 @@ struct BlendGrad {
     F weight;  // blending weight; dL/d(splat color) = weight * v
 };
 
+// The gradient for one splat whose raw_alpha() here is `raw`.
 template <bool kDepth = false, class F>
-[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
-    const F raw = raw_alpha(s, dx, dy);
+[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F raw) {
     const F alpha = shown_alpha(raw);
     const F weight = alpha * pixel.transmittance;
     F vc = dot(pixel.v, s.color);

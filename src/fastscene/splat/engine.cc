@@ -10,11 +10,10 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/splat/depth_loss.h"
+#include "fastscene/splat/depth_sort.h"
 
 namespace fastscene::splat {
 namespace {
-
-constexpr std::int64_t kPiece = 2048;  // splats a projection or update piece: enough to pay for a task
 
 // Adds the CPU time of all threads until its end to `sum`.
 class Stopwatch {
@@ -135,78 +134,90 @@ void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& worl
 
 void Engine::project(const Cloud& cloud) {
     const Stopwatch watch(times.project);
-    grow(records_, static_cast<std::size_t>(cloud.padded() * records_a_splat(lens_.model)));
-    const ProjectJob job{
-        cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
-    piece_visible_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), 0);
+    const auto room = static_cast<std::size_t>(cloud.padded() * records_a_splat(lens_.model));
+    grow(records_, room), grow(piece_keys_, room), grow(piece_boxes_, room);
+    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), piece_keys_.data(), piece_boxes_.data(),
+                         cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
+    pieces_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), {});
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
-        piece_visible_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
+        pieces_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
     });
+    piece_slot_.clear();
+    visible_ = 0;
+    std::size_t slots = 0;
+    for (const PieceCount& piece : pieces_) {
+        piece_slot_.push_back(static_cast<std::uint32_t>(slots));
+        visible_ += piece.records, slots += piece.slots;
+    }
+    slots_used_ = static_cast<std::int64_t>(slots);
 }
 
-// Front to back by depth; equal depths keep the order of the splats (the radix sort is stable).
+// Front to back by depth; equal depths keep the order of the splats.
 void Engine::sort() {
     const Stopwatch watch(times.sort);
     keys_.clear();
-    std::uint32_t slot = 0;
-    for (std::size_t piece = 0; piece < piece_visible_.size(); ++piece) {
-        const std::int64_t begin = static_cast<std::int64_t>(piece) * kPiece * records_a_splat(lens_.model);
-        for (std::int64_t i = begin; i < begin + piece_visible_[piece]; ++i) {
-            Record& r = records_[static_cast<std::size_t>(i)];
-            r.first_slot = slot;
-            slot += static_cast<std::uint32_t>(r.tiles_wide) * r.tiles_high;
-            // Depths are positive: their bits order like the numbers.
-            keys_.push_back(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(r.depth_z)) << 32 | static_cast<std::uint64_t>(i));
-        }
+    keys_.reserve(static_cast<std::size_t>(visible_));
+    for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+        const auto first = piece_keys_.begin() + static_cast<std::ptrdiff_t>(piece) * records_a_piece();
+        keys_.insert(keys_.end(), first, first + pieces_[piece].records);
     }
-    visible_ = static_cast<std::int64_t>(keys_.size());
-    slots_used_ = slot;
-    keys_other_.resize(keys_.size());
-    constexpr int kDigit = 11;
-    std::array<std::array<std::uint32_t, 1 << kDigit>, 3> counts{};
-    for (const std::uint64_t k : keys_)
-        for (std::size_t d = 0; d < 3; ++d) ++counts[d][k >> (32 + d * kDigit) & ((1 << kDigit) - 1)];
-    for (std::size_t d = 0; d < 3; ++d) {
-        std::uint32_t sum = 0;
-        for (std::uint32_t& c : counts[d]) c = std::exchange(sum, sum + c);
-        for (const std::uint64_t k : keys_) keys_other_[counts[d][k >> (32 + d * kDigit) & ((1 << kDigit) - 1)]++] = k;
-        keys_.swap(keys_other_);
-    }
-    rectangles_.resize(keys_.size());
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
-        const Record& r = records_[static_cast<std::uint32_t>(keys_[i])];
-        rectangles_[i] = {r.tile_x, r.tile_y, r.tiles_wide, r.tiles_high};
-    }
+    sort_by_depth(keys_, keys_other_);
 }
 
-// A list per tile. Each piece owns some rows of tiles and walks all splats in depth order.
+// A list per tile. Each piece holds some splats that follow each other in depth.
 void Engine::bin() {
     const Stopwatch watch(times.bin);
-    constexpr int kRows = 8;
-    const auto columns = static_cast<std::size_t>(tiles_x_);
-    std::fill(tile_begin_.begin(), tile_begin_.end(), 0u);
-    std::uint32_t* const next = tile_begin_.data();
-    const auto each = [&](auto&& visit) {
-        parallel_for(tiles_y_, kRows, [&](std::int64_t begin, std::int64_t end) {
-            for (std::size_t i = 0; i < rectangles_.size(); ++i) {
-                const Rectangle r = rectangles_[i];
-                const std::int64_t low = std::max<std::int64_t>(begin, r.y), high = std::min<std::int64_t>(end, r.y + r.high);
-                for (std::int64_t y = low; y < high; ++y) {
-                    std::uint32_t* row = next + static_cast<std::size_t>(y) * columns + r.x;
-                    for (std::size_t x = 0; x < r.wide; ++x) visit(row[x], i);
-                }
-            }
+    const int pieces = depth_pieces(keys_.size());
+    const auto columns = static_cast<std::size_t>(tiles_x_), rows = static_cast<std::size_t>(tiles_y_), tiles = columns * rows;
+    boxes_.resize(keys_.size());
+    piece_tiles_.resize(static_cast<std::size_t>(pieces) * tiles);
+    const auto each_piece = [&](auto&& work) {
+        parallel_for(pieces, 1, [&](std::int64_t piece, std::int64_t) {
+            const int p = static_cast<int>(piece);
+            work(piece_tiles_.data() + static_cast<std::size_t>(piece) * tiles, piece_begin(keys_.size(), p, pieces), piece_begin(keys_.size(), p + 1, pieces));
         });
     };
-    each([](std::uint32_t& count, std::size_t) { ++count; });
+    // How many of a piece's boxes hold each tile: a step up or down at their corners, summed along the rows and down the columns.
+    each_piece([&](std::uint32_t* count, std::size_t begin, std::size_t end) {
+        const std::size_t width = columns + 1;
+        std::vector<std::uint32_t> steps(width * (rows + 1));
+        for (std::size_t i = begin; i < end; ++i) {
+            const TileBox box = boxes_[i] = piece_boxes_[static_cast<std::uint32_t>(keys_[i])];
+            std::uint32_t* const top = steps.data() + box.y * width + box.x;
+            std::uint32_t* const below = top + box.high * width;
+            ++top[0], --top[box.wide], --below[0], ++below[box.wide];
+        }
+        for (std::size_t y = 0; y < rows; ++y)
+            for (std::size_t x = 0, sum = 0; x < columns; ++x) {
+                sum += steps[y * width + x];
+                count[y * columns + x] = static_cast<std::uint32_t>(sum) + (y ? count[(y - 1) * columns + x] : 0);
+            }
+    });
     std::uint32_t sum = 0;
-    for (std::uint32_t& c : tile_begin_) c = std::exchange(sum, sum + c);
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+        tile_begin_[tile] = sum;
+        for (std::size_t piece = 0; piece < static_cast<std::size_t>(pieces); ++piece) {
+            std::uint32_t& count = piece_tiles_[piece * tiles + tile];
+            count = std::exchange(sum, sum + count);
+        }
+    }
+    tile_begin_[tiles] = sum;
     list_.resize(sum);
     masks_.resize(sum);
-    each([&](std::uint32_t& at, std::size_t i) { list_[at++] = static_cast<std::uint32_t>(keys_[i]); });
-    // Every counter now stands at its tile's end, which is the next one's begin.
-    std::copy_backward(tile_begin_.begin(), tile_begin_.end() - 1, tile_begin_.end());
-    tile_begin_[0] = 0;
+    each_piece([&](std::uint32_t* next, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const TileBox box = boxes_[i];
+            const auto record = static_cast<std::uint32_t>(keys_[i]);
+            std::uint32_t* row = next + box.y * columns + box.x;
+            // One loop over the box, not two: how long it runs is what the processor cannot foresee.
+            for (std::uint32_t x = 0, left = std::uint32_t{box.wide} * box.high; left; --left) {
+                list_[row[x]++] = record;
+                const bool last = ++x == box.wide;
+                row += last ? columns : 0;
+                x = last ? 0 : x;
+            }
+        }
+    });
 }
 
 Frame Engine::frame(bool depth) {
@@ -217,6 +228,7 @@ Frame Engine::frame(bool depth) {
     f.depth = depth ? depth_.data() : nullptr;
     f.background[0] = background_.x, f.background[1] = background_.y, f.background[2] = background_.z;
     f.records = records_.data(), f.list = list_.data(), f.tile_begin = tile_begin_.data();
+    f.piece_slot = piece_slot_.data(), f.records_a_piece = records_a_piece();
     f.masks = masks_.data(), f.slots = slots_.data();
     return f;
 }
@@ -301,7 +313,6 @@ void Engine::update(Cloud& cloud, UpdateJob& job) {
     job.seen_weight = cloud.seen_weight.empty() ? nullptr : cloud.seen_weight.data();
     job.seen_error = cloud.seen_error.empty() ? nullptr : cloud.seen_error.data();
     job.records = records_.data();
-    job.slots = slots_.data();
     job.lens = lens_;
     if (cloud.degree) {
         job.degree = cloud.degree, job.rest = cloud.rest.data();
@@ -313,7 +324,9 @@ void Engine::update(Cloud& cloud, UpdateJob& job) {
     }
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t record = begin * records_a_splat(lens_.model);
-        kernel_.update(job, begin, end, record, record + piece_visible_[static_cast<std::size_t>(begin / kPiece)]);
+        const auto piece = static_cast<std::size_t>(begin / kPiece);
+        const float* const slots = slots_.data() + std::size_t{piece_slot_[piece]} * kSlotFloats;
+        kernel_.update(job, begin, end, record, record + pieces_[piece].records, slots);
     });
 }
 

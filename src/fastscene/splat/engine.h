@@ -109,14 +109,18 @@ class Engine {
     Vec3f background_;
     AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_;
     bool depth_counts_ = false;                 // in the gradient to come
+    // As projection left them, piece after piece of splats, with gaps between the pieces.
     AlignedVector<Record> records_;
-    std::vector<std::int64_t> piece_visible_;   // records in each piece of splats
+    std::vector<std::uint64_t> piece_keys_;
+    std::vector<TileBox> piece_boxes_;
+    std::vector<PieceCount> pieces_;
+    std::vector<std::uint32_t> piece_slot_;     // first gradient slot of each
+    int records_a_piece() const { return kPiece * records_a_splat(lens_.model); }
     std::int64_t visible_ = 0, slots_used_ = 0;
-    std::vector<std::uint64_t> keys_, keys_other_;  // depth bits << 32 | record
-    struct Rectangle {
-        std::uint16_t x, y, wide, high;
-    };
-    std::vector<Rectangle> rectangles_;         // in depth order
+    // In depth order.
+    std::vector<std::uint64_t> keys_, keys_other_;
+    std::vector<TileBox> boxes_;
+    std::vector<std::uint32_t> piece_tiles_;    // per piece of them and tile: where in the tile's list it goes on
     std::vector<std::uint32_t> tile_begin_, list_;
     std::vector<std::uint16_t> masks_;
     AlignedFloats slots_;

@@ -1,107 +1,68 @@
-// The gradient of one tile. Pixels are lanes while blending; 16 splats' results are then turned around
-// so that splats are lanes, which makes the sums over the 16 pixels plain additions.
+// The gradient of one tile, splat after splat, front to back once more. A vector is a 4x4 block of pixels; what a
+// splat's blocks say is summed up in registers, lane by lane, and over the lanes once, when the splat's last block is done.
 #pragma once
+
+#include <initializer_list>
 
 #include "fastscene/splat/blend_grad.h"
 #include "fastscene/splat/isa_raster.h"
 
 namespace fastscene::splat::FASTSCENE_ISA {
 
-// Up to 16 splats' gradients at the 16 pixels of one block.
-struct Batch {
-    alignas(64) float g[16][16], weight[16][16];
-    alignas(64) float center_dx[16], center_dy[16];  // block center - splat center
-    int index[16];                                   // place in the chunk
-    int count = 0;
-};
-// dL/d color and the error at the 16 pixels, to be read one pixel at a time.
-struct BlockTargets {
-    alignas(64) float v[3][16], error[16], v_depth[16];
+// A block on its way to the back, and what its pixels ask for.
+struct BlockGrad {
+    PixelGradState<Lanes> pixel;
+    Lanes error;
 };
 
-// Moments of g about the block's center: pixel offsets are -1.5, -0.5, 0.5, 1.5 both ways.
-struct Moments {
-    Lanes one, x, y, xx, xy, yy;
-};
-inline Moments moments_of(const Lanes* g) {
-    Lanes one[4], x[4], xx[4];
-    for (int row = 0; row < 4; ++row) {
-        const Lanes outer = g[4 * row] + g[4 * row + 3], inner = g[4 * row + 1] + g[4 * row + 2];
-        one[row] = outer + inner;
-        x[row] = (g[4 * row + 3] - g[4 * row]) * Lanes(1.5f) + (g[4 * row + 2] - g[4 * row + 1]) * Lanes(0.5f);
-        xx[row] = outer * Lanes(2.25f) + inner * Lanes(0.25f);
+inline BlockGrad first_state(const Frame& f, std::ptrdiff_t at) {
+    const auto block = [&](const float* plane) { return load_block(plane + at, f.stride); };
+    const auto blocks = [&](const auto& planes) { return Vec3<Lanes>{block(planes[0]), block(planes[1]), block(planes[2])}; };
+    BlockGrad b;
+    b.pixel.transmittance = Lanes(1.f);
+    b.pixel.v = blocks(f.v);
+    b.pixel.rest = dot(b.pixel.v, blocks(f.color));
+    if (f.v_depth) {
+        b.pixel.v_depth = block(f.v_depth);
+        b.pixel.rest += b.pixel.v_depth * block(f.depth);
     }
-    const auto sum = [](const Lanes* r) { return (r[0] + r[3]) + (r[1] + r[2]); };
-    const auto first = [](const Lanes* r) { return (r[3] - r[0]) * Lanes(1.5f) + (r[2] - r[1]) * Lanes(0.5f); };
-    const auto second = [](const Lanes* r) { return (r[0] + r[3]) * Lanes(2.25f) + (r[1] + r[2]) * Lanes(0.25f); };
-    return {sum(one), sum(x), first(one), sum(xx), first(x), second(one)};
+    b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
+    return b;
 }
 
-// Kept out of line: inside the blending loop it would take that loop's registers.
+// The slot of one splat at one tile (kSlotFloats): moments of g = dL/d(ln alpha) about the splat's center, then color, weight, error, depth.
 template <bool kDepth>
-[[gnu::noinline]] inline void flush_batch(Batch& batch, const BlockTargets& target, float (*sums)[16]) {
-    for (int i = batch.count; i < 16; ++i) {
-        Lanes(0.f).store(batch.g[i]), Lanes(0.f).store(batch.weight[i]);
-        batch.center_dx[i] = batch.center_dy[i] = 0;
+[[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y, const BlockPixels& grid,
+                                                  BlockGrad* blocks) {
+    const Footprint<Lanes> splat = spread(s);
+    const Lanes from_x = grid.x + Lanes(tile_x - s.x), from_y = grid.y + Lanes(tile_y - s.y);
+    alignas(64) static constexpr float kCorner[4] = {0, 4, 8, 12};
+    Lanes one, x, y, xx, xy, yy, red, green, blue, weight, error, depth;
+    // The next block's alpha is asked for before this block's gradient, which waits for its own: the processor sees only some
+    // hundred operations ahead, and one visit after the other would leave half of its units idle.
+    const auto offset = [&](int block) { return Vec2<Lanes>{from_x + Lanes(kCorner[block % 4]), from_y + Lanes(kCorner[block / 4])}; };
+    int block = __builtin_ctz(touched);
+    Vec2<Lanes> d = offset(block);
+    Lanes raw = raw_alpha(splat, d.x, d.y);
+    for (;;) {
+        touched &= touched - 1;
+        const int next = __builtin_ctz(touched | 1u << 15);
+        const Vec2<Lanes> next_d = offset(next);
+        const Lanes next_raw = raw_alpha(splat, next_d.x, next_d.y);
+        BlockGrad& b = blocks[block];
+        const BlendGrad<Lanes> grad = blend_grad<kDepth>(b.pixel, splat, raw);
+        const Lanes gx = grad.g * d.x, gy = grad.g * d.y;
+        one += grad.g, x += gx, y += gy;
+        xx += gx * d.x, xy += gx * d.y, yy += gy * d.y;
+        red += grad.weight * b.pixel.v.x, green += grad.weight * b.pixel.v.y, blue += grad.weight * b.pixel.v.z;
+        weight += grad.weight;
+        error += grad.weight * b.error;
+        if constexpr (kDepth) depth += grad.weight * b.pixel.v_depth;
+        if (!touched) break;
+        block = next, d = next_d, raw = next_raw;
     }
-    Lanes pixels[16];
-    load_transposed16(batch.g, pixels);
-    const Moments m = moments_of(pixels);
-    const Lanes dx = Lanes::load(batch.center_dx), dy = Lanes::load(batch.center_dy);
-    load_transposed16(batch.weight, pixels);
-    Lanes out[16];
-    out[0] = m.one;
-    out[1] = m.x + dx * m.one;
-    out[2] = m.y + dy * m.one;
-    out[3] = m.xx + dx * (m.x + out[1]);
-    out[4] = m.xy + dx * m.y + dy * out[1];
-    out[5] = m.yy + dy * (m.y + out[2]);
-    for (int pixel = 0; pixel < 16; ++pixel) {
-        const Lanes w = pixels[pixel];
-        for (int c = 0; c < 3; ++c) out[6 + c] += w * Lanes(target.v[c][pixel]);
-        out[9] += w;
-        out[10] += w * Lanes(target.error[pixel]);
-        if constexpr (kDepth) out[11] += w * Lanes(target.v_depth[pixel]);
-    }
-    alignas(64) float rows[16][16];
-    for (int i = 0; i < 16; ++i) out[i].store(rows[i]);
-    load_transposed16(rows, out);
-    for (int i = 0; i < batch.count; ++i) {
-        float* sum = sums[batch.index[i]];
-        (Lanes::load(sum) + out[i]).store(sum);
-    }
-    batch.count = 0;
-}
-
-// All splats of `set` at one block; pixel state goes on to the next chunk.
-template <bool kDepth>
-[[gnu::always_inline]] inline void backward_block(const Chunk& chunk, std::uint64_t set, float corner_x, float corner_y, const BlockPixels& grid,
-                           const BlockTargets& target, PixelGradState<Lanes>& pixel_state, Batch& batch, float (*sums)[16]) {
-    const Lanes px = grid.x + Lanes(corner_x), py = grid.y + Lanes(corner_y);
-    PixelGradState<Lanes> pixel = pixel_state;
-    for (; set; set &= set - 1) {
-        const int index = __builtin_ctzll(set);
-        const Record& s = chunk.records[index];
-        const BlendGrad<Lanes> grad = blend_grad<kDepth>(pixel, spread(s), px - Lanes(s.x), py - Lanes(s.y));
-        const int i = batch.count++;
-        grad.g.store(batch.g[i]);
-        grad.weight.store(batch.weight[i]);
-        batch.center_dx[i] = corner_x + 2.f - s.x;
-        batch.center_dy[i] = corner_y + 2.f - s.y;
-        batch.index[i] = index;
-        if (batch.count == 16) flush_batch<kDepth>(batch, target, sums);
-    }
-    if (batch.count) flush_batch<kDepth>(batch, target, sums);
-    pixel_state = pixel;
-}
-
-inline void write_slots(const Frame& f, const Chunk& chunk, int tile_column, int tile_row, const float (*sums)[16]) {
-    for (int i = 0; i < chunk.count; ++i) {
-        const Record& r = chunk.records[i];
-        const std::size_t slot = r.first_slot + static_cast<std::size_t>(tile_row - r.tile_y) * r.tiles_wide +
-                                 static_cast<std::size_t>(tile_column - r.tile_x);
-        __builtin_memcpy(f.slots + slot * kSlotFloats, sums[i], kSlotFloats * sizeof(float));
-    }
+    const Lanes all[kSlotFloats] = {one, x, y, xx, xy, yy, red, green, blue, weight, error, depth};
+    return sums12(all);
 }
 
 template <bool kDepth>
@@ -109,39 +70,25 @@ inline void backward_tile(const Frame& f, int tile) {
     const FlushDenormals flush;
     const int column = tile % f.tiles_x, row = tile / f.tiles_x;
     const BlockPixels grid = block_pixels();
-    PixelGradState<Lanes> state[16];
-    BlockTargets targets[16];
-    for (int block = 0; block < 16; ++block) {
-        const std::ptrdiff_t at = (row * kTile + block / 4 * 4) * f.stride + column * kTile + block % 4 * 4;
-        PixelGradState<Lanes>& s = state[block];
-        s.v = {load_block(f.v[0] + at, f.stride), load_block(f.v[1] + at, f.stride), load_block(f.v[2] + at, f.stride)};
-        s.transmittance = Lanes(1.f);
-        s.rest = dot(s.v, Vec3<Lanes>{load_block(f.color[0] + at, f.stride), load_block(f.color[1] + at, f.stride),
-                                      load_block(f.color[2] + at, f.stride)});
-        BlockTargets& t = targets[block];
-        if constexpr (kDepth) {
-            s.v_depth = load_block(f.v_depth + at, f.stride);
-            s.rest += s.v_depth * load_block(f.depth + at, f.stride);
-            s.v_depth.store(t.v_depth);
-        }
-        s.v.x.store(t.v[0]), s.v.y.store(t.v[1]), s.v.z.store(t.v[2]);
-        (load_block(f.error[0] + at, f.stride) + load_block(f.error[1] + at, f.stride) + load_block(f.error[2] + at, f.stride)).store(t.error);
+    BlockGrad blocks[16];
+    for (int block = 0; block < 16; ++block)
+        blocks[block] = first_state(f, (row * kTile + block / 4 * 4) * f.stride + column * kTile + block % 4 * 4);
+    if (const int next = tile + 1; next < f.tiles_x * f.tiles_y) {
+        const std::ptrdiff_t corner = next / f.tiles_x * kTile * f.stride + next % f.tiles_x * kTile;
+        for (int c = 0; c < 3; ++c)
+            for (const float* plane : std::initializer_list<const float*>{f.color[c], f.v[c], f.error[c]}) fetch_tile<0>(plane + corner, f.stride);
     }
-    Chunk chunk;
-    Batch batch;
-    alignas(64) float sums[kChunk][16];
+    constexpr std::uint32_t kAhead = 8;  // records fetched before their turn: they lie in the splats' order, not in this one
     const std::uint32_t end = f.tile_begin[tile + 1];
-    for (std::uint32_t begin = f.tile_begin[tile]; begin < end; begin += kChunk) {
-        chunk.gather(f, begin, end);
-        __builtin_memset(chunk.masks, 0, sizeof chunk.masks);
-        __builtin_memcpy(chunk.masks, f.masks + begin, static_cast<std::size_t>(chunk.count) * sizeof(std::uint16_t));
-        transpose_masks(chunk.masks, chunk.sets);
-        __builtin_memset(sums, 0, sizeof sums);
-        for (int block = 0; block < 16; ++block)
-            if (chunk.sets[block])
-                backward_block<kDepth>(chunk, chunk.sets[block], static_cast<float>(column * kTile + block % 4 * 4),
-                               static_cast<float>(row * kTile + block / 4 * 4), grid, targets[block], state[block], batch, sums);
-        write_slots(f, chunk, column, row, sums);
+    for (std::uint32_t i = f.tile_begin[tile]; i < end; ++i) {
+        __builtin_prefetch(&f.records[f.list[i + kAhead < end ? i + kAhead : i]]);
+        const std::uint32_t record = f.list[i];
+        const Record& s = f.records[record];
+        Lanes sums;
+        if (f.masks[i]) sums = tile_gradient<kDepth>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
+        const std::size_t slot = f.piece_slot[record / static_cast<std::uint32_t>(f.records_a_piece)] + s.first_slot +
+                                 static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide + static_cast<std::size_t>(column - s.tile_x);
+        store12(sums, f.slots + slot * kSlotFloats);
     }
 }
 

@@ -24,30 +24,6 @@ inline Vec3<Lanes> more_color_of(const float* rest, int degree, std::int64_t fir
     return more_color(degree, sight_of(mean, lens.camera_center()), [&](int i) { return Lanes::load(block + i * kBlock); });
 }
 
-// What is written out of the vectors, one row of 16 floats each.
-struct Spill {
-    enum { kX, kY, kA, kB, kC, kOpacity, kR, kG, kBlue, kZ, kLeft, kRight, kTop, kBottom, kRows };
-    alignas(64) float at[kRows][kBlock];
-};
-
-inline Record record_of(const Spill& s, int lane, std::uint32_t splat) {
-    const auto get = [&](int row) { return s.at[row][lane]; };
-    Record r{};
-    r.x = get(Spill::kX), r.y = get(Spill::kY);
-    r.a = get(Spill::kA), r.b = get(Spill::kB), r.c = get(Spill::kC);
-    r.log2_opacity = get(Spill::kOpacity);
-    r.color[0] = get(Spill::kR), r.color[1] = get(Spill::kG), r.color[2] = get(Spill::kBlue);
-    r.depth_z = get(Spill::kZ);
-    r.dy_per_dx = -0.5f * r.b / r.c;
-    r.dx_per_dy = -0.5f * r.b / r.a;
-    r.splat = splat;
-    const int left = static_cast<int>(get(Spill::kLeft)) / kTile, right = static_cast<int>(get(Spill::kRight)) / kTile;
-    const int top = static_cast<int>(get(Spill::kTop)) / kTile, bottom = static_cast<int>(get(Spill::kBottom)) / kTile;
-    r.tile_x = static_cast<std::uint16_t>(left), r.tile_y = static_cast<std::uint16_t>(top);
-    r.tiles_wide = static_cast<std::uint16_t>(right - left + 1), r.tiles_high = static_cast<std::uint16_t>(bottom - top + 1);
-    return r;
-}
-
 // The other half of a splat that the seam cuts. One that reaches around more than the whole picture is cut there.
 inline Record across_seam(Record r, bool to_right, const Lanes& half_x, int lane, const ProjectJob& job) {
     alignas(64) float half[kBlock];
@@ -61,13 +37,20 @@ inline Record across_seam(Record r, bool to_right, const Lanes& half_x, int lane
     return r;
 }
 
-inline std::int64_t project_piece(const ProjectJob& job, std::int64_t begin, std::int64_t end) {
+inline PieceCount project_piece(const ProjectJob& job, std::int64_t begin, std::int64_t end) {
     const FlushDenormals flush;
     const Lens<Lanes> lens = spread(job.lens);
     const bool equirect = job.lens.equirect();
-    Record* const start = job.records + begin * records_a_splat(job.lens.model);
-    Record* out = start;
-    Spill spill;
+    const std::int64_t start = begin * records_a_splat(job.lens.model);
+    PieceCount count;
+    const auto add = [&](const Record& record) {
+        const std::int64_t at = start + count.records++;
+        Record& r = job.records[at] = record;
+        r.first_slot = count.slots;
+        count.slots += static_cast<std::uint32_t>(r.tiles_wide) * r.tiles_high;
+        job.keys[at] = static_cast<std::uint64_t>(__builtin_bit_cast(std::uint32_t, r.depth_z)) << 32 | static_cast<std::uint64_t>(at);
+        job.boxes[at] = {r.tile_x, r.tile_y, r.tiles_wide, r.tiles_high};
+    };
     for (std::int64_t first = begin; first < end; first += kBlock) {
         const Gaussian<Lanes> g = load_gaussians(job.parameters + first * kParameters);
         // Most splats lie behind the camera: skip the rest of the work when a whole block does.
@@ -88,16 +71,23 @@ inline std::int64_t project_piece(const ProjectJob& job, std::int64_t begin, std
         if (!bits) continue;
         std::uint32_t to_right = 0, to_left = 0;  // splats that also show a picture's width to the right, to the left
         if (equirect) to_right = (left < Lanes(0.f)).bits(), to_left = (right > last_x).bits();
-        const Lanes rows[Spill::kRows] = {f.x, f.y, f.a, f.b, f.c, f.log2_opacity, f.color.x, f.color.y, f.color.z, f.depth_z,
-                                          max(left, Lanes(0.f)), min(right, last_x), max(top, Lanes(0.f)), min(bottom, last_y)};
-        for (int i = 0; i < Spill::kRows; ++i) rows[i].store(spill.at[i]);
+        static_assert(kTile == 16);
+        const Lanes corner = sixteenths(max(left, Lanes(0.f)), max(top, Lanes(0.f))), far_corner = sixteenths(min(right, last_x), min(bottom, last_y));
+        const Lanes half_b = f.b * Lanes(-0.5f);
+        // The fields of Record, a row each; turned around, a record each.
+        Lanes rows[16] = {f.x,       f.y,           f.a,          f.b,          f.c,
+                          f.log2_opacity, f.color.x, f.color.y,   f.color.z,    f.depth_z,
+                          half_b / f.c, half_b / f.a, lane_numbers(static_cast<std::int32_t>(first)), Lanes(0.f), corner, spans(corner, far_corner)};
+        transpose16(rows);
+        Record record[kBlock];
+        __builtin_memcpy(record, rows, sizeof record);
         for (; bits; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
-            *out++ = record_of(spill, lane, static_cast<std::uint32_t>(first + lane));
-            if ((to_right | to_left) >> lane & 1) *out = across_seam(out[-1], to_right >> lane & 1, half_x, lane, job), ++out;
+            add(record[lane]);
+            if ((to_right | to_left) >> lane & 1) add(across_seam(record[lane], to_right >> lane & 1, half_x, lane, job));
         }
     }
-    return out - start;
+    return count;
 }
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

@@ -12,13 +12,13 @@ inline constexpr float kBeta1 = 0.9f, kBeta2 = 0.999f, kEpsilon = 1e-15f;
 
 // Adds the slots of the block's records to `sums` (one row a splat); returns which splats were seen.
 inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std::int64_t& record, std::int64_t record_end,
-                               Lanes* sums) {
+                               const float* piece_slots, Lanes* sums) {
     std::uint32_t seen = 0;
     for (; record < record_end && job.records[record].splat < block_end; ++record) {
         const Record& r = job.records[record];
         const int lane = static_cast<int>(r.splat % kBlock);
         const int slots = r.tiles_wide * r.tiles_high;
-        const float* in = job.slots + static_cast<std::size_t>(r.first_slot) * kSlotFloats;
+        const float* in = piece_slots + static_cast<std::size_t>(r.first_slot) * kSlotFloats;
         Lanes sum;
         // The four floats read past a slot belong to the next one (or to the padding at the end) and end in unused columns.
         for (int i = 0; i < slots; ++i) sum += Lanes::load(in + i * kSlotFloats);
@@ -66,14 +66,14 @@ inline void pull(const UpdateJob& job, const Gaussian<Lanes>& g, Lanes* gradient
     for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_pull));
 }
 
-inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t end, std::int64_t record, std::int64_t record_end) {
+inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t end, std::int64_t record, std::int64_t record_end, const float* slots) {
     const FlushDenormals flush;
     const Lens<Lanes> lens = spread(job.lens);
     for (std::int64_t first = begin; first < end; first += kBlock) {
         Lanes sums[16];
         Lanes gradient[kParameters];
         const std::int64_t base = first * kParameters;
-        if (const std::uint32_t seen = sum_slots(job, first + kBlock, record, record_end, sums)) {
+        if (const std::uint32_t seen = sum_slots(job, first + kBlock, record, record_end, slots, sums)) {
             transpose16(sums);
             const Gaussian<Lanes> g = load_gaussians(job.parameters + base);
             const Projection<Lanes> p = project(g, lens, more_color_of(job.rest, job.degree, first, g.mean, lens));

@@ -20,10 +20,21 @@ struct alignas(64) Record {
     float color[3];
     float depth_z;
     float dy_per_dx, dx_per_dy;             // where alpha is largest along a column, along a row
-    std::uint32_t splat, first_slot;        // its gradient slots: one per tile of its rectangle, row-major
+    std::uint32_t splat, first_slot;        // its gradient slots: one per tile of its rectangle, row-major, counted from its piece's first
     std::uint16_t tile_x, tile_y, tiles_wide, tiles_high;
 };
 static_assert(sizeof(Record) == 64);
+
+// The tiles that a record's ellipse may touch.
+struct TileBox {
+    std::uint16_t x, y, wide, high;
+};
+inline constexpr int kPiece = 2048;  // splats projected and updated at a time: enough to pay for a task
+// What projecting a piece gave.
+struct PieceCount {
+    std::int64_t records = 0;
+    std::uint32_t slots = 0;
+};
 
 // Splats in blocks of 16: block k holds its 14 parameters one after the other, 16 floats each.
 struct ProjectJob {
@@ -31,7 +42,10 @@ struct ProjectJob {
     std::int64_t count;
     Lens<float> lens;
     int width, height;
-    Record* records;  // records of splats [begin, end) are written from records[records_a_splat * begin] on, in order
+    // Of splats [begin, end) these are written from records_a_splat * begin on, in order.
+    Record* records;
+    std::uint64_t* keys;  // bits of the depth << 32 | number of the record: depths are positive, so their bits order like the numbers
+    TileBox* boxes;
     const float* rest = nullptr;  // coefficients of the higher bands, in blocks like the parameters
     int degree = 0;
 };
@@ -52,6 +66,8 @@ struct Frame {
     const Record* records;
     const std::uint32_t* list;        // record numbers, tile after tile, front to back
     const std::uint32_t* tile_begin;  // tiles + 1
+    const std::uint32_t* piece_slot;  // per piece of splats: its first slot
+    int records_a_piece;
     std::uint16_t* masks;             // per list entry: which of the tile's 4x4 blocks of 4x4 pixels it touches
     float* slots;
 };
@@ -76,7 +92,6 @@ struct UpdateJob {
     float* first_moment;
     float* second_moment;
     const Record* records;
-    const float* slots;
     Lens<float> lens;
     float rate[kParameters];    // Adam's step sizes, bias correction of the first moment included
     float inv_sqrt_bias2;       // 1 / sqrt(1 - beta2^t)
@@ -98,16 +113,16 @@ struct UpdateJob {
 
 struct Kernel {
     const char* name;
-    // Returns the number of visible splats among [begin, end); begin is a multiple of kBlock.
-    std::int64_t (*project)(const ProjectJob&, std::int64_t begin, std::int64_t end);
+    // The visible ones among splats [begin, end); begin is a multiple of kBlock.
+    PieceCount (*project)(const ProjectJob&, std::int64_t begin, std::int64_t end);
     void (*forward)(const Frame&, int tile);
     void (*backward)(const Frame&, int tile);
     // Floats of scratch memory the loss needs for a picture of this stride.
     std::ptrdiff_t (*loss_scratch)(std::ptrdiff_t stride);
     // Loss of the rows [row_begin, row_end), their v and their error.
     LossSums (*loss)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
-    // Records [record_begin, record_end) belong to splats [begin, end).
-    void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end);
+    // A piece: records [record_begin, record_end) belong to splats [begin, end), and their slots begin at `slots`.
+    void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end, const float* slots);
 };
 inline constexpr int kLossRows = 128;  // rows a loss piece handles at most; its neighbours' 10 nearest are done twice
 

@@ -61,6 +61,22 @@ inline Lanes cut(Lanes x, Lanes low, Lanes high) {
     return Lanes(_mm512_maskz_min_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r, high.r));
 }
 
+// Integers that travel as the bits of lanes.
+inline Lanes lane_numbers(std::int32_t first) {
+    const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    return Lanes(_mm512_castsi512_ps(_mm512_add_epi32(_mm512_set1_epi32(first), lane)));
+}
+// floor(x / 16) in the lower, floor(y / 16) in the upper 16 bits; 0 <= x, y < 2^20.
+inline Lanes sixteenths(Lanes x, Lanes y) {
+    const __m512i low = _mm512_srli_epi32(_mm512_cvttps_epi32(x.r), 4), high = _mm512_slli_epi32(_mm512_cvttps_epi32(y.r), 12);
+    return Lanes(_mm512_castsi512_ps(_mm512_or_si512(low, _mm512_and_si512(high, _mm512_set1_epi32(static_cast<int>(0xffff0000u))))));
+}
+// How many there are from one pair to another, both counted.
+inline Lanes spans(Lanes from, Lanes to) {
+    const __m512i between = _mm512_sub_epi32(_mm512_castps_si512(to.r), _mm512_castps_si512(from.r));
+    return Lanes(_mm512_castsi512_ps(_mm512_add_epi32(between, _mm512_set1_epi32(0x00010001))));
+}
+
 #else
 
 typedef float Half __attribute__((vector_size(32)));
@@ -157,6 +173,17 @@ inline Lanes cut(Lanes x, Lanes low, Lanes high) {
 inline Lanes reciprocal_estimate(Lanes a) { return Lanes(1.f) / a; }
 inline Lanes cut(Lanes x, Lanes low, Lanes high) { return select(x >= low, min(x, high), Lanes(0.f)); }
 #endif
+
+inline Lanes lane_numbers(std::int32_t first) {
+    const HalfBits lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    return {(Half)(lane + first), (Half)(lane + (first + 8))};
+}
+inline Half sixteenths(Half x, Half y) {
+    return (Half)((__builtin_convertvector(x, HalfBits) >> 4) | ((__builtin_convertvector(y, HalfBits) >> 4) << 16));
+}
+inline Lanes sixteenths(Lanes x, Lanes y) { return {sixteenths(x.lo, y.lo), sixteenths(x.hi, y.hi)}; }
+inline Half spans(Half from, Half to) { return (Half)((HalfBits)to - (HalfBits)from + 0x00010001); }
+inline Lanes spans(Lanes from, Lanes to) { return {spans(from.lo, to.lo), spans(from.hi, to.hi)}; }
 
 #endif
 
@@ -297,6 +324,69 @@ inline void load_transposed16(const float (*rows)[16], Lanes* out) {
     transpose16(out);
 #endif
 }
+
+// Lane i = the sum over all lanes of r[i], i < 12; zero beyond. Halves are folded and two sums put into one vector at
+// each level, so 12 sums cost 26 shuffles and not 48.
+inline Lanes sums12(const Lanes* r) {
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+    // Quarters of the result: a, b = r[i], r[4 + i]; c = r[8 + i]; each of them still in four parts.
+    const auto quarters = [&](int i) {
+        const __m512 a = r[i].r, b = r[4 + i].r, c = r[8 + i].r;
+        const __m512 ab = _mm512_shuffle_f32x4(a, b, 0x44) + _mm512_shuffle_f32x4(a, b, 0xee);
+        const __m512 cc = _mm512_zextps256_ps512(_mm512_castps512_ps256(c) + _mm512_extractf32x8_ps(c, 1));
+        return _mm512_shuffle_f32x4(ab, cc, 0x88) + _mm512_shuffle_f32x4(ab, cc, 0xdd);
+    };
+    const __m512 q0 = quarters(0), q1 = quarters(1), q2 = quarters(2), q3 = quarters(3);
+    const __m512d p = _mm512_castps_pd(_mm512_unpacklo_ps(q0, q1) + _mm512_unpackhi_ps(q0, q1));
+    const __m512d q = _mm512_castps_pd(_mm512_unpacklo_ps(q2, q3) + _mm512_unpackhi_ps(q2, q3));
+    return Lanes(_mm512_castpd_ps(_mm512_unpacklo_pd(p, q)) + _mm512_castpd_ps(_mm512_unpackhi_pd(p, q)));
+#else
+    constexpr HalfBits low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
+    constexpr HalfBits even = {0, 8, 1, 9, 4, 12, 5, 13}, odd = {2, 10, 3, 11, 6, 14, 7, 15};
+    constexpr HalfBits left = {0, 1, 8, 9, 4, 5, 12, 13}, right = {2, 3, 10, 11, 6, 7, 14, 15};
+    const auto quarters = [&](int i, int j) {
+        const Half a = r[i].lo + r[i].hi, b = j < 12 ? r[j].lo + r[j].hi : Half{};
+        return __builtin_shuffle(a, b, low) + __builtin_shuffle(a, b, high);
+    };
+    const auto eight = [&](int i) {
+        const Half q0 = quarters(i, i + 4), q1 = quarters(i + 1, i + 5), q2 = quarters(i + 2, i + 6), q3 = quarters(i + 3, i + 7);
+        const Half p = __builtin_shuffle(q0, q1, even) + __builtin_shuffle(q0, q1, odd), q = __builtin_shuffle(q2, q3, even) + __builtin_shuffle(q2, q3, odd);
+        return __builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right);
+    };
+    return {eight(0), eight(8)};
+#endif
+}
+inline void store12(Lanes a, float* p) {
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+    _mm256_storeu_ps(p, _mm512_castps512_ps256(a.r));
+    _mm_storeu_ps(p + 8, _mm512_extractf32x4_ps(a.r, 2));
+#else
+    __builtin_memcpy(p, &a.lo, 32);
+    __builtin_memcpy(p + 8, &a.hi, 16);
+#endif
+}
+
+// The 16 floats at an aligned place with those before and after: shifted<k>() is what stands k floats further on, |k| < 16.
+struct Neighbours {
+    const float* at;
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+    __m512 before, here, after;
+    explicit Neighbours(const float* p) : at(p), before(_mm512_load_ps(p - kLanes)), here(_mm512_load_ps(p)), after(_mm512_load_ps(p + kLanes)) {}
+    template <int k>
+    Lanes shifted() const {
+        const auto joined = [](__m512 high, __m512 low) {
+            return Lanes(_mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(high), _mm512_castps_si512(low), (k + kLanes) % kLanes)));
+        };
+        if constexpr (k == 0) return Lanes(here);
+        else if constexpr (k < 0) return joined(here, before);
+        else return joined(after, here);
+    }
+#else
+    explicit Neighbours(const float* p) : at(p) {}
+    template <int k>
+    Lanes shifted() const { return Lanes::load(at + k); }
+#endif
+};
 
 // Denormals off while alive: Adam's moments of unseen splats decay into them, and each costs a hundred cycles.
 class FlushDenormals {

@@ -111,7 +111,7 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
         PixelSums<F> sums;
         detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
-            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, dx, dy);
+            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, raw_alpha(d.footprint, dx, dy));
             sums.g += b.g;
             sums.g_dx += b.g * dx;
             sums.g_dy += b.g * dy;
