@@ -223,7 +223,7 @@ void Engine::bin() {
 Frame Engine::frame(bool depth) {
     Frame f{};
     f.width = width_, f.height = height_, f.tiles_x = tiles_x_, f.tiles_y = tiles_y_, f.stride = stride_;
-    for (int c = 0; c < 3; ++c) f.color[c] = color_[c].data(), f.v[c] = v_[c].data(), f.error[c] = error_[c].data();
+    for (int c = 0; c < 3; ++c) f.color[c] = color_[c].data(), f.v[c] = v_[c].data(), f.error[c] = judges_ ? error_[c].data() : nullptr;
     f.transmittance = transmittance_.data();
     f.depth = depth ? depth_.data() : nullptr;
     f.background[0] = background_.x, f.background[1] = background_.y, f.background[2] = background_.z;
@@ -233,12 +233,14 @@ Frame Engine::frame(bool depth) {
     return f;
 }
 
-LossSums Engine::differentiate(const View& view, float lambda) {
+LossSums Engine::differentiate(const View& view, float lambda, bool judge) {
     const Stopwatch watch(times.loss);
     FASTSCENE_CHECK(view.color.width == width_ && view.color.height == height_);
-    for (auto* planes : {v_, error_})
-        for (int c = 0; c < 3; ++c)
-            if (planes[c].size() != transmittance_.size()) planes[c].assign(transmittance_.size(), 0.f);
+    judges_ = judge;
+    for (int c = 0; c < 3; ++c) {
+        if (v_[c].size() != transmittance_.size()) v_[c].assign(transmittance_.size(), 0.f);
+        if (judge && error_[c].size() != transmittance_.size()) error_[c].assign(transmittance_.size(), 0.f);
+    }
     LossJob job{};
     job.width = width_, job.height = height_, job.stride = stride_, job.lambda = lambda;
     job.target = &view.color.pixels[0].r;
@@ -248,7 +250,7 @@ LossSums Engine::differentiate(const View& view, float lambda) {
         for (int y = 0; y < height_; ++y) row_weight.push_back(latitude_weight(y, height_));
         job.row_weight = row_weight.data();
     }
-    for (int c = 0; c < 3; ++c) job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = error_[c].data();
+    for (int c = 0; c < 3; ++c) job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = judge ? error_[c].data() : nullptr;
     const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
     const int bands = (height_ + kLossRows - 1) / kLossRows;
     std::vector<LossSums> sums(static_cast<std::size_t>(3 * bands));
@@ -284,10 +286,10 @@ double Engine::differentiate_depth(const View& view, const ImageF& depth, float 
 }
 
 void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
+    judges_ = false;
     FASTSCENE_CHECK(v.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     for (int c = 0; c < 3; ++c) {
         v_[c].assign(transmittance_.size(), 0.f);
-        error_[c].assign(transmittance_.size(), 0.f);
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x)
                 v_[c][index(x, y)] =
@@ -310,15 +312,14 @@ void Engine::update(Cloud& cloud, UpdateJob& job) {
     job.parameters = cloud.parameters.data();
     job.first_moment = cloud.first_moment.data();
     job.second_moment = cloud.second_moment.data();
-    job.seen_weight = cloud.seen_weight.empty() ? nullptr : cloud.seen_weight.data();
-    job.seen_error = cloud.seen_error.empty() ? nullptr : cloud.seen_error.data();
+    if (judges_ && !cloud.seen_weight.empty()) job.seen_weight = cloud.seen_weight.data(), job.seen_error = cloud.seen_error.data();
     job.records = records_.data();
     job.lens = lens_;
     if (cloud.degree) {
         job.degree = cloud.degree, job.rest = cloud.rest.data();
         job.rest_first_moment = cloud.rest_first_moment.data(), job.rest_second_moment = cloud.rest_second_moment.data();
     }
-    if (!cloud.seen_move.empty()) {
+    if (judges_ && !cloud.seen_move.empty()) {
         job.seen_move = cloud.seen_move.data(), job.seen_steps = cloud.seen_steps.data();
         job.half_picture = 0.5f * static_cast<float>(std::max(width_, height_));
     }

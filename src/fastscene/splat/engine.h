@@ -68,7 +68,7 @@ class Engine {
     void render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
                 CameraModel model = CameraModel::pinhole);
     // After render(): loss against the view and dL/d color.
-    LossSums differentiate(const View& view, float lambda_dssim);
+    LossSums differentiate(const View& view, float lambda_dssim, bool judge = true);
     // After that, if render() was asked for depth: adds `strength` times the mean relative error of depth (depth_loss.h) and returns
     // it. `depth`: metres along the optical axis (equirectangular: along the ray), 0 = unknown.
     double differentiate_depth(const View& view, const ImageF& depth, float strength);
@@ -108,6 +108,7 @@ class Engine {
     Lens<float> lens_{};
     Vec3f background_;
     AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_;
+    bool judges_ = false;                       // the gradient to come also sums what density control asks for
     bool depth_counts_ = false;                 // in the gradient to come
     // As projection left them, piece after piece of splats, with gaps between the pieces.
     AlignedVector<Record> records_;

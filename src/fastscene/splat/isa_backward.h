@@ -2,8 +2,6 @@
 // splat's blocks say is summed up in registers, lane by lane, and over the lanes once, when the splat's last block is done.
 #pragma once
 
-#include <initializer_list>
-
 #include "fastscene/splat/blend_grad.h"
 #include "fastscene/splat/isa_raster.h"
 
@@ -26,46 +24,53 @@ inline BlockGrad first_state(const Frame& f, std::ptrdiff_t at) {
         b.pixel.v_depth = block(f.v_depth);
         b.pixel.rest += b.pixel.v_depth * block(f.depth);
     }
-    b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
+    if (f.error[0]) b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
     return b;
 }
 
-// The slot of one splat at one tile (kSlotFloats): moments of g = dL/d(ln alpha) about the splat's center, then color, weight, error, depth.
-template <bool kDepth>
+// A slot whose pixels are not yet added up: moments of g = dL/d(ln alpha) about the splat's center, color, weight, error, depth.
+struct SlotSums {
+    Lanes all[kSlotFloats];
+};
+// One block; `raw` is the splat's alpha there.
+template <bool kDepth, bool kJudge>
+[[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d, Lanes raw, SlotSums& sums) {
+    const BlendGrad<Lanes> grad = blend_grad<kDepth>(b.pixel, splat, raw);
+    const Lanes gx = grad.g * d.x, gy = grad.g * d.y;
+    Lanes* const s = sums.all;
+    s[0] += grad.g, s[1] += gx, s[2] += gy;
+    s[3] += gx * d.x, s[4] += gx * d.y, s[5] += gy * d.y;
+    s[6] += grad.weight * b.pixel.v.x, s[7] += grad.weight * b.pixel.v.y, s[8] += grad.weight * b.pixel.v.z;
+    if constexpr (kJudge) s[9] += grad.weight, s[10] += grad.weight * b.error;
+    if constexpr (kDepth) s[11] += grad.weight * b.pixel.v_depth;
+}
+
+// All blocks that a splat touches, at least one.
+template <bool kDepth, bool kJudge>
 [[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y, const BlockPixels& grid,
                                                   BlockGrad* blocks) {
     const Footprint<Lanes> splat = spread(s);
     const Lanes from_x = grid.x + Lanes(tile_x - s.x), from_y = grid.y + Lanes(tile_y - s.y);
     alignas(64) static constexpr float kCorner[4] = {0, 4, 8, 12};
-    Lanes one, x, y, xx, xy, yy, red, green, blue, weight, error, depth;
-    // The next block's alpha is asked for before this block's gradient, which waits for its own: the processor sees only some
-    // hundred operations ahead, and one visit after the other would leave half of its units idle.
     const auto offset = [&](int block) { return Vec2<Lanes>{from_x + Lanes(kCorner[block % 4]), from_y + Lanes(kCorner[block / 4])}; };
+    SlotSums sums;
     int block = __builtin_ctz(touched);
     Vec2<Lanes> d = offset(block);
     Lanes raw = raw_alpha(splat, d.x, d.y);
-    for (;;) {
-        touched &= touched - 1;
-        const int next = __builtin_ctz(touched | 1u << 15);
+    // The next block's alpha is asked for before this block's gradient, which waits for its own: the processor sees only some
+    // hundred operations ahead, and one block after the other would leave half of its units idle.
+    while (touched &= touched - 1) {
+        const int next = __builtin_ctz(touched);
         const Vec2<Lanes> next_d = offset(next);
         const Lanes next_raw = raw_alpha(splat, next_d.x, next_d.y);
-        BlockGrad& b = blocks[block];
-        const BlendGrad<Lanes> grad = blend_grad<kDepth>(b.pixel, splat, raw);
-        const Lanes gx = grad.g * d.x, gy = grad.g * d.y;
-        one += grad.g, x += gx, y += gy;
-        xx += gx * d.x, xy += gx * d.y, yy += gy * d.y;
-        red += grad.weight * b.pixel.v.x, green += grad.weight * b.pixel.v.y, blue += grad.weight * b.pixel.v.z;
-        weight += grad.weight;
-        error += grad.weight * b.error;
-        if constexpr (kDepth) depth += grad.weight * b.pixel.v_depth;
-        if (!touched) break;
+        blend_back<kDepth, kJudge>(blocks[block], splat, d, raw, sums);
         block = next, d = next_d, raw = next_raw;
     }
-    const Lanes all[kSlotFloats] = {one, x, y, xx, xy, yy, red, green, blue, weight, error, depth};
-    return sums12(all);
+    blend_back<kDepth, kJudge>(blocks[block], splat, d, raw, sums);
+    return sums12(sums.all);
 }
 
-template <bool kDepth>
+template <bool kDepth, bool kJudge>
 inline void backward_tile(const Frame& f, int tile) {
     const FlushDenormals flush;
     const int column = tile % f.tiles_x, row = tile / f.tiles_x;
@@ -75,8 +80,11 @@ inline void backward_tile(const Frame& f, int tile) {
         blocks[block] = first_state(f, (row * kTile + block / 4 * 4) * f.stride + column * kTile + block % 4 * 4);
     if (const int next = tile + 1; next < f.tiles_x * f.tiles_y) {
         const std::ptrdiff_t corner = next / f.tiles_x * kTile * f.stride + next % f.tiles_x * kTile;
-        for (int c = 0; c < 3; ++c)
-            for (const float* plane : std::initializer_list<const float*>{f.color[c], f.v[c], f.error[c]}) fetch_tile<0>(plane + corner, f.stride);
+        for (int c = 0; c < 3; ++c) {
+            fetch_tile<0>(f.color[c] + corner, f.stride);
+            fetch_tile<0>(f.v[c] + corner, f.stride);
+            if constexpr (kJudge) fetch_tile<0>(f.error[c] + corner, f.stride);
+        }
     }
     constexpr std::uint32_t kAhead = 8;  // records fetched before their turn: they lie in the splats' order, not in this one
     const std::uint32_t end = f.tile_begin[tile + 1];
@@ -85,13 +93,19 @@ inline void backward_tile(const Frame& f, int tile) {
         const std::uint32_t record = f.list[i];
         const Record& s = f.records[record];
         Lanes sums;
-        if (f.masks[i]) sums = tile_gradient<kDepth>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
+        if (f.masks[i]) sums = tile_gradient<kDepth, kJudge>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
         const std::size_t slot = f.piece_slot[record / static_cast<std::uint32_t>(f.records_a_piece)] + s.first_slot +
                                  static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide + static_cast<std::size_t>(column - s.tile_x);
         store12(sums, f.slots + slot * kSlotFloats);
     }
 }
 
-inline void backward_any(const Frame& f, int tile) { f.v_depth ? backward_tile<true>(f, tile) : backward_tile<false>(f, tile); }
+inline void backward_any(const Frame& f, int tile) {
+    const bool judge = f.error[0];
+    if (f.v_depth)
+        judge ? backward_tile<true, true>(f, tile) : backward_tile<true, false>(f, tile);
+    else
+        judge ? backward_tile<false, true>(f, tile) : backward_tile<false, false>(f, tile);
+}
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

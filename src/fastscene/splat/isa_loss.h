@@ -141,7 +141,7 @@ inline void statistics_row(const LossJob& job, const LossScratch& s, int channel
             const Lanes difference = Lanes::load(x1 + x) - Lanes::load(y1 + x), size = w * abs(difference);
             loss += Lanes(1.f - job.lambda) * size + Lanes(job.lambda) * w * (Lanes(1.f) - ssim);
             squared += size * abs(difference);
-            size.store(job.error[channel] + y * job.stride + x);
+            if (job.error[channel]) size.store(job.error[channel] + y * job.stride + x);
         }
     }
 }

@@ -60,7 +60,7 @@ struct Frame {
     float* transmittance;
     float* depth;          // sum of weight * depth_z; null = not wanted
     const float* v[3];     // dL/d color; zero outside the picture
-    const float* error[3]; // |difference| per channel
+    const float* error[3]; // |difference| per channel; null: weights and errors of splats are not summed
     const float* v_depth;  // dL/d(depth sum), zero outside the picture; null = none, otherwise `depth` is there
     float background[3];
     const Record* records;
@@ -81,7 +81,7 @@ struct LossJob {
     const float* row_weight;     // or null: one per row
     float lambda;
     float* v[3];
-    float* error[3];
+    float* error[3];  // or null
 };
 struct LossSums {
     double loss = 0, squared_error = 0;
@@ -95,8 +95,8 @@ struct UpdateJob {
     Lens<float> lens;
     float rate[kParameters];    // Adam's step sizes, bias correction of the first moment included
     float inv_sqrt_bias2;       // 1 / sqrt(1 - beta2^t)
-    float* seen_weight;         // += blending weight of each splat
-    float* seen_error;          // += blending weight * error
+    float* seen_weight = nullptr;  // += blending weight of each splat
+    float* seen_error = nullptr;   // += blending weight * error
     float* rest = nullptr;      // coefficients of the higher bands and their moments; null: degree 0
     float* rest_first_moment = nullptr;
     float* rest_second_moment = nullptr;

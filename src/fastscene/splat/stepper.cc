@@ -12,7 +12,7 @@ class CpuStepper : public Stepper {
   public:
     LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
         engine_.render(cloud, view.camera, view.world_from_camera, plan.background, plan.depth != nullptr, view.model);
-        LossSums sums = engine_.differentiate(view, plan.lambda_dssim);
+        LossSums sums = engine_.differentiate(view, plan.lambda_dssim, plan.judge);
         if (plan.depth) sums.loss += engine_.differentiate_depth(view, *plan.depth, plan.depth_strength);
         engine_.step(cloud, plan.rates);
         return sums;

@@ -220,6 +220,7 @@ class Training {
             plan.background = {random.uniform(), random.uniform(), random.uniform()};
         }
         const View& view = view_of(now);
+        plan.judge = (params_.strategy == "mcmc" && done < tuning_.relocate_until) || (params_.strategy == "classic" && done < Classic{}.until);
         if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
         const LossSums sums = stepper_->step(state_.cloud, view, plan);
         state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
