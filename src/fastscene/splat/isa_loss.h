@@ -6,8 +6,6 @@
 // what is alive are rings of 16 rows that stay in the second-level cache, not planes.
 #pragma once
 
-#include <type_traits>
-
 #include "fastscene/splat/kernel.h"
 #include "fastscene/splat/lanes.h"
 
@@ -38,14 +36,6 @@ struct LossScratch {
 };
 inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) { return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 1); }
 
-// Sum of the window's weights times value(-kReach) … value(kReach). What lies equally far is added first: additions have units of their own.
-template <class Value>
-[[gnu::always_inline]] inline Lanes windowed(Value&& value) {
-    const auto pair = [&](auto k) { return (value(std::integral_constant<int, -k>{}) + value(k)) * Lanes(kWindow[kReach + k]); };
-    return value(std::integral_constant<int, 0>{}) * Lanes(kWindow[kReach]) + pair(std::integral_constant<int, 1>{}) + pair(std::integral_constant<int, 2>{}) +
-           pair(std::integral_constant<int, 3>{}) + pair(std::integral_constant<int, 4>{}) + pair(std::integral_constant<int, 5>{});
-}
-
 // blurred(out, i) = the rows around y + i of `map`, blurred down the columns; i < kGroup.
 inline void blur_down(const LossScratch& s, int map, int out, int y, int width) {
     const float* rows[kGroup + 2 * kReach];
@@ -53,17 +43,25 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
     float* to[kGroup];
     for (int i = 0; i < kGroup; ++i) to[i] = s.blurred(out, i);
     for (int x = 0; x < width; x += kLanes) {
-        Lanes row[kGroup + 2 * kReach];
+        Lanes sum[kGroup];
 #pragma GCC unroll 14
-        for (int k = 0; k < kGroup + 2 * kReach; ++k) row[k] = Lanes::load(rows[k] + x);
+        for (int k = 0; k < kGroup + 2 * kReach; ++k) {
+            const Lanes v = Lanes::load(rows[k] + x);
 #pragma GCC unroll 4
-        for (int i = 0; i < kGroup; ++i) windowed([&](int k) { return row[i + kReach + k]; }).store(to[i] + x);
+            for (int i = 0; i < kGroup; ++i)
+                if (k - i >= 0 && k - i < kTaps) sum[i] += v * Lanes(kWindow[k - i]);
+        }
+        for (int i = 0; i < kGroup; ++i) sum[i].store(to[i] + x);
     }
 }
-// `at` is aligned: three loads and shifts cost less than eleven loads across cache lines.
+// `at` is aligned: three loads and shifts cost less than eleven loads across cache lines. What lies equally far on both sides is
+// added first: additions have units of their own.
 [[gnu::always_inline]] inline Lanes blur_along(const float* at) {
     const Neighbours n{at};
-    return windowed([&](auto k) { return n.shifted<k>(); });
+    const auto pair = [&]<int k>() { return (n.shifted<-k>() + n.shifted<k>()) * Lanes(kWindow[kReach + k]); };
+    static_assert(kReach == 5);
+    return n.shifted<0>() * Lanes(kWindow[kReach]) + pair.template operator()<1>() + pair.template operator()<2>() + pair.template operator()<3>() +
+           pair.template operator()<4>() + pair.template operator()<5>();
 }
 
 // One channel of a row of interleaved bytes, as 0..1.
