@@ -4,7 +4,8 @@
 #   bench/peers/opensplat.sh [WORK]        WORK: scratch folder; WORK/OpenSplat may hold the sources already
 # Needs libtorch-dev libopencv-dev cmake ninja-build git time. Builds on Debian 12 after one change: libtorch 1.13's
 # Optimizer::zero_grad cannot drop the gradients, so they are dropped by hand.
-# The views are a ring around a stage.
+# Two scenes: a room seen from within (a fifth of the splats in view, as in what this project makes) and a ring around a stage (all of
+# them in view). SCENES="room" or "stage" asks for one.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(realpath -m "${1:-$here/out/opensplat}")
@@ -30,32 +31,38 @@ opensplat() {  # DATA STEPS OUT
 # Ours, the same views and points, the same way: CPU seconds of a run of so many steps.
 ours() { taskset -c 0 "$fit" "$1" --holdout 0 --splat-count "$2" --splat-steps "$3" | sed 's/.*"cpu_s":\([0-9.]*\).*/\1/'; }
 # Views both read. OpenSplat prefers transforms.json, whose point file has a column it does not know and then reads garbage from.
-views() {  # SIZE COUNT DATA FLAGS…
-  [ -d "$3" ] || "$peer" --orbit --size "$1" --count "$2" "${@:4}" write "$3"
-  rm -f "$3/transforms.json"
+views() {  # SCENE SIZE COUNT DATA FLAGS…
+  [ -d "$4" ] || "$peer" $(orbit "$1") --size "$2" --count "$3" "${@:5}" write "$4"
+  rm -f "$4/transforms.json"
 }
+orbit() { if [ "$1" = stage ]; then echo --orbit; fi; }
+scenes=${SCENES-room stage}
 
 echo "== CPU milliseconds a step, paired, in turn"
-for setting in "512 50000" "512 200000"; do
-  read -r size count <<<"$setting"
-  data=$work/stage-$size-$count
-  views "$size" "$count" "$data" --positions 2 --samples 1
-  for pair in 1 2; do
-    short=$(opensplat "$data" 5 "$work/short.ply") few=$(ours "$data" "$count" 5)
-    long=$(opensplat "$data" 25 "$work/long.ply") many=$(ours "$data" "$count" 45)
-    awk -v a="$short" -v b="$long" -v c="$few" -v d="$many" -v s="$size" -v n="$count" \
-      'BEGIN { t = (b - a) / 20 * 1000; m = (d - c) / 40 * 1000; printf "%dx%d, %d Gaussians: OpenSplat %.0f ms, ours %.1f ms, ratio %.1f\n", s, s, n, t, m, t / m }'
+for scene in $scenes; do
+  for setting in "512 50000" "512 200000"; do
+    read -r size count <<<"$setting"
+    data=$work/$scene-$size-$count
+    views "$scene" "$size" "$count" "$data" --positions 2 --samples 1
+    for pair in 1 2; do
+      short=$(opensplat "$data" 5 "$work/short.ply") few=$(ours "$data" "$count" 5)
+      long=$(opensplat "$data" 25 "$work/long.ply") many=$(ours "$data" "$count" 45)
+      awk -v a="$short" -v b="$long" -v c="$few" -v d="$many" -v s="$size" -v n="$count" -v scene="$scene" \
+        'BEGIN { t = (b - a) / 20 * 1000; m = (d - c) / 40 * 1000; printf "%s, %dx%d, %d Gaussians: OpenSplat %.0f ms, ours %.1f ms, ratio %.1f\n", scene, s, s, n, t, m, t / m }'
+    done
   done
 done
 
 echo "== CPU seconds until OpenSplat's held-out PSNR"
-for setting in ${GOALS-"512:50000:300 256:50000:1000"}; do
-  IFS=: read -r size count steps <<<"$setting"
-  data=$work/goal-$size-$count
-  views "$size" "$count" "$data"
-  cost=$(opensplat "$data" "$steps" "$work/goal.ply")
-  load=$(opensplat "$data" 1 "$work/short.ply")
-  psnr=$("$peer" --orbit --size "$size" --count "$count" eval "$work/goal.ply" | sed 's/.*:\([0-9.]*\)}/\1/')
-  echo "OpenSplat $size $count: $steps steps, $cost CPU s ($load of them loading and one step), $psnr dB"
-  taskset -c 0 "$peer" --orbit --size "$size" --count "$count" train --psnr "$psnr"
+for scene in $scenes; do
+  for setting in ${GOALS-"512:50000:300 256:50000:1000"}; do
+    IFS=: read -r size count steps <<<"$setting"
+    data=$work/goal-$scene-$size-$count
+    views "$scene" "$size" "$count" "$data"
+    cost=$(opensplat "$data" "$steps" "$work/goal.ply")
+    load=$(opensplat "$data" 1 "$work/short.ply")
+    psnr=$("$peer" $(orbit "$scene") --size "$size" --count "$count" eval "$work/goal.ply" | sed 's/.*:\([0-9.]*\)}/\1/')
+    echo "$scene, OpenSplat $size $count: $steps steps, $cost CPU s ($load of them loading and one step), $psnr dB"
+    taskset -c 0 "$peer" $(orbit "$scene") --size "$size" --count "$count" train --psnr "$psnr"
+  done
 done

@@ -228,7 +228,7 @@ Frame Engine::frame(bool depth) {
     f.depth = depth ? depth_.data() : nullptr;
     f.background[0] = background_.x, f.background[1] = background_.y, f.background[2] = background_.z;
     f.records = records_.data(), f.list = list_.data(), f.tile_begin = tile_begin_.data();
-    f.piece_slot = piece_slot_.data(), f.records_a_piece = records_a_piece();
+    f.piece_slot = piece_slot_.data(), f.piece_shift = std::countr_zero(static_cast<unsigned>(records_a_piece()));
     f.masks = masks_.data(), f.slots = slots_.data();
     return f;
 }

@@ -94,7 +94,7 @@ inline void backward_tile(const Frame& f, int tile) {
         const Record& s = f.records[record];
         Lanes sums;
         if (f.masks[i]) sums = tile_gradient<kDepth, kJudge>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
-        const std::size_t slot = f.piece_slot[record / static_cast<std::uint32_t>(f.records_a_piece)] + s.first_slot +
+        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot +
                                  static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide + static_cast<std::size_t>(column - s.tile_x);
         store12(sums, f.slots + slot * kSlotFloats);
     }

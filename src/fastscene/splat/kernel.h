@@ -67,7 +67,7 @@ struct Frame {
     const std::uint32_t* list;        // record numbers, tile after tile, front to back
     const std::uint32_t* tile_begin;  // tiles + 1
     const std::uint32_t* piece_slot;  // per piece of splats: its first slot
-    int records_a_piece;
+    int piece_shift;                  // record >> piece_shift: its piece
     std::uint16_t* masks;             // per list entry: which of the tile's 4x4 blocks of 4x4 pixels it touches
     float* slots;
 };

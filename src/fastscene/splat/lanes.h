@@ -299,32 +299,6 @@ inline void transpose16(Lanes* r) {
 #endif
 }
 
-// The same from 16 rows in memory. Quarters of rows are put together while loading, which costs no
-// shuffle: there is one port for shuffles and it is what the other way waits for.
-inline void load_transposed16(const float (*rows)[16], Lanes* out) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
-    for (int q = 0; q < 4; ++q) {
-        __m512 a[4];
-        for (int i = 0; i < 4; ++i) {
-            const auto quarter = [&](int row) { return _mm_load_ps(rows[row] + 4 * q); };
-            a[i] = _mm512_castps128_ps512(quarter(i));
-            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0x00f0, quarter(i + 4));
-            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0x0f00, quarter(i + 8));
-            a[i] = _mm512_mask_broadcast_f32x4(a[i], 0xf000, quarter(i + 12));
-        }
-        const __m512d p = _mm512_castps_pd(_mm512_unpacklo_ps(a[0], a[1])), r = _mm512_castps_pd(_mm512_unpackhi_ps(a[0], a[1]));
-        const __m512d s = _mm512_castps_pd(_mm512_unpacklo_ps(a[2], a[3])), t = _mm512_castps_pd(_mm512_unpackhi_ps(a[2], a[3]));
-        out[4 * q].r = _mm512_castpd_ps(_mm512_unpacklo_pd(p, s));
-        out[4 * q + 1].r = _mm512_castpd_ps(_mm512_unpackhi_pd(p, s));
-        out[4 * q + 2].r = _mm512_castpd_ps(_mm512_unpacklo_pd(r, t));
-        out[4 * q + 3].r = _mm512_castpd_ps(_mm512_unpackhi_pd(r, t));
-    }
-#else
-    for (int i = 0; i < 16; ++i) out[i] = Lanes::load(rows[i]);
-    transpose16(out);
-#endif
-}
-
 // Lane i = the sum over all lanes of r[i], i < 12; zero beyond. Halves are folded and two sums put into one vector at
 // each level, so 12 sums cost 26 shuffles and not 48.
 inline Lanes sums12(const Lanes* r) {
