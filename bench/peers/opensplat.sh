@@ -36,7 +36,7 @@ views() {  # SCENE SIZE COUNT DATA FLAGS…
   rm -f "$4/transforms.json"
 }
 orbit() { if [ "$1" = stage ]; then echo --orbit; fi; }
-scenes=${SCENES-room stage}
+scenes=${SCENES-room stage} goals=${GOALS-512:50000:300 256:50000:1000}
 
 echo "== CPU milliseconds a step, paired, in turn"
 for scene in $scenes; do
@@ -55,7 +55,7 @@ done
 
 echo "== CPU seconds until OpenSplat's held-out PSNR"
 for scene in $scenes; do
-  for setting in ${GOALS-"512:50000:300 256:50000:1000"}; do
+  for setting in $goals; do
     IFS=: read -r size count steps <<<"$setting"
     data=$work/goal-$scene-$size-$count
     views "$scene" "$size" "$count" "$data"
