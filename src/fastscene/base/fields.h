@@ -9,10 +9,12 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
+#include "fastscene/base/shortest.h"
 
 namespace fastscene {
 
@@ -31,7 +33,10 @@ struct ToJson {
     Json out = Json::object();
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds&, std::string_view) {
-        out[std::string(name)] = value;
+        if constexpr (std::is_same_v<T, float>)
+            out[std::string(name)] = shortest(value);
+        else
+            out[std::string(name)] = value;
     }
     void operator()(std::string_view name, bool& value, std::string_view) { out[std::string(name)] = value; }
     void operator()(std::string_view name, std::string& value, const Choices&, std::string_view) {

@@ -34,6 +34,14 @@ TEST(Fields, BecomeJsonInTheirOrder) {
     EXPECT_EQ(fields_json(SoupParams{}).dump(), R"({"spoons":4,"salt":0.5,"pot":"iron","lid":true})");
 }
 
+TEST(Fields, NumbersStandAsPeopleWroteThem) {
+    SoupParams written{.salt_g = 0.2f};
+    EXPECT_EQ(fields_json(written)["salt"].dump(), "0.2");
+    SoupParams read;
+    fields_from_json(fields_json(written), read);
+    EXPECT_EQ(read.salt_g, 0.2f);
+}
+
 TEST(Fields, OutOfBoundsNamesFlagBoundsAndValue) {
     EXPECT_EQ(complaint({}, "soup"), "");
     EXPECT_EQ(complaint({.spoons = 13}, "soup"), "--soup-spoons: expected a number from 1 to 12, found 13");
