@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
     int size = 512, count = 50000, positions = 3, held_out = 8, samples = 2;
     double target = 0;
     std::string folder, file;
-    std::vector<int> steps{20, 30, 40, 50, 60, 80, 100, 130, 160, 200, 250, 300, 400, 500, 700, 1000};
+    std::vector<int> steps{20, 30, 40, 50, 60, 80, 100, 115, 130, 145, 160, 180, 200, 230, 260, 300, 350, 400, 450, 500, 550, 600, 700, 850, 1000};
     CLI::App app{"One side of a comparison between trainers"};
     app.require_subcommand(1);
     app.add_option("--size", size, "Width and height of the views")->check(CLI::Range(16, 4096));
