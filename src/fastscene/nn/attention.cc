@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "fastscene/base/check.h"
-#include "fastscene/nn/attention_amx.h"
+#include "fastscene/nn/attention_bf16.h"
 
 namespace fastscene::nn {
 namespace {
@@ -169,18 +169,18 @@ void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, s
         for (std::int64_t i = 0; i < d; ++i) out[row * d + i] = b.sum[row * p.wide + i] / b.total[row];
 }
 
-Tensor through_matrix_unit(const Tensor& q, const Tensor& k, const Tensor& v) {
-    constexpr std::int64_t kAtOnce = 4 * amx::kRows;
+Tensor through_bf16(const Tensor& q, const Tensor& k, const Tensor& v) {
+    constexpr std::int64_t kAtOnce = 4 * bf16::kRows;
     const std::int64_t l = q.size(1), m = k.size(1), d = q.size(2), tiles = (l + kAtOnce - 1) / kAtOnce;
-    const auto numbers = [](const Tensor& x) { return reinterpret_cast<amx::Bf16*>(x.data_ptr<at::BFloat16>()); };
-    const Tensor out = at::empty(q.sizes(), q.options()), keys = at::empty({amx::packed_keys(m, d)}, q.options()),
-                 values = at::empty({amx::packed_values(m, d)}, q.options());
+    const auto numbers = [](const Tensor& x) { return reinterpret_cast<bf16::Bf16*>(x.data_ptr<at::BFloat16>()); };
+    const Tensor out = at::empty(q.sizes(), q.options()), keys = at::empty({bf16::packed_keys(m, d)}, q.options()),
+                 values = at::empty({bf16::packed_values(m, d)}, q.options());
     for (std::int64_t i = 0; i < q.size(0); ++i) {
-        amx::pack(numbers(k) + i * m * d, numbers(v) + i * m * d, m, d, numbers(keys), numbers(values));
+        bf16::pack(numbers(k) + i * m * d, numbers(v) + i * m * d, m, d, numbers(keys), numbers(values));
         at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
-            const Tensor work = at::empty({static_cast<std::int64_t>(amx::workspace(d))}, at::kByte);   // libtorch aligns to 64
+            const Tensor work = at::empty({static_cast<std::int64_t>(bf16::workspace(d))}, at::kByte);   // libtorch aligns to 64
             const std::int64_t from = begin * kAtOnce, to = std::min(end * kAtOnce, l);
-            amx::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d,
+            bf16::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d,
                         reinterpret_cast<std::byte*>(work.data_ptr()), numbers(out) + (i * l + from) * d);
         });
     }
@@ -193,7 +193,7 @@ Tensor tiled_attention(const Tensor& q, const Tensor& k, const Tensor& v) {
     FASTSCENE_CHECK(q.dim() == 3 && k.sizes() == v.sizes() && q.size(0) == k.size(0) && q.size(2) == k.size(2) && k.size(1) > 0);
     FASTSCENE_CHECK(q.scalar_type() == k.scalar_type() && k.scalar_type() == v.scalar_type() && q.device().is_cpu());
     if (q.scalar_type() == at::kBFloat16) {
-        if (amx::available()) return through_matrix_unit(q.contiguous(), k.contiguous(), v.contiguous());
+        if (bf16::available()) return through_bf16(q.contiguous(), k.contiguous(), v.contiguous());
         return tiled_attention(q.to(at::kFloat), k.to(at::kFloat), v.to(at::kFloat)).to(at::kBFloat16);
     }
     FASTSCENE_CHECK(q.scalar_type() == at::kFloat);

@@ -1,6 +1,6 @@
 // Attention of large pictures on a CPU: the L x M weights are never in memory, only a tile of them that stays in the cache
 // (Dao et al. 2022, FlashAttention; Milakov and Gimelshein 2018 for the softmax in one pass). Single precision inside; bfloat16 goes through
-// the matrix unit where there is one (attention_amx.h).
+// the processor's own products of such numbers where it has them (attention_bf16.h).
 #pragma once
 
 #include <ATen/core/Tensor.h>

@@ -1,16 +1,18 @@
-// Attention's products through the matrix unit of a processor (AMX): bfloat16 in, single precision sums and softmax. Private to nn/attention.cc.
+// Attention's products in bfloat16, by the matrix unit of a processor (AMX) or by its vectors (AVX512-BF16): single precision sums and softmax.
+// Private to nn/attention.cc.
 //
-// A tile of the unit is 16 rows of 64 bytes; it multiplies 16 x 32 by 32 x 16 at once, the second one stored as pairs of rows.
+// A tile of the matrix unit is 16 rows of 64 bytes; it multiplies 16 x 32 by 32 x 16 at once, the second one stored as pairs of rows. A vector multiplies
+// two numbers of one row by such a pair of rows.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-namespace fastscene::nn::amx {
+namespace fastscene::nn::bf16 {
 
 using Bf16 = std::uint16_t;
 
-// Whether this program was built for such a processor, runs on one, and the system lets it. Asked once.
+// Whether this program was built for such processors and runs on one. Asked once.
 bool available();
 
 inline constexpr std::int64_t kRows = 32;   // of q, in one go
@@ -25,4 +27,4 @@ std::size_t workspace(std::int64_t d);
 // out [count, d] = softmax(q k' / sqrt(d)) v for q [count, d], any count.
 void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* values, std::int64_t m, std::int64_t d, std::byte* work, Bf16* out);
 
-}  // namespace fastscene::nn::amx
+}  // namespace fastscene::nn::bf16

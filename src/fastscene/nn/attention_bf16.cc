@@ -1,6 +1,6 @@
-// Compiled for the processors that have the unit, wherever the rest runs (attention.cmake): nothing but intrinsics in here, so that no
+// Compiled for the processors that have one of them, wherever the rest runs (attention.cmake): nothing but intrinsics in here, so that no
 // function of a header is compiled for them too and then taken by others.
-#include "fastscene/nn/attention_amx.h"
+#include "fastscene/nn/attention_bf16.h"
 
 #if defined(__linux__) && defined(__AMX_BF16__) && defined(__AVX512BF16__)
 
@@ -8,7 +8,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace fastscene::nn::amx {
+namespace fastscene::nn::bf16 {
 namespace {
 
 constexpr std::int64_t kTile = 16;            // rows of a tile, and numbers of a row of sums
@@ -24,10 +24,19 @@ struct Sizes {
     Sizes(std::int64_t m, std::int64_t d) : deep(rounded_up(d, kDeep)), wide(rounded_up(d, kTile)), keys(rounded_up(m, kDeep)) {}
 };
 
-// All eight tiles at their full size, for as long as this lives.
+bool has_matrix_unit() {
+    static const bool there = [] {
+        constexpr long kAskForState = 0x1023, kTileData = 18;   // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the tiles' state is given on request only
+        return __builtin_cpu_supports("amx-bf16") && syscall(SYS_arch_prctl, kAskForState, kTileData) == 0;
+    }();
+    return there;
+}
+
+// All eight tiles at their full size, for as long as this lives; nothing where there is no matrix unit.
 class Tiles {
   public:
     Tiles() {
+        if (!has_matrix_unit()) return;
         alignas(64) std::uint8_t config[64] = {1};
         for (int t = 0; t < 8; ++t) {
             config[16 + 2 * t] = 64;   // bytes a row
@@ -35,7 +44,9 @@ class Tiles {
         }
         _tile_loadconfig(config);
     }
-    ~Tiles() { _tile_release(); }
+    ~Tiles() {
+        if (has_matrix_unit()) _tile_release();
+    }
     Tiles(const Tiles&) = delete;
     Tiles& operator=(const Tiles&) = delete;
 };
@@ -75,6 +86,59 @@ void score(const Work& w, const Bf16* keys, std::int64_t count, const Sizes& s) 
         _tile_stored(1, w.scores + j + kTile, score_row);
         _tile_stored(2, w.scores + kTile * kKeys + j, score_row);
         _tile_stored(3, w.scores + kTile * kKeys + j + kTile, score_row);
+    }
+}
+
+// Two numbers of a row, to be multiplied by a pair of rows.
+__m512bh pair_of(const Bf16* at) {
+    int both;
+    __builtin_memcpy(&both, at, sizeof both);
+    return reinterpret_cast<__m512bh>(_mm512_set1_epi32(both));
+}
+__m512bh pairs_of(const Bf16* at) { return reinterpret_cast<__m512bh>(_mm512_loadu_si512(at)); }
+
+// sum[kTall][kWide vectors] += left [kTall rows of `left_row` numbers] by the tiles at `right`, `deep` of them one after the other `right_step` numbers
+// apart; kWide tiles beside each other lie `right_beside` numbers apart. What the matrix unit does in one instruction, in registers.
+constexpr int kTall = 8;
+template <int kWide>
+void multiply_by_vectors(const Bf16* left, std::int64_t left_row, const Bf16* right, std::int64_t right_step, std::int64_t right_beside, std::int64_t deep,
+                         float* sum, std::int64_t sum_row, bool from_zero) {
+    __m512 sums[kTall][kWide];
+    for (int r = 0; r < kTall; ++r)
+        for (int c = 0; c < kWide; ++c) sums[r][c] = from_zero ? _mm512_setzero_ps() : _mm512_load_ps(sum + r * sum_row + c * kTile);
+    for (std::int64_t chunk = 0; chunk < deep; ++chunk, left += kDeep, right += right_step)
+        for (int pair = 0; pair < kDeep / 2; ++pair) {
+            __m512bh columns[kWide];
+#pragma GCC unroll 2
+            for (int c = 0; c < kWide; ++c) columns[c] = pairs_of(right + c * right_beside + pair * 2 * kTile);
+#pragma GCC unroll 8
+            for (int r = 0; r < kTall; ++r) {
+                const __m512bh row = pair_of(left + r * left_row + 2 * pair);
+#pragma GCC unroll 2
+                for (int c = 0; c < kWide; ++c) sums[r][c] = _mm512_dpbf16_ps(sums[r][c], row, columns[c]);
+            }
+        }
+    for (int r = 0; r < kTall; ++r)
+        for (int c = 0; c < kWide; ++c) _mm512_store_ps(sum + r * sum_row + c * kTile, sums[r][c]);
+}
+
+// score() and add_values() without a matrix unit.
+void score_by_vectors(const Work& w, const Bf16* keys, std::int64_t count, const Sizes& s) {
+    const std::int64_t chunks = s.deep / kDeep;
+    for (std::int64_t j = 0; j < count; j += 2 * kTile)
+        for (std::int64_t r = 0; r < kRows; r += kTall)
+            multiply_by_vectors<2>(w.q + r * s.deep, s.deep, keys + j / kTile * chunks * kTileSize, kTileSize, chunks * kTileSize, chunks,
+                                   w.scores + r * kKeys + j, kKeys, true);
+}
+void add_values_by_vectors(const Work& w, const Bf16* values, std::int64_t keys, const Sizes& s) {
+    const std::int64_t columns = s.wide / kTile, step = columns * kTileSize;
+    for (std::int64_t r = 0; r < kRows; r += kTall) {
+        const Bf16* weights = w.weights + r * kKeys;
+        float* sum = w.sum + r * s.wide;
+        std::int64_t c = 0;
+        for (; c + 2 <= columns; c += 2)
+            multiply_by_vectors<2>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep, sum + c * kTile, s.wide, false);
+        if (c < columns) multiply_by_vectors<1>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep, sum + c * kTile, s.wide, false);
     }
 }
 
@@ -158,11 +222,8 @@ void add_values(const Work& w, const Bf16* values, std::int64_t keys, const Size
 }  // namespace
 
 bool available() {
-    static const bool there = [] {
-        constexpr long kAskForState = 0x1023, kTileData = 18;   // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the tiles' state is given on request only
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bf16") && __builtin_cpu_supports("amx-bf16") &&
-               syscall(SYS_arch_prctl, kAskForState, kTileData) == 0;
-    }();
+    static const bool there = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+                              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bf16");
     return there;
 }
 
@@ -202,9 +263,9 @@ void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* val
         }
         for (std::int64_t from = 0; from < m; from += kKeys) {
             const std::int64_t some = m - from < kKeys ? m - from : kKeys, padded = rounded_up(some, kDeep);
-            score(w, keys + from * s.deep, padded, s);
+            (has_matrix_unit() ? score : score_by_vectors)(w, keys + from * s.deep, padded, s);
             for (std::int64_t r = 0; r < kRows; ++r) weigh(w, r, some, padded, scale, s);
-            add_values(w, values + from * s.wide, padded, s);
+            (has_matrix_unit() ? add_values : add_values_by_vectors)(w, values + from * s.wide, padded, s);
         }
         for (std::int64_t r = 0; r < rows; ++r) {
             const __m512 share = _mm512_set1_ps(1 / w.total[r]);
@@ -219,11 +280,11 @@ void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* val
     }
 }
 
-}  // namespace fastscene::nn::amx
+}  // namespace fastscene::nn::bf16
 
 #else
 
-namespace fastscene::nn::amx {
+namespace fastscene::nn::bf16 {
 
 bool available() { return false; }
 std::int64_t packed_keys(std::int64_t, std::int64_t) { return 0; }
@@ -232,6 +293,6 @@ void pack(const Bf16*, const Bf16*, std::int64_t, std::int64_t, Bf16*, Bf16*) {}
 std::size_t workspace(std::int64_t) { return 0; }
 void attend(const Bf16*, std::int64_t, const Bf16*, const Bf16*, std::int64_t, std::int64_t, std::byte*, Bf16*) {}
 
-}  // namespace fastscene::nn::amx
+}  // namespace fastscene::nn::bf16
 
 #endif
