@@ -1,6 +1,7 @@
 // Range maps of users: what was not measured becomes far background, or goes on from its surroundings where only a speck or the tripod is missing.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "fastscene/base/error.h"
@@ -89,6 +90,24 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
     return out;
 }
 
+namespace {
+
+// Median of the measured ranges outside of which no room lies (half a metre to 200 m wide ones do): thousandths, thousands or a share of something.
+constexpr float kNearestRoom = 0.15f, kFarthestRoom = 150.f;
+
+// Millimetres, or ranges divided by their greatest, are walked through as well as metres are, only wrongly: so it is told.
+void tell_other_units(const ImageF& range, const std::filesystem::path& map, const Run& run) {
+    std::vector<float> measured;
+    std::copy_if(range.pixels.begin(), range.pixels.end(), std::back_inserter(measured), [](float r) { return r > 0.f && std::isfinite(r); });
+    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
+    std::nth_element(measured.begin(), middle, measured.end());
+    if (*middle >= kNearestRoom && *middle <= kFarthestRoom) return;
+    run.warn(fmt::format("{}: half of it is {} than {:.3g} m: expected the ranges of a room in metres (16-bit PNG and TIFF: millimetres), are these in another unit?",
+                         map.string(), *middle < kNearestRoom ? "nearer" : "farther", *middle));
+}
+
+}  // namespace
+
 ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, const Run& run) {
     const PictureInfo info = picture_info(map);
     if (info.width != size.width || info.height != size.height)
@@ -103,6 +122,7 @@ ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, cons
             if (r > 0.f && std::isfinite(r)) ++measured;
         }
     if (measured == 0) throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
+    tell_other_units(range, map, run);
     RangeGaps gaps;
     ImageF out = completed_range(range, gaps);
     if (gaps.unmeasured > 0)

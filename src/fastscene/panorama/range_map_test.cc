@@ -73,5 +73,20 @@ TEST(RangeMap, SaysWhatWasMissing) {
     EXPECT_NE(heard.warnings.find("7680 kept as far background"), std::string::npos) << heard.warnings;
 }
 
+TEST(RangeMap, AnotherUnitIsTold) {
+    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "fastscene-range-unit.pfm";
+    const auto heard_of = [&](float metres) {
+        ImageF range(kWidth, kHeight, metres);
+        range.at(3, 3) = kInf;
+        save_pfm(path, range);
+        Heard heard;
+        EXPECT_EQ(range_from_file(path, {kWidth, kHeight}, {0, &heard, {}}).pixels, range.pixels);  // told, not changed
+        return heard.warnings;
+    };
+    for (const float metres : {0.25f, 2.f, 100.f}) EXPECT_EQ(heard_of(metres), "");
+    EXPECT_NE(heard_of(2500.f).find("fastscene-range-unit.pfm: half of it is farther than 2.5e+03 m"), std::string::npos) << heard_of(2500.f);
+    EXPECT_NE(heard_of(0.002f).find("half of it is nearer than 0.002 m"), std::string::npos) << heard_of(0.002f);
+}
+
 }  // namespace
 }  // namespace fastscene
