@@ -99,6 +99,7 @@ class Reader {
         if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
         for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
         if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt, a panorama or a run");
+        check_rooms();
         for (const toml::table* row : top_.tables("published")) read_published(*row);
         for (const toml::table* peer : top_.tables("peer")) read_peer(*peer);
         return std::move(suite_);
@@ -120,6 +121,13 @@ class Reader {
             if (const Column& column = column_of(suite_.columns[i]); column.measure != "cost" && !suite_.has(column.measure))
                 top_.fail_item("columns", i, fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}", column.key, column.measure,
                                                          fmt::join(suite_.measures, ", ")));
+    }
+
+    // Held-out poses are asked of a room: a suite that measures nothing else and has none would make its scenes for an empty table.
+    void check_rooms() const {
+        const bool any = std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SuiteScene& s) { return s.source.has_room(); });
+        if (!any && suite_.measures == std::vector<std::string>{"held-out"})
+            top_.fail_item("measures", 0, "\"held-out\" needs a room behind a scene: expected a scene from a prompt, found only pictures and paintings");
     }
 
     void read_stills() {

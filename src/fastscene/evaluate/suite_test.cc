@@ -148,6 +148,15 @@ TEST_F(SuiteFiles, PathsStartAtTheSuitesFolderAndMustBeThere) {
     expect("diffusion360 = \"weights.pt\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder"});
 }
 
+TEST_F(SuiteFiles, HeldOutAloneNeedsARoomBehindAScene) {
+    const std::string picture = "[[scene]]\npanorama = \"weights.pt\"\n";
+    const std::string said = complaint_there("measures = [\"held-out\"]\n" + picture);
+    for (const char* part : {"mine.toml:1: measures", "\"held-out\" needs a room", "found only pictures"})
+        EXPECT_NE(said.find(part), std::string::npos) << said;
+    EXPECT_EQ(complaint_there("measures = [\"held-out\"]\n" + picture + kScene), "") << "one scene has a room";
+    EXPECT_EQ(complaint_there("measures = [\"held-out\", \"source\"]\n" + picture), "") << "the source is measured";
+}
+
 TEST_F(SuiteFiles, ARunIsASceneAsItIs) {
     make_run("loft", "splat");
     make_run("half", "depth");
