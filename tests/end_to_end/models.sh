@@ -17,6 +17,10 @@ expect 2 "$fastscene" models pull
 expect 2 "$fastscene" models pull egformr
 says "egformer"
 
+# Nothing here is said, not passed over.
+FASTSCENE_MODELS=$work/none expect 0 "$fastscene" models verify
+prints "no file of any model is here, in $work/none"
+
 # Fetched by hand, or from a mirror.
 expect 1 "$fastscene" models pull egformer --accept
 says "by hand"

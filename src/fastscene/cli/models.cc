@@ -83,6 +83,7 @@ void print_reports(const std::vector<ModelReport>& reports, const Session& sessi
         json.push_back(to_json(report));
     }
     if (!text.empty()) text.pop_back();
+    if (reports.empty()) text = fmt::format("no file of any model is here, in {}", models_root().string());
     session.print(text, json);
 }
 
