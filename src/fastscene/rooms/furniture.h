@@ -48,6 +48,7 @@ struct PieceRequest {
     const Style* style = nullptr;           // must not be null
     std::optional<Vec3f> color{};           // linear albedo of the main surface
     std::string color_name{}, material{}, pattern{};  // names, "" = as the style has it; color wins over color_name
+    int screens = 0;                        // desks: how many monitors will stand on it
     float size_factor = 1.f;                // of the usual size, in [0.5, 2]
     std::uint64_t seed = 0;
     Vec3f size_m{};                         // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
@@ -57,6 +58,8 @@ struct PieceRequest {
     std::shared_ptr<const FurniturePack> pack{};
     const PackModel* model = nullptr;
 };
+
+inline constexpr float kMonitorStep = 0.59f;   // from one monitor to the next, metres
 
 // Throws Error for an unknown class. Deterministic in the request.
 Piece make_piece(const PieceRequest& request);

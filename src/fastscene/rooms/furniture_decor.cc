@@ -172,6 +172,10 @@ void curtain(Kit& k) {
     // size.x: the rod's width; size.y: from the floor to the rod.
     const Vec3f s = k.wanted({2.0f, 2.4f, 0.12f});
     const int cloth = k.main(k.style.curtain), metal = k.material(k.style.metal);
+    // Deeply dyed cloth lets less through than a white veil: in the sun red would glow pink.
+    constexpr float kVeil = 0.5f, kLeast = 0.15f;   // luminance of a veil's albedo; share that the darkest dye leaves
+    Material& dyed = k.piece.materials[static_cast<std::size_t>(cloth)];
+    dyed.transmission *= std::clamp(luminance(dyed.color_a) / kVeil, kLeast, 1.f);
     const float w = std::min(0.3f * s.x, 0.62f), h = s.y - 0.03f;
     for (const float sx : {-1.f, 1.f}) {
         const std::uint32_t seed = k.seed();

@@ -126,7 +126,8 @@ void dining_table_round(Kit& k) { round_table(k, k.wanted({1.2f, 0.75f, 1.2f}).x
 void console_table(Kit& k) { plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f); k.piece.against_wall = true; }
 
 void desk(Kit& k) {
-    const Vec3f s = k.wanted({1.35f, 0.75f, 0.65f});
+    const int screens = k.request.screens;
+    const Vec3f s = k.wanted({std::max(1.35f, 0.25f + kMonitorStep * static_cast<float>(screens)), 0.75f, screens > 0 ? 0.72f : 0.65f});
     plain_table(k, s, 0.03f);
     k.piece.surfaces.clear();
     k.board(k.piece.main_material, {0.5f * s.x - 0.3f, s.y - 0.17f, 0.02f}, {0.38f, 0.14f, s.z - 0.2f});
@@ -137,6 +138,16 @@ void desk(Kit& k) {
     scr.emission = {0.5f, 0.7f, 0.95f};
     const int screen = k.material(scr);
     fronts(k, k.piece.main_material, metal, 0.5f * s.x - 0.49f, 0.5f * s.x - 0.11f, s.y - 0.17f, s.y - 0.03f, 0.5f * s.z - 0.08f, 1, 1);
+    k.piece.clearance_front_m = 0.8f;
+    k.piece.against_wall = true;
+    if (screens > 0) {
+        // A keyboard and a mouse before the monitors that come; all of the top's back is theirs.
+        k.board(dark, {0, s.y, 0.17f}, {0.42f, 0.016f, 0.13f}, 0.005f);
+        k.board(alu, {0, s.y + 0.015f, 0.17f}, {0.4f, 0.004f, 0.112f}, 0.001f);
+        k.board(dark, {0.3f, s.y, 0.18f}, {0.06f, 0.03f, 0.1f}, 0.013f);
+        k.top(s.y, 0, -0.13f, 0.5f * s.x - 0.02f, 0.5f * s.z - 0.15f);
+        return;
+    }
     // The laptop faces who sits at the front (+z).
     k.board(alu, {0, s.y, 0.06f}, {0.34f, 0.014f, 0.24f}, 0.004f);
     k.board(dark, {0, s.y + 0.0135f, 0.03f}, {0.29f, 0.002f, 0.11f}, 0.0005f);
@@ -150,8 +161,6 @@ void desk(Kit& k) {
     k.add(shapes::vessel(cup, 0.004f, 18), k.material(plain("mug", k.accent(), 0.3f)), {0.3f, s.y, 0.14f});
     // Room for a lamp and more at the left.
     k.top(s.y, -0.25f * s.x - 0.09f, -0.01f, 0.25f * s.x - 0.1f, 0.5f * s.z - 0.04f);
-    k.piece.clearance_front_m = 0.8f;
-    k.piece.against_wall = true;
 }
 
 // A case of boards: sides, top, bottom, back; the front is open.
@@ -234,6 +243,20 @@ void tv(Kit& k) {
         k.board(dark, {sx * 0.36f, 0, 0}, {0.03f, 0.052f, 0.025f}, 0.003f);
         k.board(dark, {sx * 0.36f, 0, 0}, {0.03f, 0.012f, 0.22f}, 0.004f);
     }
+    k.piece.mount = Mount::surface;
+}
+// On a foot, lit as a computer's is.
+void monitor(Kit& k) {
+    const int dark = k.main(plain("black plastic", {0.032f, 0.032f, 0.034f}, 0.3f));
+    Material m = plain("monitor screen", {0.1f, 0.16f, 0.24f}, 0.2f);
+    m.pattern = Pattern::screen;
+    m.emission = {0.5f, 0.7f, 0.95f};
+    const int screen = k.material(m);
+    const float w = 0.55f, h = 0.33f, foot = 0.1f;
+    k.board(dark, {0, foot, 0}, {w, h, 0.03f}, 0.005f);
+    k.board(screen, {0, foot + 0.012f, 0.015f}, {w - 0.02f, h - 0.024f, 0.003f}, 0.001f);
+    k.board(dark, {0, 0.01f, -0.022f}, {0.05f, foot + 0.1f, 0.016f}, 0.004f);
+    k.board(dark, {0, 0, 0}, {0.22f, 0.012f, 0.16f}, 0.004f);
     k.piece.mount = Mount::surface;
 }
 void tv_stand(Kit& k) {
@@ -334,7 +357,7 @@ void toy_box(Kit& k) {
 }
 
 constexpr Entry kTables[] = {{"coffee_table", coffee_table}, {"side_table", side_table}, {"dining_table", dining_table}, {"dining_table_round", dining_table_round}, {"console_table", console_table}, {"desk", desk},
-                             {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"tv_stand", tv_stand},
+                             {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"monitor", monitor}, {"tv_stand", tv_stand},
                              {"bookshelf", bookshelf}, {"shelf", shelf}, {"ladder_shelf", ladder_shelf}, {"toy_box", toy_box}};
 
 }  // namespace

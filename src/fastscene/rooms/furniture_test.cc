@@ -60,6 +60,22 @@ std::size_t check_piece(const Piece& p) {
     return count;
 }
 
+// A dye takes from what comes through as it takes from what comes back.
+TEST(Furniture, DarkCurtainsLetLessLightThrough) {
+    for (const std::string name : {"modern", "classic", "boho", "rustic"}) {
+        const auto through = [&](Vec3f color) {
+            PieceRequest r;
+            r.klass = "curtain", r.style = &style_named(name), r.color = color;
+            const Piece p = make_piece(r);
+            return p.materials[static_cast<std::size_t>(p.main_material)].transmission;
+        };
+        const float white = through({0.75f, 0.74f, 0.72f}), red = through({0.5f, 0.03f, 0.03f}), navy = through({0.02f, 0.03f, 0.12f});
+        EXPECT_GT(white, 0.f);
+        EXPECT_LT(red, 0.5f * white) << name;
+        EXPECT_LE(navy, red) << name;
+    }
+}
+
 TEST(Furniture, EveryClassInEveryStyleIsSound) {
     EXPECT_GE(piece_classes().size(), 60u);
     for (const std::string& style : styles())

@@ -73,6 +73,18 @@ bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const P
     return false;
 }
 
+bool stands_on_sill(const Plan& plan, const Placed& p) {
+    if (p.sill < 0 || p.sill >= static_cast<int>(plan.openings.size())) return false;
+    const Opening& o = plan.openings[static_cast<std::size_t>(p.sill)];
+    const WallFace face = plan.wall(o.wall);
+    const Footprint box = footprint_of(p);
+    const Vec3f to = p.position - face.origin;
+    const float u = dot(to, face.along), off = dot(to, face.inward), half_u = extent(box, flat(face.along)), half = extent(box, flat(face.inward));
+    constexpr float kTolerance = 0.002f;
+    return o.kind == Opening::Kind::window && std::abs(p.position.y - o.y0) < kTolerance && box.y1 < o.y1 && u - half_u > o.u0 && u + half_u < o.u1 &&
+           off - half > -kRevealDepth - kTolerance && off + half < kSillReach + kTolerance;
+}
+
 void Layout::find_ways() {
     ways_ = Ways(plan_);
     for (const Placed& p : placed_) ways_.add(p);
@@ -169,6 +181,9 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         if ((r.model = spec_.pack->choose(r.klass, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id)))) r.pack = spec_.pack;
     if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.klass)) r.klass = stand_in(r.klass).value_or(r.klass);
     if (wish && !wish->style.empty()) r.style = &style_named(wish->style);
+    if (r.klass == "desk")
+        for (const PromptObject& o : spec_.objects)
+            if (o.klass == "monitor" && !o.forbidden && o.relation != "in the next room") r.screens = std::min(kMostScreens, r.screens + o.count);
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color);
         r.color_name = wish->color;

@@ -23,6 +23,7 @@ struct Placed {
     Vec3f position;
     float yaw = 0;
     int on = -1;               // index of the piece it stands on
+    int sill = -1;             // index of the window on whose sill it stands
     int below = -1;            // index of the table it stands under
     int with = -1;             // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
     bool flat = false;         // rugs: one may stand on them
@@ -34,6 +35,8 @@ Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
 bool blocks_opening(const Plan& plan, const Footprint& box);
 // Whether a piece of wall carries it, clear of doors and windows.
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& placed);
+// On the sill of its window, between the frame and the sill's edge.
+bool stands_on_sill(const Plan& plan, const Placed& placed);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);
 // No door and no window in this part of a wall face.
@@ -49,6 +52,7 @@ struct AnnealReport {
     double seconds = 0;            // of this thread's time
 };
 
+inline constexpr int kMostScreens = 3;  // side by side on a desk
 inline constexpr float kInRow = 0.12f;  // metres between those that stand in a row
 
 // Floor kept free about a piece, and the wall above it, for what is to stand or hang there.
@@ -91,7 +95,9 @@ class Layout {
     std::optional<int> lay(Vec2f at, float yaw, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_top(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // … with its middle at this point of the floor plan, turned as asked.
-    std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw);
+    std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw, const PromptObject& from = {});
+    // On the sill of this window, or of any, where nothing else stands before it; no larger than the sill is deep.
+    std::optional<int> on_sill(const PieceRequest& request, std::optional<int> window = {}, const PromptObject& from = {});
     // Small things that lie about on the floor near a point.
     std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});

@@ -119,6 +119,7 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
 }
 
 std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRequest& r) {
+    if (ask.wish->klass == "monitor" && klass_of(anchor) == "desk") return next_screen(anchor, r, *ask.wish);
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.

@@ -57,6 +57,8 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
                 if (const auto i = l_.angled_towards(flat(face.point((o.u0 + o.u1) / 2, 0)), r, wish)) return i;
             }
     if (piece.mount == Mount::surface) {
+        if (ask.relation == "on" && ask.at.ends_with("window"))
+            if (const auto i = l_.on_sill(r, {}, wish)) return i;
         if (ask.at == "wall") return l_.on_wall(r, {}, wish);
         if (ask.at == "floor") return l_.on_floor_near({0, 0}, r, wish);
         return on_a_top_there(wish, r, {});
@@ -157,6 +159,19 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
     return on_those(true);
 }
 
+std::optional<int> Furnisher::next_screen(int desk, const PieceRequest& r, const PromptObject& wish) {
+    int asked = 0, standing = 0;
+    for (const PromptObject& o : l_.spec().objects) asked += o.klass == "monitor" && !o.forbidden ? o.count : 0;
+    for (const Placed& p : l_.placed()) standing += p.on == desk && p.piece.klass == "monitor";
+    const int row = std::min(kMostScreens, asked);
+    if (standing >= row) return {};
+    constexpr float kFromBack = 0.13f, kTurn = 0.24f;   // metres from the desk's rear edge to a foot's middle; radians
+    const float aside = static_cast<float>(standing) - 0.5f * static_cast<float>(row - 1);
+    const Placed& d = at(desk);
+    const float depth = -d.piece.size_m.z / 2 + kFromBack + 0.06f * std::abs(aside);
+    return l_.on_top_at(desk, r, flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth), d.yaw - kTurn * aside, wish);
+}
+
 // On a low piece, else on a wall, else it gets a stand of its own.
 std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObject& wish) {
     for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
@@ -186,6 +201,8 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     if (const auto i = where_asked(wish, r, piece)) return i;
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);
+    if (const auto desk = l_.find("desk"); wish.klass == "monitor" && desk)
+        if (const auto i = next_screen(*desk, r, wish)) return i;
     if (wish.klass == "cushion" && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
         case Mount::surface:

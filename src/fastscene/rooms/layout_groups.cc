@@ -78,11 +78,13 @@ void Furnisher::kids_room() {
 void Furnisher::working_place(float probability) {
     const auto furnish_desk = [this](int desk) {
         const bool plain = wishes_.has("chair") && !wishes_.has("office_chair");
+        for (int left = wishes_.count("monitor"); left > 0; --left)
+            put("monitor", 0, [=, this](const PieceRequest& r, const PromptObject& o) { return next_screen(desk, r, o); });
         before(desk, plain ? "chair" : "office_chair", 1, plain ? 0.05f : -0.2f, true);
         top(desk, "table_lamp", 0.85f);
     };
     const Layout::WallWish where{.center_pull = 0.5f, .window_pull = 0.8f};
-    if (probability >= 1 || wishes_.asked("desk")) {
+    if (probability >= 1 || wishes_.asked("desk") || wishes_.asked("monitor")) {
         if (const auto desk = main_at_wall("desk", where)) furnish_desk(*desk);
         return;
     }
@@ -151,7 +153,7 @@ void Furnisher::focus_of(int sofa) {
 void Furnisher::living() {
     seating_group();
     if (wishes_.asked("dining_table")) eating_place(4);
-    if (wishes_.asked("desk")) working_place(1);
+    if (wishes_.asked("desk") || wishes_.asked("monitor")) working_place(1);
     wall("bookshelf", 0.75f, {.window_pull = -1});
     wall("sideboard", 0.5f, {.window_pull = -0.5f});
 }

@@ -131,6 +131,8 @@ class Furnisher {
     std::optional<int> next_in_row(const PromptObject& wish, const PieceRequest& r);
     std::optional<int> on_a_table_of_its_own(const PieceRequest& r, const PromptObject& wish);
     std::optional<int> anywhere(const PromptObject& wish);
+    // Beside the other monitors at the back of a desk, the outer ones turned to who sits there.
+    std::optional<int> next_screen(int desk, const PieceRequest& r, const PromptObject& wish);
     std::optional<int> television(const PieceRequest& r, const PromptObject& wish);
     bool stands_on_others(const PromptObject& wish) const;
     bool on_a_seat(const PromptObject& wish);

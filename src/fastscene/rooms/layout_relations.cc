@@ -11,6 +11,7 @@ struct Place {
     Footprint box;
     Vec2f front;     // unit, into the room
     int index = -1;  // of the piece; -1: an opening
+    int opening = -1;
 };
 
 Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
@@ -21,21 +22,24 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
     std::vector<Place> out;
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass))
-            out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i)});
+            out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i), -1});
     if (klass == "skylight")
         for (const Skylight& k : plan.skylights) {
             const Vec2f inward = flat(plan.wall(k.wall).inward);
             const Vec2f at = Vec2f{k.wall == 1 ? plan.width / 2 : -plan.width / 2, (k.z0 + k.z1) / 2} + inward * (plan.slope_run / 2);
-            out.push_back({{at, {(k.z1 - k.z0) / 2, plan.slope_run / 2}, std::atan2(inward.x, inward.y), plan.knee, plan.height}, inward, -1});
+            out.push_back({{at, {(k.z1 - k.z0) / 2, plan.slope_run / 2}, std::atan2(inward.x, inward.y), plan.knee, plan.height}, inward, -1, -1});
         }
     for (const Block& b : plan.blocks)
         if (klass == "column" && b.kind == Block::Kind::column)
-            out.push_back({{(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height}, {0, -1}, -1});
+            out.push_back({{(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height}, {0, -1}, -1, -1});
     for (const Opening& o : plan.openings) {
         if (!is_opening_of(o, klass)) continue;
         const WallFace face = plan.wall(o.wall);
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
-        out.push_back({{flat(middle), {(o.u1 - o.u0) / 2, 0.01f}, std::atan2(face.inward.x, face.inward.z), o.y0, o.y1}, flat(face.inward), -1});
+        out.push_back({{flat(middle), {(o.u1 - o.u0) / 2, 0.01f}, std::atan2(face.inward.x, face.inward.z), o.y0, o.y1},
+                       flat(face.inward),
+                       -1,
+                       static_cast<int>(&o - plan.openings.data())});
     }
     return out;
 }
@@ -78,6 +82,7 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     const Vec2f from = box.center - at.box.center;
     const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)), far = gap(box, at.box);
     const bool opening = at.index < 0;
+    if (relation == "on" && piece.sill >= 0) return piece.sill == at.opening;
     if (relation == "on") return piece.on == at.index || (at.box.y1 < 0.08f && far < 0.05f);
     if (relation == "under") return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
     if (relation == "above") return std::abs(aside) < at.box.half.x + 0.1f && box.y0 >= at.box.y1 - 0.02f && far < 0.3f;

@@ -70,7 +70,7 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     return {};
 }
 
-std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw) {
+std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw, const PromptObject& from) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
     if (a.piece.surfaces.empty()) return {};
     Placed p;
@@ -85,7 +85,38 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
     for (std::size_t i = 0; i < placed_.size(); ++i)
         if (static_cast<int>(i) != anchor && !placed_[i].flat && overlap(box, footprint_of(placed_[i]))) return {};
     if (!leaves_way(p)) return {};
-    return keep(p, {});
+    return keep(p, from);
+}
+
+std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<int> window, const PromptObject& from) {
+    if (make_piece(request).mount != Mount::surface) return {};
+    constexpr float kLowest = 0.3f;         // a window down to the floor has no sill
+    constexpr float kSides = 0.14f;         // of the window's width, at either side: there hang its curtains
+    const int count = static_cast<int>(plan_.openings.size()), first = count > 0 ? dice_.index(count) : 0;
+    for (const float size : {1.f, 0.85f, 0.7f, 0.58f, 0.48f}) {
+        PieceRequest smaller = request;
+        smaller.size_factor *= size;
+        Placed p;
+        p.piece = make_piece(smaller);
+        const Vec3f extents = p.piece.size_m;
+        if (extents.z > kRevealDepth + kSillReach || !p.piece.surfaces.empty()) continue;
+        for (int k = 0; k < count; ++k) {
+            p.sill = (first + k) % count;
+            if (window && *window != p.sill) continue;
+            const Opening& o = plan_.openings[static_cast<std::size_t>(p.sill)];
+            if (o.kind != Opening::Kind::window || o.y0 < kLowest) continue;
+            const WallFace face = plan_.wall(o.wall);
+            const float side = std::max(0.06f, kSides * (o.u1 - o.u0)) + extents.x / 2;
+            p.yaw = yaw_of(face.inward);
+            for (int tries = 0; tries < (o.u1 - o.u0 > 2 * side ? 12 : 0); ++tries) {
+                p.position = face.point(dice_.uniform(o.u0 + side, o.u1 - side), o.y0) + face.inward * ((kSillReach - kRevealDepth) / 2);
+                const Footprint room_for = footprint_of(p, 0.01f);
+                const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(room_for, footprint_of(other)); });
+                if (free && stands_on_sill(plan_, p) && std::isfinite(as_asked(p, from))) return keep(p, from);
+            }
+        }
+    }
+    return {};
 }
 
 std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from) {

@@ -88,6 +88,10 @@ TEST(Layout, SmallThingsStandOnWhatCarriesThem) {
             int carried = 0;
             for (const Placed& p : f.placed) {
                 if (p.piece.mount != Mount::surface && p.on < 0) continue;
+                if (p.sill >= 0) {
+                    EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.klass;
+                    continue;
+                }
                 ASSERT_GE(p.on, 0) << p.piece.klass << " floats";
                 const Placed& below = f.placed[static_cast<std::size_t>(p.on)];
                 bool at_a_top = false;
@@ -98,6 +102,56 @@ TEST(Layout, SmallThingsStandOnWhatCarriesThem) {
             }
             EXPECT_GT(carried, 0) << text;
         }
+}
+
+TEST(Layout, ThingsStandOnWindowSills) {
+    int rooms_with = 0, asked = 0, windows = 0;
+    for (const char* text : {"a scandinavian living room", "a rustic kitchen", "a classic bedroom"})
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            const LaidOut f = laid_out(text, seed);
+            bool any = false;
+            for (const Placed& p : f.placed) {
+                if (p.sill < 0) continue;
+                any = true;
+                EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.klass;
+                for (const Placed& q : f.placed) EXPECT_TRUE(&p == &q || q.flat || !overlap(footprint_of(p), footprint_of(q))) << q.piece.klass;
+            }
+            rooms_with += any;
+        }
+    EXPECT_GE(rooms_with, 6);
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const LaidOut f = laid_out("a rustic kitchen with a vase on the window sill", seed);
+        windows += std::any_of(f.plan.openings.begin(), f.plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
+        asked += std::any_of(f.placed.begin(), f.placed.end(), [](const Placed& p) { return p.wish.klass == "vase" && p.sill >= 0; });
+    }
+    EXPECT_GE(asked, windows - 1);
+}
+
+TEST(Layout, MonitorsStandInARowOnTheDesk) {
+    for (const char* text : {"a study with a desk with three monitors", "an industrial loft with three monitors on a desk", "a bedroom with two monitors"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const LaidOut f = laid_out(text, seed);
+            int on_desk = 0, all = 0;
+            for (const Placed& p : f.placed) {
+                if (p.wish.klass != "monitor") continue;
+                ++all;
+                if (p.on < 0 || f.placed[static_cast<std::size_t>(p.on)].piece.klass != "desk") continue;
+                ++on_desk;
+                // Turned to who sits in the middle of the desk's front.
+                const Placed& desk = f.placed[static_cast<std::size_t>(p.on)];
+                const Vec3f front{std::sin(desk.yaw), 0, std::cos(desk.yaw)}, own{std::sin(p.yaw), 0, std::cos(p.yaw)};
+                const Vec3f to = desk.position + front * 0.8f - p.position, flat_to = normalize(Vec3f{to.x, 0, to.z});
+                EXPECT_GT(dot(own, flat_to), 0.85f);
+            }
+            EXPECT_EQ(all, f.spec.objects.empty() ? 0 : std::string_view(text).find("two") != std::string_view::npos ? 2 : 3) << text << ", seed " << seed;
+            EXPECT_EQ(on_desk, all) << text << ", seed " << seed;
+        }
+}
+
+TEST(Layout, TowelsLieWhereItIsDamp) {
+    for (const char* text : {"a cluttered living room with a bench", "a cozy hallway with a bench", "a cluttered bedroom with two benches"})
+        for (std::uint64_t seed = 0; seed < 5; ++seed)
+            for (const Placed& p : laid_out(text, seed).placed) EXPECT_NE(p.piece.klass, "towel_stack") << text;
 }
 
 TEST(Layout, RelationsHold) {
@@ -205,7 +259,7 @@ TEST(Anneal, MendsABadRoomAndKeepsAGoodOne) {
             const float next = layout_cost(f.plan, f.placed).sum();
             EXPECT_LT(next, cost);
             cost = next;
-            for (std::size_t i = 0; i < f.placed.size(); ++i) EXPECT_TRUE(f.plan.holds(footprint_of(f.placed[i]))) << f.placed[i].piece.klass;
+            for (std::size_t i = 0; i < f.placed.size(); ++i) EXPECT_TRUE(f.placed[i].sill >= 0 || f.plan.holds(footprint_of(f.placed[i]))) << f.placed[i].piece.klass;
         }
         EXPECT_TRUE(anneal(f.plan, f.placed, {.steps = 0}, 7).empty());
     }

@@ -64,6 +64,7 @@ class Touches {
         walls();
         lay_tables();
         small_things();
+        sills();
         toys();
     }
 
@@ -148,8 +149,26 @@ class Touches {
                 return thing != "photo_frame" && thing != "candle" && thing != "cup" &&
                        std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == static_cast<int>(i) && p.piece.klass == thing; });
             };
+            const bool damp = room() == "bathroom" || room() == "laundry";
             for (const Habit& h : kHabits)
-                if (h.on == klass && !there(h.thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(h.thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(h.thing))).has_value();
+                if (h.on == klass && (damp || h.thing != "towel_stack") && !there(h.thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(h.thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(h.thing))).has_value();
+        }
+    }
+
+    // One to four things at a window: herbs in a kitchen, soap in a bathroom, plants and books elsewhere.
+    void sills() {
+        static constexpr std::array<std::string_view, 6> kDry{"plant_small", "vase_small", "photo_frame", "book_stack", "plant_small", "candle"},
+            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"}, kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"};
+        const auto& things = room() == "kitchen" ? kCooking : room() == "bathroom" || room() == "laundry" ? kWet : kDry;
+        for (int window = 0; window < static_cast<int>(l_.plan().openings.size()); ++window) {
+            const Opening& o = l_.plan().openings[static_cast<std::size_t>(window)];
+            if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_))) continue;
+            // Things gather: one for every half metre or so, with some left out.
+            const int most = std::clamp(static_cast<int>((o.u1 - o.u0) / 0.5f), 1, 4), first = l_.dice().index(static_cast<int>(things.size()));
+            for (int i = 0; i < most; ++i) {
+                const std::string klass(things[static_cast<std::size_t>(first + i) % things.size()]);
+                if (wants(klass, 0.75f)) l_.on_sill(l_.request(klass), window);
+            }
         }
     }
 

@@ -38,7 +38,7 @@ const std::vector<Choice>& choices() {
         {"doll_house", {"doll_house"}, "toy_box"},
         {"puzzle", {"puzzle"}, "toy_box"},
         {"laptop", {"laptop", "apple_ibook"}},
-        {"computer", {"apple_imac_2004", "apple_imac_1998"}, "tv"},
+        {"computer", {"apple_imac_2004", "apple_imac_1998"}, "monitor"},
         {"phone", {"phone", "apple_iphone", "mobile_phone", "wireless_phone"}},
         {"printer", {"inkjet_printer_and_scanner"}},
         {"keyboard_pc", {"keyboard"}},

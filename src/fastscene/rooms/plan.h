@@ -18,6 +18,7 @@ namespace fastscene {
 inline constexpr float kWallThickness = 0.22f;
 // A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
+inline constexpr float kRevealDepth = 0.12f;   // of a window: from the wall's face to the frame
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.
 inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;

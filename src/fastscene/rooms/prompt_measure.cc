@@ -111,7 +111,7 @@ Vec3f piece_size(const PromptObject& object, const std::vector<float>& metres, E
         if (extent == Extent::height || (extent == Extent::any && stands_tall(object.klass))) return {0, v, 0};
         const bool bed = object.klass.starts_with("bed");
         if (extent == Extent::depth || (extent == Extent::length && bed)) return {0, 0, v};
-        if (object.klass == "tv" && extent == Extent::any) return {v * 0.87f, 0, 0};  // a screen's diagonal, 16:9
+        if ((object.klass == "tv" || object.klass == "monitor") && extent == Extent::any) return {v * 0.87f, 0, 0};  // a screen's diagonal, 16:9
         return {v, 0, 0};
     }
     const auto [low, high] = std::minmax(metres[0], metres[1]);

@@ -38,7 +38,7 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const int object = add_object(room, "window", o, face, kWallThickness);
     const int frame = o.color.empty() ? trim : add_material(room, painted(plan.style.trim, o.color));
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
-    const float w0 = -0.17f, w1 = -0.12f, bar = 0.05f;
+    const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;
     wall.box(o.u0, o.u0 + bar, o.y0, o.y1, w0, w1, frame, object);
     wall.box(o.u1 - bar, o.u1, o.y0, o.y1, w0, w1, frame, object);
     wall.box(o.u0 + bar, o.u1 - bar, o.y0, o.y0 + bar, w0, w1, frame, object);
@@ -53,7 +53,7 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
     // The sill, and a casing on the wall where the style has mouldings.
-    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -0.12f, kSillReach, frame, object);
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame, object);
     if (plan.style.mouldings != Mouldings::none) {
         wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.025f, frame, object);
         wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);

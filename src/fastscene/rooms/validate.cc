@@ -35,6 +35,7 @@ class Checker {
     void add(const char* kind, std::string text) { faults_.push_back({kind, std::move(text)}); }
 
     void inside(std::size_t i) {
+        if (placed_[i].sill >= 0) return;   // within the wall's opening
         if (!plan_.holds(shrunk(footprint_of(placed_[i]), kTolerance))) add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
     }
 
@@ -53,6 +54,10 @@ class Checker {
             const Placed& table = placed_[static_cast<std::size_t>(p.below)];
             if (table.piece.surfaces.empty() || p.piece.size_m.y > table.piece.surfaces.front().center.y)
                 add("unsupported", name(i) + " is too tall for its place under " + name(static_cast<std::size_t>(p.below)));
+        }
+        if (p.sill >= 0) {
+            if (!stands_on_sill(plan_, p)) add("unsupported", name(i) + " does not stand on its window's sill");
+            return;
         }
         switch (p.piece.mount) {
             case Mount::floor:
@@ -97,7 +102,7 @@ class Checker {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
             Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
             if (window) zone.y0 = o.y0 + 0.25f, zone.y1 = o.y1 - 0.02f;
-            if (window && (p.piece.klass == "curtain" || p.piece.klass == "blind" || p.on >= 0)) continue;
+            if (window && (p.piece.klass == "curtain" || p.piece.klass == "blind" || p.on >= 0 || p.sill >= 0)) continue;
             if (overlap(box, zone)) add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
         }
     }

@@ -71,21 +71,61 @@ Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const
     return lerp(sky.ground * Vec3f{1.f, 0.92f, 0.76f} * sand, (light.shade + light.sun * 0.6f) * 0.55f, foam);
 }
 
-// Slabs before the house, then the lawn.
-Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m) {
+// Of a garden, metres from the house: where its slabs end and its beds lie; and how much of the turn the beds take.
+constexpr float kTerrace = 4.3f, kNearBed = 5.3f, kMiddleBed = 12.f, kFarBed = 22.5f, kNearShare = 0.5f, kMiddleShare = 0.4f, kFarShare = 1.f;
+
+// What is laid out in a garden: paths that lead away from the terrace, and flower beds between them.
+struct Garden {
+    explicit Garden(const Sky& sky) : seed(sky.seed) {
+        for (int k = 0; k < kPaths; ++k)
+            paths[k] = (static_cast<float>(k) + 0.7f * lattice_unit(k, 0, 21, seed)) * (2 * kPi / static_cast<float>(kPaths));
+    }
+    // Metres to the middle of the nearest path.
+    float off_path(Vec2f p) const {
+        float least = 1e9f;
+        for (const float turn : paths) {
+            const float s = std::sin(turn), c = std::cos(turn), along = p.x * s + p.y * c, aside = p.x * c - p.y * s;
+            if (along > 0) least = std::min(least, std::abs(aside + 0.09f * (along - kTerrace) * std::sin(0.35f * along + turn)));
+        }
+        return least;
+    }
+    // How far an azimuth lies within a bed at this distance, in noise above its threshold; not above zero: outside.
+    float within_bed(float azimuth, float distance, float share) const {
+        const float free = off_path(Vec2f{std::sin(azimuth), std::cos(azimuth)} * distance) - 1.1f;
+        return std::min(0.15f * free, outline(azimuth, 3.4f, seed + static_cast<std::uint32_t>(distance)) - 0.66f + 0.36f * share);
+    }
+    static constexpr int kPaths = 5;
+    std::uint32_t seed;
+    float paths[kPaths];
+};
+
+// Slabs before the house, then the lawn; with paths of gravel and beds of dark earth where there is a garden.
+Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* garden = nullptr) {
     const float far = eye_m / std::max(1e-3f, direction.y);
     const Vec2f p{direction.x * far, direction.z * far};
     const float reach = std::hypot(p.x, p.y);
     const float footprint = 0.004f * far;
     if (sky.snow) return lerp(sky.ground * 2.4f, sky.horizon, 0.15f) * (0.9f + 0.16f * fbm2(p * 0.5f, 4, footprint, sky.seed + 3));
     const float mottle = fbm2(p * 1.2f, 5, footprint * 1.2f, sky.seed + 3), blade = fbm2(p * 14.f, 3, footprint * 14.f, sky.seed + 4);
-    const Vec3f lawn = sky.ground * lerp(Vec3f{0.36f, 0.42f, 0.17f}, Vec3f{0.56f, 0.55f, 0.27f}, mottle) * (0.55f + 0.7f * blade);
-    if (reach > 6.f) return lawn;
+    const Vec3f lawn = sky.ground * lerp(Vec3f{0.38f, 0.55f, 0.17f}, Vec3f{0.58f, 0.68f, 0.27f}, mottle) * (0.6f + 0.75f * blade);
+    const float terrace = garden ? kTerrace : 5.5f;
+    if (reach > terrace + 0.1f) {
+        if (!garden) return lawn;
+        const float azimuth = std::atan2(p.x, p.y), ragged = 0.3f * noise2(p * 1.5f, sky.seed + 5);
+        const float gravel = 1 - smooth_step(0.55f, 0.62f + 0.02f * reach, garden->off_path(p) + 0.1f * ragged);
+        const auto is_earth = [&](float distance, float share, float half) {
+            const float within = garden->within_bed(azimuth, distance, share);
+            return within > 0 && std::abs(reach - distance) < half * std::min(1.f, 12.f * within) + 0.5f * ragged;
+        };
+        const bool earth = is_earth(kNearBed, kNearShare, 0.45f) || is_earth(kMiddleBed, kMiddleShare, 0.8f);
+        const Vec3f ground = earth ? sky.ground * Vec3f{0.3f, 0.22f, 0.16f} * (0.7f + 0.6f * blade) : lawn;
+        return lerp(ground, sky.ground * Vec3f{1.2f, 1.08f, 0.9f} * (0.8f + 0.4f * blade), gravel);
+    }
     const Vec2f slab{p.x / 0.8f, p.y / 0.8f};
     const float joint = std::min({slab.x - std::floor(slab.x), slab.y - std::floor(slab.y)});
     const float tone = 0.92f + 0.16f * lattice_unit(floor_int(slab.x), floor_int(slab.y), 2, sky.seed) - (joint < 0.03f ? 0.3f : 0.f);
     const Vec3f paving = sky.ground * Vec3f{1.15f, 1.1f, 1.02f} * tone;
-    return lerp(paving, lawn, smooth_step(5.4f, 5.6f, reach));
+    return lerp(paving, lawn, smooth_step(terrace - 0.1f, terrace + 0.1f, reach));
 }
 
 // A road between pavements, along the front of the house.
@@ -111,11 +151,16 @@ Vec3f outside_radiance(const Sky& sky, Vec3f direction, Vec3f color) {
         case Sky::View::garden: {
             constexpr float kEye = 2.1f;
             color = hills(light, azimuth, height, color, sky);
-            if (below) color = light.far_off(garden_floor(sky, direction, kEye), 0.3f * smooth_step(15, 80, kEye / direction.y));
+            const Garden garden(sky);
+            const auto planted = [&](float distance, float share) { return [=, &garden](float at) { return garden.within_bed(at, distance, share) > 0; }; };
+            if (below) color = light.far_off(garden_floor(sky, direction, kEye, &garden), 0.3f * smooth_step(15, 80, kEye / direction.y));
             buildings(light, {26, 75.f, 4.5f, 7.5f, kEye, 0.62f, true, 0.25f, s + 1}, azimuth, height, color);
             trees(light, {40, 46.f, 3.4f, kEye, 0.3f, false, sky.snow, 0.14f, s + 2}, azimuth, height, color);
             hedge(light, 24.f, 1.35f, kEye, sky.snow, s + 4, azimuth, height, color);
+            beds(light, {130, kFarBed, 0.8f, 0.8f, kEye, 0.15f, 0.03f, s + 5}, azimuth, height, planted(kFarBed, kFarShare), color);
             trees(light, {15, 19.f, 2.3f, kEye, 0.6f, false, sky.snow, 0.03f, s + 3}, azimuth, height, color);
+            beds(light, {90, kMiddleBed, 0.6f, 0.62f, kEye, 0.1f, 0.01f, s + 6}, azimuth, height, planted(kMiddleBed, kMiddleShare), color);
+            beds(light, {74, kNearBed, 0.36f, 0.4f, kEye, 0.06f, 0.f, s + 7}, azimuth, height, planted(kNearBed, kNearShare), color);
             return color;
         }
         case Sky::View::city: {

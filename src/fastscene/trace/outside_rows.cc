@@ -29,6 +29,38 @@ Vec3f pane(const Light& light, Vec2f q, float lit, Vec3f frame) {
     return curtain ? lerp(mirrored, light.shade * 0.3f, 0.5f) : mirrored;
 }
 
+// How far a clump stands from the viewer, in distances of its row.
+float depth_of(const BedRow& row, int cell) { return 0.93f + 0.14f * lattice_unit(cell, 0, 7, row.seed); }
+
+// The clump of one cell, if the ray meets it.
+void clump(const Light& light, const BedRow& row, int cell, float middle, float azimuth, float height, Vec3f& color) {
+    static constexpr std::array<Vec3f, 4> kLeaves{Vec3f{0.055f, 0.09f, 0.03f}, {0.1f, 0.14f, 0.045f}, {0.1f, 0.12f, 0.085f}, {0.075f, 0.1f, 0.035f}};
+    static constexpr std::array<Vec3f, 7> kFlowers{Vec3f{0.7f, 0.68f, 0.62f}, {0.62f, 0.2f, 0.34f}, {0.3f, 0.2f, 0.52f}, {0.68f, 0.5f, 0.08f},
+                                                   {0.55f, 0.06f, 0.05f},     {0.66f, 0.4f, 0.42f}, {0.68f, 0.26f, 0.06f}};
+    const auto dice = [&](int what) { return lattice_unit(cell, what, 7, row.seed); };
+    const float distance = row.distance_m * depth_of(row, cell), r = row.radius_m * (0.7f + 0.6f * dice(1)), high = row.high_m * (0.5f + dice(2));
+    const Vec2f p = on_plane(azimuth - middle, height, distance, row.eye_m);
+    if (p.y < -0.05f * row.high_m || p.y > 1.3f * high || std::abs(p.x) > 1.4f * r) return;
+    const Vec2f q{p.x / r, std::max(0.f, p.y) / high};
+    const float leaves = fbm2({p.x * 5.f / row.radius_m + 17.f * dice(3), p.y * 5.f / row.radius_m}, 4, 0.f, row.seed + static_cast<std::uint32_t>(cell));
+    const float inside = 1 - q.x * q.x - q.y * q.y + 1.5f * (leaves - 0.5f);
+    if (inside < 0) return;
+    const Vec3f normal = normalize(Vec3f{q.x, 0.25f + q.y, std::sqrt(std::max(0.1f, 1 - q.x * q.x - q.y * q.y))});
+    Vec3f tone = kLeaves[static_cast<std::size_t>(dice(4) * 3.99f)] * (0.35f + 0.9f * leaves + 0.5f * noise2(p * (2.2f / row.bloom_m), row.seed + 6));
+    // Flowers on a jittered grid, more of them towards the top; every third clump has leaves alone.
+    const Vec2f g{p.x / row.bloom_m + 31.f * dice(5), p.y / row.bloom_m};
+    const int gx = floor_int(g.x), gy = floor_int(g.y);
+    const float off_x = g.x - static_cast<float>(gx) - 0.15f - 0.7f * lattice_unit(gx, gy, 1, row.seed + 7),
+                off_y = g.y - static_cast<float>(gy) - 0.15f - 0.7f * lattice_unit(gx, gy, 2, row.seed + 7);
+    const bool flower = !light.snow && dice(6) > 0.3f && off_x * off_x + off_y * off_y < 0.05f + 0.12f * lattice_unit(gx, gy, 5, row.seed + 7) &&
+                        lattice_unit(gx, gy, 3, row.seed + 7) < (0.25f + 0.75f * q.y) * (0.45f + 0.55f * dice(7));
+    if (flower) tone = kFlowers[static_cast<std::size_t>(dice(8) * 6.99f)] * (0.7f + 0.5f * lattice_unit(gx, gy, 4, row.seed + 7));
+    if (light.snow) tone = lerp(tone, {0.72f, 0.75f, 0.8f}, unit_clamp(normal.y + 1.2f * (leaves - 0.4f)));
+    const float sky_part = 0.4f + 0.6f * unit_clamp(0.3f + 0.7f * q.y);
+    const Vec3f arriving = light.shade * sky_part + light.sun * (0.9f * light.sunlit(normal, middle)) + light.street * 0.06f;
+    color = light.far_off(tone * arriving, row.haze);
+}
+
 }  // namespace
 
 void buildings(const Light& light, const Row& row, float azimuth, float height, Vec3f& color) {
@@ -113,6 +145,8 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
         }
         const float fine = noise2({p.x * 17.f / r, p.y * 17.f / r}, row.seed + 5), clump = 0.45f + 0.95f * leaves;
         Vec3f green = row.conifers ? Vec3f{0.045f, 0.075f, 0.04f} : lerp(Vec3f{0.07f, 0.1f, 0.035f}, Vec3f{0.14f, 0.15f, 0.05f}, dice(8));
+        // One in eight a copper beech or in blossom.
+        if (!row.conifers && dice(9) < 0.12f) green = dice(10) < 0.5f ? Vec3f{0.13f, 0.055f, 0.045f} : Vec3f{0.36f, 0.25f, 0.26f};
         if (row.snow) green = lerp(green, Vec3f{0.7f, 0.73f, 0.78f}, unit_clamp(0.2f + normal.y + 1.6f * (fine - 0.5f)));
         const float sky_part = 0.45f + 0.55f * unit_clamp(0.5f + 0.5f * normal.y);
         const Vec3f arriving =
@@ -134,6 +168,19 @@ void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool
     const Vec3f arriving =
         light.shade * (0.5f + 0.5f * edge) + light.sun * (light.sunlit({0, 0.3f + 0.7f * edge, 0.9f - 0.5f * edge}, azimuth) * 0.85f);
     color = light.far_off(green * arriving * (0.45f + 0.6f * leaves + 0.5f * fine) * (0.6f + 0.4f * smooth_step(0, 0.6f, y)), 0.05f);
+}
+
+void beds(const Light& light, const BedRow& row, float azimuth, float height, const std::function<bool(float)>& planted, Vec3f& color) {
+    const float low = std::tan(height) * row.distance_m + row.eye_m;
+    if (low > 2.2f * row.high_m || low < -0.3f * row.eye_m) return;
+    const float wide = 2 * kPi / static_cast<float>(row.cells);
+    const int here = floor_int((azimuth + kPi) / wide);
+    const auto cell_at = [&](int k) { return (here + k + row.cells) % row.cells; };
+    std::array<int, 5> order{-2, -1, 0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return depth_of(row, cell_at(a)) > depth_of(row, cell_at(b)); });   // the near ones hide the far ones
+    for (const int k : order)
+        if (const float middle = (static_cast<float>(here + k) + 0.5f) * wide - kPi; planted(middle))
+            clump(light, row, cell_at(k), middle, azimuth, height, color);
 }
 
 }  // namespace fastscene::outside

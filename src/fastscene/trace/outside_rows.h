@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 #include "fastscene/scene/room.h"
 
@@ -65,5 +66,17 @@ struct TreeRow {
 void trees(const Light& light, const TreeRow& row, float azimuth, float height, Vec3f& color);
 
 void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed, float azimuth, float height, Vec3f& color);
+
+// Clumps of leaves and flowers that stand along a bed; `planted` says of an azimuth whether one stands there.
+struct BedRow {
+    int cells;          // around the full turn
+    float distance_m;
+    float radius_m, high_m;   // of a clump
+    float eye_m;
+    float bloom_m;      // of one flower, or of a bunch of them where they are far
+    float haze;
+    std::uint32_t seed;
+};
+void beds(const Light& light, const BedRow& row, float azimuth, float height, const std::function<bool(float)>& planted, Vec3f& color);
 
 }  // namespace fastscene::outside

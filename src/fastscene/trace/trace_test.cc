@@ -54,6 +54,36 @@ TraceParams quick() {
     return p;
 }
 
+// Whatever window looks into a garden by day sees flowers: colors that neither lawn, paving, earth nor leaves have.
+TEST(Outside, AGardenIsInBloomAllAround) {
+    for (const bool snow : {false, true})
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+            Sky sky;
+            sky.view = Sky::View::garden;
+            sky.seed = seed;
+            sky.snow = snow;
+            // Light without a color of its own.
+            sky.zenith = sky.horizon = sky.sun_irradiance = {1, 1, 1};
+            sky.ground = {0.2f, 0.2f, 0.2f};
+            sky.sun_dir = normalize(Vec3f{0.3f, -0.8f, 0.2f});
+            constexpr int kAround = 720, kSectors = 6;
+            std::array<int, kSectors> bloom{}, all{};
+            for (int i = 0; i < kAround; ++i)
+                for (int j = 0; j < 60; ++j) {
+                    const float turn = 2 * kPi * static_cast<float>(i) / kAround, down = 0.04f + 0.36f * static_cast<float>(j) / 60;   // below the hedge
+                    const Vec3f c = sky_radiance(sky, normalize(Vec3f{std::sin(turn), down, std::cos(turn)}));
+                    const auto sector = static_cast<std::size_t>(i * kSectors / kAround);
+                    ++all[sector];
+                    bloom[sector] += c.x > 2.f * c.y || (c.x > 1.6f * c.z && c.x > 1.15f * c.y && c.y > 1.5f * c.z) || (c.z > 1.3f * c.y && c.x > 1.1f * c.y);
+                }
+            for (int k = 0; k < kSectors; ++k) {
+                const auto sector = static_cast<std::size_t>(k);
+                if (snow) EXPECT_EQ(bloom[sector], 0);
+                else EXPECT_GT(bloom[sector], all[sector] / 500) << "seed " << seed << ", sector " << k;
+            }
+        }
+}
+
 // Closed room, albedo 1/2, emission 1/2: every bounce adds half of the one before, so all directions see radiance 1.
 TEST(Trace, Furnace) {
     Material glowing = diffuse({0.5f, 0.5f, 0.5f});
