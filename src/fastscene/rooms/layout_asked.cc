@@ -95,7 +95,7 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
     const Piece piece = make_piece(r);
     std::optional<int> i;
-    if (ask.wish->in_row) i = next_in_row(*ask.wish, r);
+    if (ask.wish->in_row && ask.wish->klass != "monitor") i = next_in_row(*ask.wish, r);   // monitors stand in a row as it is
     if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);

@@ -196,13 +196,13 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
     const Piece piece = make_piece(r);
+    if (const auto desk = l_.find("desk"); wish.klass == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
+        if (const auto i = next_screen(*desk, r, wish)) return i;
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
     if (const auto i = where_asked(wish, r, piece)) return i;
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);
-    if (const auto desk = l_.find("desk"); wish.klass == "monitor" && desk)
-        if (const auto i = next_screen(*desk, r, wish)) return i;
     if (wish.klass == "cushion" && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
         case Mount::surface:
