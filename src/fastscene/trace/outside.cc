@@ -107,7 +107,7 @@ Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* g
     const float footprint = 0.004f * far;
     if (sky.snow) return lerp(sky.ground * 2.4f, sky.horizon, 0.15f) * (0.9f + 0.16f * fbm2(p * 0.5f, 4, footprint, sky.seed + 3));
     const float mottle = fbm2(p * 1.2f, 5, footprint * 1.2f, sky.seed + 3), blade = fbm2(p * 14.f, 3, footprint * 14.f, sky.seed + 4);
-    const Vec3f lawn = sky.ground * lerp(Vec3f{0.38f, 0.55f, 0.17f}, Vec3f{0.58f, 0.68f, 0.27f}, mottle) * (0.6f + 0.75f * blade);
+    const Vec3f lawn = sky.ground * lerp(Vec3f{0.32f, 0.44f, 0.16f}, Vec3f{0.5f, 0.55f, 0.24f}, mottle) * (0.55f + 0.7f * blade);
     const float terrace = garden ? kTerrace : 5.5f;
     if (reach > terrace + 0.1f) {
         if (!garden) return lawn;
