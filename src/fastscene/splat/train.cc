@@ -92,10 +92,10 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     return hash.hex();
 }
 
-// Parameters with two moments each, what density control remembers, a record for the picture in progress; and the splat at the end.
+// Parameters with two moments each, what density control remembers, a record with its key and tiles for the picture in progress; and the splat at the end.
 std::int64_t memory_of_one(const SplatParams& params) {
     const auto rest = static_cast<std::int64_t>(3 * rest_functions(params.sh_degree));
-    return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record));
+    return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record) + sizeof(std::uint64_t) + sizeof(TileBox));
 }
 
 float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
