@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/io/formats.h"
 
 namespace fastscene {
@@ -95,12 +97,38 @@ PictureInfo checked_info(const fs::path& path) {
     return info;
 }
 
+std::vector<std::string> channel_names(const fs::path& path) { return names_of(Imf::InputFile(path.c_str()).header().channels()); }
+
 std::string single_channel(const fs::path& path) {
-    const std::vector<std::string> names = names_of(Imf::InputFile(path.c_str()).header().channels());
+    const std::vector<std::string> names = channel_names(path);
     if (names.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
     const std::string channel = range_channel(names);
     if (channel.empty()) throw Error("{}: expected a channel Z, depth, Y or R, found {}", path.string(), fmt::join(names, ", "));
     return channel;
+}
+
+// A color is no number; but gray is often saved as three equal channels. Half floats and lossy compression round each by itself.
+constexpr float kSameGray = 2e-3f;
+
+bool is_gray(const Vec3f& c) {
+    const auto same = [](float a, float b) {
+        return a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= kSameGray * std::max(std::abs(a), std::abs(b));
+    };
+    return same(c.x, c.y) && same(c.x, c.z);
+}
+
+// The channels of color that `channel` is one of: R, G and B of its layer, or those beside a luminance Y; empty: it stands for itself.
+std::vector<std::string> colors_beside(const std::vector<std::string>& names, const std::string& channel) {
+    const std::string last = last_part(channel), layer = channel.substr(0, channel.size() - last.size());
+    const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), layer + name) != names.end(); };
+    if (is_one_of(last, {"R", "G", "B"}) && has("R") && has("G") && has("B")) return {layer + "R", layer + "G", layer + "B"};
+    if (last == "Y" && (has("RY") || has("BY"))) return {channel, layer + "RY", layer + "BY"};
+    return {};
+}
+
+[[noreturn]] void refuse_colors(const fs::path& path, const std::string& found) {
+    throw Error("{}: expected a map of one number a pixel (a channel Z, depth or Y, or gray as equal R, G and B), found a color picture: channels {}{}", path.string(),
+                fmt::join(channel_names(path), ", "), found);
 }
 
 }  // namespace
@@ -109,7 +137,21 @@ ImageF load_exr(const fs::path& path) {
     const PictureInfo info = checked_info(path);
     try {
         ImageF image(info.width, info.height);
-        read_channels(path, {single_channel(path)}, image.pixels.data(), 1);
+        const std::string channel = single_channel(path);
+        const std::vector<std::string> colors = colors_beside(channel_names(path), channel);
+        if (colors.empty()) {
+            read_channels(path, {channel}, image.pixels.data(), 1);
+            return image;
+        }
+        if (last_part(channel) == "Y") refuse_colors(path, "");
+        ImageColor color(info.width, info.height);
+        read_channels(path, colors, &color.pixels.data()->x, 3);
+        for (int y = 0; y < color.height; ++y)
+            for (int x = 0; x < color.width; ++x) {
+                const Vec3f& c = color.at(x, y);
+                if (!is_gray(c)) refuse_colors(path, fmt::format(", with {} {} {} at column {}, row {}", c.x, c.y, c.z, x, y));
+                image.at(x, y) = c.x;
+            }
         return image;
     } catch (const Error&) {
         throw;
@@ -121,7 +163,7 @@ ImageF load_exr(const fs::path& path) {
 ImageColor load_exr_color(const fs::path& path) {
     const PictureInfo info = checked_info(path);
     try {
-        const auto layer = color_layer(names_of(Imf::InputFile(path.c_str()).header().channels()));
+        const auto layer = color_layer(channel_names(path));
         ImageColor image(info.width, info.height);
         static_assert(sizeof(Vec3f) == 3 * sizeof(float));
         read_channels(path, layer ? std::vector<std::string>{*layer + "R", *layer + "G", *layer + "B"} : std::vector<std::string>{single_channel(path)},

@@ -33,7 +33,9 @@ TEST(ExrLayers, RangeIsWhatIsCalledDepth) {
     EXPECT_EQ(load_float(exr_with({"ViewLayer.Combined.A", "ViewLayer.Combined.R", "ViewLayer.Depth.Z"})).at(0, 0), 3.f);
     EXPECT_EQ(load_float(exr_with({"ViewLayer.Combined.R", "ViewLayer.Depth.V"})).at(0, 0), 2.f);
     EXPECT_EQ(load_float(exr_with({"A", "distance"})).at(0, 0), 2.f);
-    EXPECT_EQ(load_float(exr_with({"B", "G", "R"})).at(0, 0), 3.f);
+    EXPECT_EQ(load_float(exr_with({"A", "R"})).at(0, 0), 2.f);
+    for (const std::vector<std::string>& color : {std::vector<std::string>{"B", "G", "R"}, {"V.depth.B", "V.depth.G", "V.depth.R"}})
+        EXPECT_THROW(load_float(exr_with(color)), Error) << color[0];
     EXPECT_EQ(load_float(exr_with({"anything"})).at(0, 0), 1.f);
     try {
         load_float(exr_with({"A", "normal"}));

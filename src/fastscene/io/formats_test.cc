@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
@@ -83,9 +84,22 @@ TEST(Png, AlphaLiesOverBlackAndGrayIsGray) {
     EXPECT_EQ(load_rgb8(scratch("ga.png")).at(0, 0), (Rgb8{0, 0, 0}));
 }
 
-TEST(Png, EightBitsAreNoRange) {
-    save_png(scratch("m.png"), ImageMask(4, 4, 9));
-    EXPECT_THROW(load_float(scratch("m.png")), Error);
+TEST(Png, EightBitsOrColorsAreNoRange) {
+    const auto said_of = [](auto&& save) {
+        save(scratch("m.png"));
+        try {
+            load_float(scratch("m.png"));
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    const std::string gray = said_of([](const fs::path& path) { save_png(path, ImageMask(4, 4, 9)); });
+    EXPECT_NE(gray.find("m.png: expected a map"), std::string::npos) << gray;
+    EXPECT_NE(gray.find("found 8 bits of gray"), std::string::npos) << gray;
+    EXPECT_EQ(gray.find("whole"), std::string::npos) << "it is whole: " << gray;
+    const std::string color = said_of([](const fs::path& path) { save_png(path, ImageRgb8(4, 4)); });
+    EXPECT_NE(color.find("found 8 bits of color"), std::string::npos) << color;
 }
 
 TEST(Png, AShortFileThatClaimsAHugePictureIsRefused) {
@@ -117,18 +131,45 @@ TEST(Jpeg, GrayAndInksBecomeColor) {
     EXPECT_NEAR(load_rgb8(scratch("k.jpg")).at(3, 3).r, 255, 2);
 }
 
-TEST(Exr, HalfFloatsOfAColorFileGiveItsRed) {
-    Imf::Array2D<Imf::Rgba> pixels(2, 3);
+// 4 x 2 half floats: column + 0.5, the blue of one pixel as given.
+fs::path half_floats(Imf::RgbaChannels channels, float odd_blue) {
+    Imf::Array2D<Imf::Rgba> pixels(2, 4);
     for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 3; ++x) pixels[y][x] = Imf::Rgba(static_cast<float>(x) + 0.5f, 9, 9);
-    {
-        Imf::RgbaOutputFile file(scratch("half.exr").c_str(), 3, 2, Imf::WRITE_RGB);
-        file.setFrameBuffer(&pixels[0][0], 1, 3);
-        file.writePixels(2);
+        for (int x = 0; x < 4; ++x) {
+            const float v = static_cast<float>(x) + 0.5f;
+            pixels[y][x] = Imf::Rgba(v, v, x == 1 && y == 1 ? odd_blue : v);
+        }
+    Imf::RgbaOutputFile file(scratch("half.exr").c_str(), 4, 2, channels);
+    file.setFrameBuffer(&pixels[0][0], 1, 4);
+    file.writePixels(2);
+    return scratch("half.exr");
+}
+
+TEST(Exr, GrayInThreeChannelsIsAMap) {
+    for (const auto channels : {Imf::WRITE_RGB, Imf::WRITE_RGBA}) {
+        const ImageF map = load_float(half_floats(channels, 1.5f));
+        ASSERT_EQ(map.width, 4);
+        EXPECT_EQ(map.at(2, 1), 2.5f);
+        EXPECT_EQ(map.at(1, 1), 1.5f);
     }
-    const ImageF map = load_float(scratch("half.exr"));
-    ASSERT_EQ(map.width, 3);
-    EXPECT_EQ(map.at(2, 1), 2.5f);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(load_float(half_floats(Imf::WRITE_RGB, nan)), Error);
+}
+
+TEST(Exr, AColorPictureIsNoMap) {
+    for (const auto channels : {Imf::WRITE_RGB, Imf::WRITE_RGBA, Imf::WRITE_YC}) try {
+            load_float(half_floats(channels, 1.6f));
+            ADD_FAILURE() << channels;
+        } catch (const Error& e) {
+            const std::string said = e.what();
+            EXPECT_NE(said.find("half.exr: expected a map of one number a pixel"), std::string::npos) << said;
+            EXPECT_NE(said.find(channels == Imf::WRITE_RGB    ? "found a color picture: channels B, G, R, with 1.5 1.5 1.5996"
+                                : channels == Imf::WRITE_RGBA ? "channels A, B, G, R"
+                                                              : "channels BY, RY, Y"),
+                      std::string::npos)
+                << said;
+        }
+    EXPECT_NE(load_light(half_floats(Imf::WRITE_RGB, 1.6f)).at(1, 1).z, 1.5f) << "as a picture it is what it was";
 }
 
 TEST(SplatPly, FlippedBytesNeverCrash) {

@@ -28,7 +28,7 @@ PictureInfo picture_info(const std::filesystem::path& path);
 ImageRgb8 load_rgb8(const std::filesystem::path& path);
 // The same from memory; `where` names the picture in errors.
 ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
-// Linear light in any unit from .hdr (Radiance), .exr (channels R G B, else the one of load_float in all three), .pfm or .tif of floats.
+// Linear light in any unit from .hdr (Radiance), .exr (channels R G B, else the one of a map in all three), .pfm or .tif of floats.
 // Negative values, NaN and infinity are for the caller to judge.
 ImageColor load_light(const std::filesystem::path& path);
 // How opaque each pixel is, 255 = fully; empty where every pixel is, or the format knows no alpha.
@@ -41,7 +41,8 @@ void save_png16(const std::filesystem::path& path, const Image<std::uint16_t>& i
 void save_jpeg(const std::filesystem::path& path, const ImageRgb8& image, int quality = 92);
 std::string encode_jpeg(const ImageRgb8& image, int quality = 92);
 
-// One float channel: .exr (channel Y, or the first one), .pfm (Pf), .tif of floats, 16-bit gray .png or .tif (`unit` per count, e.g. 0.001 m).
+// A map of one number a pixel: .exr (channel Z, depth, Y; R, G and B only when they are equal), .pfm (Pf), .tif of floats, 16-bit gray .png or .tif
+// (`unit` per count, e.g. 0.001 m). A color picture throws Error with what was found in it.
 ImageF load_float(const std::filesystem::path& path, float unit = 0.001f);
 void save_exr(const std::filesystem::path& path, const ImageF& image);                   // 32-bit float, channel Y, ZIP
 void save_pfm(const std::filesystem::path& path, const ImageF& image);

@@ -61,7 +61,6 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
     const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
-    if (wanted == Wanted::gray16 && (depth != 16 || type & PNG_COLOR_MASK_COLOR)) png_error(png, "8 bits or colors, not the 16-bit gray of a map in millimetres");
     // Deflate shrinks at most about 1032 times: a short file with a huge header is refused before memory is asked for.
     if (!plausible_size(png_get_image_width(png, info), png_get_image_height(png, info)) ||
         png_get_rowbytes(png, info) * png_get_image_height(png, info) / 1100 > bytes.size())
@@ -170,9 +169,25 @@ ImageMask load_png_alpha(const fs::path& path) {
     return image;
 }
 
+namespace {
+
+// 8 bits are a picture of a map: 256 ranges, in a unit that nobody tells.
+void check_map(const fs::path& path, std::string_view bytes) {
+    constexpr std::size_t kDepthAt = 24, kTypeAt = 25;   // in the chunk IHDR
+    if (bytes.size() <= kTypeAt) return;                 // the decoder says so
+    const int depth = static_cast<unsigned char>(bytes[kDepthAt]), type = static_cast<unsigned char>(bytes[kTypeAt]);
+    if (depth == 16 && !(type & PNG_COLOR_MASK_COLOR)) return;
+    throw Error("{}: expected a map of one number a pixel (PNG: 16-bit gray, in millimetres), found {} bits of {}", path.string(), depth,
+                type & PNG_COLOR_MASK_COLOR ? "color" : "gray");
+}
+
+}  // namespace
+
 ImageF load_png_float(const fs::path& path, float unit) {
     int width = 0, height = 0;
-    const std::vector<png_byte> pixels = decoded(path, Wanted::gray16, width, height);
+    const std::string bytes = read_file(path);
+    check_map(path, bytes);
+    const std::vector<png_byte> pixels = decoded(bytes, path.string(), Wanted::gray16, width, height);
     ImageF image(width, height);
     for (std::size_t i = 0; i < image.size(); ++i) image.pixels[i] = unit * static_cast<float>(pixels[2 * i] << 8 | pixels[2 * i + 1]);
     return image;
