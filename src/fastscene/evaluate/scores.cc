@@ -45,6 +45,9 @@ Score score_from_report(const Json& report, const std::string& measure, int tran
     score.value = score.counted == 0 && infinite > 0 ? Json("inf") : report.at("mean").value(measure, Json());
     if (report.at("missing").contains(measure)) score.notes.push_back(report.at("missing").at(measure));  // its file is there, but broken
     note_undefined(report, measure, score);
+    if (const Json left_out = report.value("left_out", Json::object()); !left_out.empty())
+        score.notes.push_back(fmt::format("{} of {} pictures cannot be read and are left out ({})", left_out.size(), left_out.size() + report.at("pictures").size(),
+                                          left_out.front().get<std::string>()));
     if (infinite > 0 && score.counted > 0)
         score.notes.push_back(
             fmt::format("infinite for {} of {} pictures, which equal what they should be: the mean leaves them out", infinite, score.pictures));

@@ -123,6 +123,9 @@ TEST_F(Scores, PicturesThatHaveNoneAreCountedAndTransparentOnesNamed) {
     ASSERT_EQ(score.notes.size(), 2u);
     EXPECT_NE(score.notes[0].find("infinite for 1 of 2 pictures"), std::string::npos);
     EXPECT_NE(score.notes[1].find("1 of 2 pictures are transparent"), std::string::npos);
+    Json without = report;
+    without["left_out"] = {{"e.png", "peer/e.png: expected a whole PNG picture"}};
+    EXPECT_EQ(score_from_report(without, "psnr", 0).notes[0], "1 of 3 pictures cannot be read and are left out (peer/e.png: expected a whole PNG picture)");
 }
 
 TEST(Parameters, ContentIsWhatCounts) {

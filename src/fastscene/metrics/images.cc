@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <tuple>
 
 #include "fastscene/base/error.h"
@@ -29,13 +30,21 @@ fs::path partner_of(const fs::path& picture, const fs::path& reference) {
     return fs::is_directory(reference) ? reference / picture.filename() : reference;
 }
 
+std::optional<PictureInfo> head_of(const fs::path& picture) try {
+    return picture_info(picture);
+} catch (const Error&) {
+    return {};  // damaged: left out when its turn comes
+}
+
 // Known from the files' heads: better said before the first picture than after an hour.
 void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
     for (const fs::path& picture : pictures) {
         const fs::path partner = partner_of(picture, reference);
         if (!fs::exists(partner))
             throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
-        const PictureInfo a = picture_info(picture), b = picture_info(partner);
+        const auto head = head_of(picture), its = head_of(partner);
+        if (!head || !its) continue;
+        const PictureInfo &a = *head, &b = *its;
         if (a.width != b.width || a.height != b.height)
             throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), a.width, a.height, picture.string(), b.width, b.height);
     }
@@ -118,6 +127,18 @@ void note_alpha(const fs::path& file, Json& transparent, const Run& run) {
     run.note(fmt::format("{}: transparent in parts, measured over black", file.string()));
 }
 
+struct PicturePair {
+    ImageRgb8 picture, reference;  // the reference is empty when there is none
+};
+PicturePair load_pair(const fs::path& picture, const fs::path& partner) {
+    PicturePair pair{load_rgb8(picture), partner.empty() ? ImageRgb8{} : load_rgb8(partner)};
+    // A damaged head may have hidden it from check_partners, but no decoder makes another size of it.
+    if (!partner.empty() && !pair.picture.same_size(pair.reference))
+        throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), pair.picture.width, pair.picture.height, picture.string(), pair.reference.width,
+                    pair.reference.height);
+    return pair;
+}
+
 }  // namespace
 
 const std::vector<std::string>& image_measure_names() {
@@ -146,16 +167,24 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
     const int alone = without_picture(pictures, inputs.reference, run);
     const Readied ready(inputs, run);
 
-    Json rows = Json::array(), undefined = Json::object(), transparent = Json::array();
+    Json rows = Json::array(), undefined = Json::object(), transparent = Json::array(), left_out = Json::object();
     std::map<std::string, std::pair<double, int>> sums;
     Progress progress(run, "metrics", static_cast<std::int64_t>(pictures.size()));
     for (const fs::path& path : pictures) {
         run.check_stop();
         const fs::path partner = inputs.reference.empty() ? fs::path() : partner_of(path, inputs.reference);
-        const ImageRgb8 image = load_rgb8(path), reference = partner.empty() ? ImageRgb8{} : load_rgb8(partner);
-        note_alpha(path, transparent, run);
-        if (!partner.empty()) note_alpha(partner, transparent, run);
-        Subject subject{image, reference};
+        PicturePair pair;
+        try {
+            pair = load_pair(path, partner);
+            note_alpha(path, transparent, run);
+            if (!partner.empty()) note_alpha(partner, transparent, run);
+        } catch (const Error& e) {
+            left_out[path.filename().string()] = e.what();
+            run.warn(fmt::format("left out: {}", e.what()));
+            progress.advance();
+            continue;
+        }
+        Subject subject{pair.picture, pair.reference};
         Json row = {{"name", path.filename().string()}};
         for (const auto& [name, measure, files] : ready.measures) try {
                 const double v = measure(subject);
@@ -170,13 +199,16 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
         rows.push_back(std::move(row));
         progress.advance();
     }
+    if (rows.empty())
+        throw Error("{}{}", left_out.size() == 1 ? "" : fmt::format("{}: expected pictures, found none of {} that can be read; the first: ", inputs.pictures.string(), left_out.size()),
+                    left_out.front().get<std::string>());
     Json mean = Json::object(), mean_of = Json::object();
     for (const auto& [name, measure, files] : ready.measures) {
         const auto& [sum, count] = sums[name];
         mean[name] = count ? Json(sum / count) : Json();
         mean_of[name] = count;
     }
-    return {{"count", pictures.size()}, {"pictures", rows}, {"mean", mean}, {"mean_of", mean_of}, {"missing", ready.missing}, {"undefined", undefined},
+    return {{"count", rows.size()}, {"pictures", rows}, {"left_out", left_out}, {"mean", mean}, {"mean_of", mean_of}, {"missing", ready.missing}, {"undefined", undefined},
             {"models", ready.models}, {"transparent", transparent}, {"without_picture", alone}};
 }
 
@@ -224,6 +256,10 @@ std::string image_table(const Json& report) {
         out += fmt::format("\n{}: the mean is over {} of {} pictures", name, count.get<int>(), rows.size());
         if (undefined) out += fmt::format("; not defined for {}", undefined);
         if (infinite) out += fmt::format("; infinite for {}", infinite);
+    }
+    if (const Json& left_out = report.at("left_out"); !left_out.empty()) {
+        out += fmt::format("\n{} of {} pictures cannot be read and are left out:", left_out.size(), left_out.size() + rows.size());
+        for (const auto& [name, why] : left_out.items()) out += fmt::format("\n  {}", why.get<std::string>());
     }
     for (const auto& [name, files] : report.at("models").items()) {
         out += fmt::format("\n{} by", name);

@@ -21,11 +21,11 @@ struct ImageMeasures {
 // Names that `wanted` may hold.
 const std::vector<std::string>& image_measure_names();
 
-// {"count", "pictures": [{"name", "psnr", …}], "mean": {…}, "mean_of": {measure: pictures with a finite value}, "missing": {measure: what to
+// {"count": pictures measured, "pictures": [{"name", "psnr", …}], "left_out": {picture: why it, or its partner, cannot be read}, "mean": {…}, "mean_of": {measure: pictures with a finite value}, "missing": {measure: what to
 // fetch, or what is wrong with its file}, "undefined": {picture: {measure: why}}, "models": {measure: [{"file", "sha256"}]},
 // "transparent": [files measured over black], "without_picture": references that nothing was compared with}.
 // A measure that is not there or whose file is broken is in "missing", never silently absent, and costs no other.
-// Throws Error or UsageError: no pictures, no partner, other sizes.
+// Throws Error or UsageError: no pictures, none that can be read, no partner, other sizes.
 Json measure_images(const ImageMeasures& inputs, const Run& run);
 // The same as a table for people.
 std::string image_table(const Json& report);

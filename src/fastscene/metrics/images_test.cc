@@ -233,6 +233,32 @@ TEST_F(Images, ANetworkThatGivesNoNumberIsNoScore) {
     EXPECT_EQ(not_measured(report, {"clip_b32"}).size(), 1u);
 }
 
+TEST_F(Images, ADamagedPictureIsLeftOutAndTheRestMeasured) {
+    const auto cut = [&](const fs::path& path, std::size_t keep) { write_file(path, read_file(path).substr(0, keep)); };
+    for (const char* name : {"c.png", "d.png", "e.png"})
+        for (const char* folder : {"ours", "true"}) save(root_ / folder / name, 3, 0);
+    cut(root_ / "ours/c.png", 300);   // its head is whole
+    cut(root_ / "ours/d.png", 0);
+    cut(root_ / "true/e.png", 300);   // what it is compared with
+    struct Warned : EventSink {
+        std::string warnings;
+        void tell(const Event& event) override {
+            if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings += warning->text + "\n";
+        }
+    } warned;
+    const Json report = measure_images({root_ / "ours", root_ / "true", "", root_, {"psnr"}}, {0, &warned, {}});
+    EXPECT_EQ(report["count"], 2);
+    EXPECT_EQ(report["pictures"].size(), 2u);
+    EXPECT_EQ(report["mean_of"]["psnr"], 1) << "a and b, of which b is equal";
+    ASSERT_EQ(report["left_out"].size(), 3u) << report["left_out"];
+    EXPECT_NE(report["left_out"]["e.png"].get<std::string>().find("true/e.png"), std::string::npos);
+    EXPECT_NE(warned.warnings.find("left out: " + (root_ / "ours/c.png").string()), std::string::npos) << warned.warnings;
+    EXPECT_NE(image_table(report).find("3 of 5 pictures cannot be read and are left out"), std::string::npos) << image_table(report);
+    for (const char* name : {"a.png", "b.png"}) cut(root_ / "ours" / name, 300);
+    cut(root_ / "ours/e.png", 300);
+    EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"ssim_wang"}}, {}), Error) << "nothing was measured";
+}
+
 TEST_F(Images, WrongInputsAreErrors) {
     EXPECT_THROW(measure_images({root_ / "empty", "", "", root_, {}}, {}), Error) << "no pictures";
     EXPECT_THROW(measure_images({root_ / "ours", root_ / "empty", "", root_, {}}, {}), Error) << "no partners";

@@ -134,11 +134,19 @@ double niqe(const ImageRgb8& image, const NiqeModel& model, NiqeGray gray) {
 
 NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run& run) {
     std::vector<std::vector<double>> rows;
-    std::size_t used = 0;
+    std::size_t used = 0, unread = 0;
     Progress progress(run, "niqe-fit", static_cast<std::int64_t>(pictures.size()));
     for (const auto& path : pictures) {
         run.check_stop();
-        const ImageRgb8 image = load_rgb8(path);
+        progress.advance();
+        ImageRgb8 image;
+        try {
+            image = load_rgb8(path);
+        } catch (const Error& e) {
+            ++unread;
+            run.warn(fmt::format("left out: {}", e.what()));
+            continue;
+        }
         const NiqeBlocks blocks = niqe_blocks(matlab_gray(image));
         const std::size_t before = rows.size();
         const double sharpest = blocks.sharpness.empty() ? 0 : *std::max_element(blocks.sharpness.begin(), blocks.sharpness.end());
@@ -146,14 +154,15 @@ NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run
             if (blocks.sharpness[i] > kSharpEnough * sharpest && all_finite(blocks.features[i])) rows.push_back(blocks.features[i]);
         if (rows.size() > before) ++used;
         else run.warn(fmt::format("{}: no sharp block of {} x {} pixels in a picture of {} x {}, left out", path.string(), kNiqeBlock, kNiqeBlock, image.width, image.height));
-        progress.advance();
     }
+    const std::string without = unread == 0 ? "" : fmt::format(" ({} more cannot be read)", unread);
     if (rows.size() < kLeastNiqeBlocks)
-        throw Error("niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels (good: {}), found {} in {} pictures", kLeastNiqeBlocks, kNiqeBlock,
-                    kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size());
+        throw Error("niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels (good: {}), found {} in {} pictures{}", kLeastNiqeBlocks, kNiqeBlock,
+                    kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size() - unread, without);
     if (rows.size() < kGoodNiqeBlocks)
         run.warn(fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will hang on which pictures these are; {} are good", rows.size(), kNiqeBlock, kNiqeBlock,
                              used, kGoodNiqeBlocks));
+    if (unread > 0) run.note(fmt::format("niqe-fit: {} of {} pictures cannot be read and are left out", unread, pictures.size()));
     NiqeModel model = gaussian_of(rows);
     model.blocks = rows.size(), model.pictures = used;
     return model;

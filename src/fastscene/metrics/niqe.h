@@ -41,7 +41,7 @@ NiqeBlocks niqe_blocks(const Plane& gray);
 
 // A model of one's own pictures: of each picture the blocks that are sharper than 0.75 of its sharpest, as the authors did.
 // Throws Error when `pictures` give fewer than kLeastNiqeBlocks: 36 features need more than that to have a covariance. Warns below
-// kGoodNiqeBlocks, where a covariance of 36 features is known to sqrt(36 / 1000), a fifth, and of pictures that give no block.
+// kGoodNiqeBlocks, where a covariance of 36 features is known to sqrt(36 / 1000), a fifth, of pictures that give no block, and of those that cannot be read.
 inline constexpr std::size_t kLeastNiqeBlocks = 100, kGoodNiqeBlocks = 1000;
 NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run& run);
 

@@ -125,6 +125,10 @@ TEST(Niqe, AnOwnModelRanksSharpAboveBlurredAndNoisy) {
     EXPECT_LT(good, niqe(blurred_picture(sharp, 3), model));
     EXPECT_LT(good, niqe(noisy, model));
     EXPECT_THROW(fit_niqe({pictures[0]}, run), Error) << "too few blocks for a covariance";
+    write_file(dir / "cut.png", read_file(pictures[0]).substr(0, 5000));
+    std::vector<fs::path> with_damage = pictures;
+    with_damage.insert(with_damage.begin() + 3, dir / "cut.png");
+    EXPECT_EQ(fit_niqe(with_damage, run).covariance, fitted.covariance) << "what cannot be read is left out";
 }
 
 TEST(Scores, PicturesWithoutStructureGetAMessageAndNoNan) {
