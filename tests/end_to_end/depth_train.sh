@@ -27,6 +27,13 @@ expect 0 "$fastscene" depth check --data rooms --depth-weights taught/egformer.s
 prints '"backend": "egformer"'
 expect 0 "$fastscene" depth check --data rooms --depth-backend layout
 prints "layout"
+cp -r rooms broken_rooms
+for file in broken_rooms/shard-00000/*.range.*; do head -c 100 "$file" >cut && cp cut "$file"; done
+expect 1 "$fastscene" depth check --data broken_rooms --depth-backend layout
+says "broken_rooms: expected held-out pictures with range, found none of"
+cp rooms/shard-00000/00000009.range.* broken_rooms/shard-00000/
+expect 0 "$fastscene" depth check --data broken_rooms --depth-backend layout
+prints "more cannot be used)"
 expect 2 "$fastscene" depth check --data rooms --depth-backend exact
 
 picture=$(ls rooms/shard-00000/*.color.jpg | head -n 1)

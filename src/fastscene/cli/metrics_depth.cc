@@ -82,7 +82,7 @@ Verb add_metrics_depth(CLI::App& metrics) {
                 if (static_cast<std::int64_t>(found.width) * truth.height != static_cast<std::int64_t>(found.height) * truth.width)
                     throw Error("{}: expected the shape of {} ({} x {}), found {} x {}", flags->found, flags->truth, truth.width, truth.height, found.width, found.height);
                 const ImageF seen = at_size_of(found, truth);
-                const DepthScores s = depth_scores(seen, truth, {kAlignments.at(flags->align), farthest, flags->solid_angle});
+                const DepthScores s = depth_scores(seen, truth, {kAlignments.at(flags->align), farthest, flags->solid_angle, map_of(flags->found).string(), map_of(flags->truth).string()});
                 tell_what_looks_wrong(s, seen, truth, farthest, kAlignments.at(flags->align), flags->found, session.run(0));
                 session.print(fmt::format("AbsRel {:.4f}  SqRel {:.4f}  RMSE {:.4f} m  RMSElog {:.4f}  d1 {:.4f}  d2 {:.4f}  d3 {:.4f}   ({} pixels; range = {:.4f} x + {:.4f} m)",
                                           s.abs_rel, s.sq_rel, s.rmse, s.rmse_log, s.delta[0], s.delta[1], s.delta[2], s.pixels, s.scale, s.shift),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fastscene/base/error.h"
 #include "fastscene/geometry/sphere.h"
@@ -13,9 +14,17 @@ struct Pair {
     double found, truth, weight;
 };
 
+// "ranges from 812 to 9800", "no finite one": in which unit a map without usable ranges may be.
+std::string span_of(const ImageF& map) {
+    float low = std::numeric_limits<float>::infinity(), high = 0;
+    for (const float r : map.pixels)
+        if (r > 0 && std::isfinite(r)) low = std::min(low, r), high = std::max(high, r);
+    return high > 0 ? fmt::format("ranges from {:.4g} to {:.4g}", low, high) : "no finite one above 0";
+}
+
 std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options, std::size_t& missing) {
     if (!found.same_size(truth))
-        throw Error("range maps: expected one size, found {} x {} and {} x {}", found.width, found.height, truth.width, truth.height);
+        throw Error("{}: expected the size of {}, {} x {}, found {} x {}", options.found_name, options.truth_name, truth.width, truth.height, found.width, found.height);
     std::vector<Pair> pairs;
     pairs.reserve(found.size());
     for (int y = 0; y < truth.height; ++y) {
@@ -27,9 +36,9 @@ std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const Depth
             else ++missing;
         }
     }
-    if (pairs.empty() && missing == 0) throw Error("range maps: expected pixels with a true range up to {} m, found none", options.farthest_m);
+    if (pairs.empty() && missing == 0) throw Error("{}: expected pixels with a range above 0 and up to {} m, found {}", options.truth_name, options.farthest_m, span_of(truth));
     if (std::none_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.found > 0; }))
-        throw Error("range maps: expected estimates above 0 where the truth is measured, found none");
+        throw Error("{}: expected estimates above 0 where {} is measured, found none", options.found_name, options.truth_name);
     return pairs;
 }
 

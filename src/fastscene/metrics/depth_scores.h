@@ -31,6 +31,7 @@ struct DepthScoreOptions {
     DepthAlignment alignment = DepthAlignment::affine;
     double farthest_m = 10;    // beyond, the truth is not counted (the datasets' own limit)
     bool solid_angle = false;  // weigh pixels by their solid angle; published figures count pixels alike
+    std::string found_name = "estimated range", truth_name = "measured range";  // what errors call the maps: their files
 };
 
 // Equirectangular maps in metres of one size. Throws Error when they have no pixel to compare, or sizes differ.

@@ -38,6 +38,24 @@ TEST(DepthScores, WhatIsNotEstimatedIsCounted) {
     EXPECT_THROW(depth_scores(ImageF(64, 32, std::nanf("")), truth), Error);
 }
 
+TEST(DepthScores, ErrorsNameTheMapThatIsUnusable) {
+    const auto said = [](const ImageF& found, const ImageF& truth) {
+        DepthScoreOptions options;
+        options.found_name = "a.exr", options.truth_name = "b.png";
+        try {
+            depth_scores(found, truth, options);
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    const ImageF good(64, 32, 2.f);
+    EXPECT_EQ(said(good, ImageF(64, 32)), "b.png: expected pixels with a range above 0 and up to 10 m, found no finite one above 0");
+    EXPECT_EQ(said(good, ImageF(64, 32, 2500.f)), "b.png: expected pixels with a range above 0 and up to 10 m, found ranges from 2500 to 2500");
+    EXPECT_EQ(said(ImageF(64, 32), good), "a.exr: expected estimates above 0 where b.png is measured, found none");
+    EXPECT_EQ(said(ImageF(32, 16), good), "a.exr: expected the size of b.png, 64 x 32, found 32 x 16");
+}
+
 TEST(DepthScores, AlignmentTakesOutWhatItSays) {
     const ImageF truth = some_range();
     ImageF scaled = truth, affine = truth;

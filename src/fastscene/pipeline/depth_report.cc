@@ -38,33 +38,49 @@ Json check_depth(const DepthCheck& check, const Run& run) {
     std::string backend;
     double seconds = 0;
     Progress progress(run, "pictures", static_cast<std::int64_t>(all.size()));
+    std::vector<std::string> left_out;
     for (const DepthFiles& files : all) {
         run.check_stop();
-        const std::clock_t begin = std::clock();
-        const EstimatedRange found = estimator->estimate(linear_from_srgb8(load_rgb8(files.color)), run);
-        seconds += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-        backend = found.assumptions.value("backend", "");
-        const ImageF truth = load_float(files.range);
-        Json one{{"picture", files.color.filename().string()}};
-        for (std::size_t i = 0; i < std::size(kAlignments); ++i) {
-            scores[i].push_back(depth_scores(found.range, truth, {kAlignments[i].second}));
-            one[kAlignments[i].first] = json_of(scores[i].back());
-        }
-        pictures.push_back(one);
         progress.advance();
+        try {
+            const ImageF truth = load_float(files.range);
+            const ImageColor color = linear_from_srgb8(load_rgb8(files.color));
+            const std::clock_t begin = std::clock();
+            const EstimatedRange found = estimator->estimate(color, run);
+            const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+            Json one{{"picture", files.color.filename().string()}};
+            DepthScores each[std::size(kAlignments)];
+            for (std::size_t i = 0; i < std::size(kAlignments); ++i) {
+                DepthScoreOptions options;
+                options.alignment = kAlignments[i].second;
+                options.found_name = "range estimated of " + files.color.string(), options.truth_name = files.range.string();
+                each[i] = depth_scores(found.range, truth, options);
+                one[kAlignments[i].first] = json_of(each[i]);
+            }
+            for (std::size_t i = 0; i < std::size(kAlignments); ++i) scores[i].push_back(each[i]);
+            seconds += took;
+            backend = found.assumptions.value("backend", "");
+            pictures.push_back(one);
+        } catch (const Error& e) {
+            left_out.push_back(e.what());
+            run.warn(fmt::format("left out: {}", e.what()));
+        }
     }
+    if (pictures.empty()) throw Error("{}: expected held-out pictures with range, found none of {} that can be used; the first: {}", check.data.string(), all.size(), left_out[0]);
     report["backend"] = backend;
-    report["pictures"] = all.size();
-    report["cpu_s_per_picture"] = seconds / static_cast<double>(all.size());
+    report["pictures"] = pictures.size();
+    report["left_out"] = left_out;
+    report["cpu_s_per_picture"] = seconds / static_cast<double>(pictures.size());
     for (std::size_t i = 0; i < std::size(kAlignments); ++i) report[kAlignments[i].first] = json_of(mean_scores(scores[i]));
     report["each"] = pictures;
     return report;
 }
 
 std::string depth_check_text(const Json& report) {
+    const std::size_t left_out = report.at("left_out").size();
     std::string text =
-        fmt::format("{}, {} held-out places, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
-                    report.at("pictures").get<int>(), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
+        fmt::format("{}, {} held-out places{}, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
+                    report.at("pictures").get<int>(), left_out == 0 ? "" : fmt::format(" ({} more cannot be used)", left_out), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
     for (const auto& [name, alignment] : kAlignments) {
         const Json& s = report.at(name);
         text += fmt::format("\n{:8} {:8.4f} {:8.4f} {:8.4f} {:8.4f}", name, s.at("abs_rel").get<double>(), s.at("rmse_m").get<double>(), s.at("delta1").get<double>(),
