@@ -117,5 +117,9 @@ sed 's/^prompt/promt/' small.toml >typo.toml
 expect 1 "$fastscene" evaluate typo.toml -o p
 says "did you mean prompt?"
 grep -qE 'typo.toml:[0-9]+:' log || fail "no line number"
+expect 1 "$fastscene" evaluate typo.toml --show
+says "did you mean prompt?"
+expect 0 "$fastscene" evaluate small.toml --show
+prints 'title = "Small"'
 lacks p
 no_rest eval

@@ -25,6 +25,8 @@ prints "no file of any model is here, in $work/none"
 expect 1 "$fastscene" models pull egformer --accept
 says "by hand"
 mkdir -p mirror/egformer && head -c 200000 /dev/urandom >mirror/egformer/EGformer_pretrained.pkl
+expect 1 "$fastscene" models pull egformer --mirror mirrror --accept
+says "mirror mirrror: expected a folder"
 expect 2 "$fastscene" models pull egformer --mirror mirror
 says "licence: MIT"
 says "--accept"

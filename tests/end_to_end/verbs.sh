@@ -102,6 +102,15 @@ expect 2 "$fastscene" convert run none.ply --crop 1 1 1 0 0 0
 expect 2 "$fastscene" convert run none.xyz
 says ".compressed.ply"
 expect 2 "$fastscene" convert run none.ply --handed left
+cp run/splat/scene.ply before.ply; cp a.spz before.spz; ln -s run linked
+for target in run/splat/scene.ply linked/splat/scene.ply run/splat/scene.compressed.ply; do
+  expect 2 "$fastscene" convert run "$target" --max-splats 5
+  says "$target: expected"
+done
+expect 2 "$fastscene" convert a.spz a.spz --max-splats 5
+says "a.spz: expected another file than the one that is read"
+expect 2 "$fastscene" convert a.spz run/splat/scene.ply
+cmp -s before.ply run/splat/scene.ply && cmp -s before.spz a.spz || fail "convert wrote over what it read"
 expect 1 "$fastscene" convert absent.spz none.ply
 says absent.spz
 expect 1 "$fastscene" convert a.png none.ply
@@ -157,6 +166,27 @@ prints "clip_s is not measured: weights/clip-vit-base-patch32: expected"
 expect 1 "$fastscene" metrics images run/metrics/truth --weights weights --reference run/metrics/truth --measure psnr --measure niqe
 prints "psnr: the mean is over 0 of 2 pictures; infinite for 2"
 says "expected a value of niqe"
+
+mkdir -p pictures && cp run/metrics/truth/*.png pictures/ && head -c 500 a.png >pictures/cut.png
+expect 0 "$fastscene" metrics images pictures --reference pictures --measure psnr
+prints "1 of 3 pictures cannot be read and are left out"
+says "left out: pictures/cut.png"
+expect 1 "$fastscene" metrics images pictures/cut.png --measure psnr --reference pictures/cut.png
+says "pictures/cut.png: expected"
+
+# Range maps that are none are named.
+expect 1 "$fastscene" metrics depth run/depth/range.exr pictures/cut.png
+says "pictures/cut.png"
+ffmpeg_gray() { command -v ffmpeg >/dev/null && ffmpeg -v error -y -i run/panorama/color.png -vf "$1" "$2" 2>/dev/null; }
+if ffmpeg_gray format=gray gray.png; then
+  expect 1 "$fastscene" metrics depth run gray.png
+  says "gray.png: expected a map of one number a pixel"
+  says "found 8 bits of gray"
+fi
+if ffmpeg_gray "lutrgb=r=0:g=0:b=0,format=gray16be" black.png; then
+  expect 1 "$fastscene" metrics depth run black.png
+  says "black.png: expected pixels with a range above 0"
+fi
 
 # Help and doctor.
 expect 0 "$fastscene" --help

@@ -46,8 +46,18 @@ void check(const Flags& flags) {
             throw UsageError("--crop: expected the low corner, then the high one, found {} and {}", flags.crop[a], flags.crop[a + 3]);
 }
 
+// A run's own splats are what its other files, and its resume, are about; a source written over is gone.
+void check_target(const Flags& flags) {
+    const fs::path from = scene_file(flags.from), to = flags.to;
+    std::error_code absent;
+    if (fs::equivalent(from, to, absent)) throw UsageError("{}: expected another file than the one that is read, found the same", flags.to);
+    if (fs::exists(to) && fs::exists(to.parent_path() / "stage.json"))
+        throw UsageError("{}: expected a file of your own, found one that belongs to a run; choose another name", flags.to);
+}
+
 void convert(const Flags& flags, const Session& session) {
     check(flags);
+    check_target(flags);
     const Run run = session.run(0);
     Progress progress(run, "convert", 3);
     LoadedSplats loaded = load_scene(flags.from, run);

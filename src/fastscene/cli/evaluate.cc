@@ -64,8 +64,8 @@ void act(const EvaluateFlags& flags, const Session& session) {
         return session.print(text, json);
     }
     const SuiteText found = find_suite(flags.suite);
-    if (flags.show) return session.print(found.text.substr(0, found.text.find_last_not_of('\n') + 1), {{"name", found.name}, {"text", found.text}});
     const Suite suite = read_suite(found.text, found.name, found.file, flags.quality);
+    if (flags.show) return session.print(found.text.substr(0, found.text.find_last_not_of('\n') + 1), {{"name", found.name}, {"text", found.text}});
     EvaluateOptions options;
     options.out = flags.out.empty() ? std::filesystem::path("out") / ("evaluate-" + slug_of(suite.name)) : std::filesystem::path(flags.out);
     options.weights = flags.weights;
@@ -101,7 +101,7 @@ Verb add_evaluate(CLI::App& app) {
     verb->add_option("--weights", flags->weights, "Folder of the metrics' parameters and networks, as for `metrics images`.")->type_name("DIR");
     verb->add_option("--redraw", flags->redraw, "Only write tables and page anew from DIR/results.json; nothing is made or measured.")
         ->type_name("DIR");
-    verb->add_flag("--show", flags->show, "Print the suite's text, to begin one's own with.");
+    verb->add_flag("--show", flags->show, "Check the suite and print its text, to begin one's own with.");
     verb->footer(list_of_suites());
     return {verb, [flags](const Session& session) { act(*flags, session); }};
 }

@@ -313,8 +313,22 @@ TEST_F(Pulled, AMirrorIsAFolderOrAnAddress) {
         EXPECT_EQ(read_file(file()), kBytes);
         fs::remove_all(root_ / "toy");
     }
-    how.mirror = (root_.parent_path() / "nowhere").string();
+    fs::remove(mirror / "toy/part/a.bin");
+    how.mirror = mirror.string();
     EXPECT_NE(complaint(by_hand, how).find("no such file"), std::string::npos);
+}
+
+TEST_F(Pulled, AMirrorThatIsNotThereIsNamed) {
+    PullOptions how = options();
+    write_file(root_.parent_path() / "a file", kBytes);
+    for (const std::string& mirror : {(root_.parent_path() / "nowhere").string(), std::string("file:///no%20such%20place")}) {
+        how.mirror = mirror;
+        const std::string said = complaint(model(""), how);
+        EXPECT_NE(said.find("mirror " + mirror + ": expected a folder"), std::string::npos) << said;
+        EXPECT_NE(said.find("found none"), std::string::npos) << said;
+    }
+    how.mirror = (root_.parent_path() / "a file").string();
+    EXPECT_NE(complaint(model(""), how).find("found a file"), std::string::npos);
 }
 
 TEST_F(Pulled, AMirrorMayHaveAnyName) {

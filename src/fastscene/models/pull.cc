@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <optional>
 
@@ -73,6 +74,26 @@ std::string mirror_base(const std::string& mirror) {
     else if (mirror.starts_with(local)) base = std::string(local) + percent_encoded(std::string_view(mirror).substr(local.size()), "/%");
     while (base.ends_with('/')) base.pop_back();
     return base + "/";
+}
+// The folder that a mirror of this machine names; nothing for addresses of the net.
+std::optional<fs::path> mirror_folder(const std::string& mirror) {
+    constexpr std::string_view local = "file://";
+    if (!mirror.starts_with(local)) return mirror.find("://") == std::string::npos ? std::optional<fs::path>(mirror) : std::nullopt;
+    std::string path;
+    for (std::size_t i = local.size(); i < mirror.size(); ++i) {
+        unsigned byte = 0;
+        const char* digits = mirror.data() + i + 1;
+        const bool encoded = mirror[i] == '%' && i + 2 < mirror.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+        path += encoded ? static_cast<char>(byte) : mirror[i];
+        i += encoded ? 2 : 0;
+    }
+    if (path.starts_with("localhost/")) path.erase(0, 9);
+    return path;
+}
+void check_mirror(const std::string& mirror) {
+    const auto folder = mirror_folder(mirror);
+    if (folder && !fs::is_directory(*folder))
+        throw Error("mirror {}: expected a folder that holds the files as `fastscene models list` has them, found {}", mirror, fs::exists(*folder) ? "a file" : "none");
 }
 std::string address_of(const Model& model, const ModelFile& file, const std::string& name, const PullOptions& options) {
     if (!options.mirror.empty()) return mirror_base(options.mirror) + model.folder + "/" + name;
@@ -243,6 +264,7 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
     if (model.by_hand() && options.mirror.empty())
         throw Error("{}: has no address to pull from. Fetch {} by hand at {} and put it into {}, or pull from a mirror", model.name, model.files[0].name, model.home,
                     report.folder.string());
+    if (!options.mirror.empty()) check_mirror(options.mirror);
     make_directories(options.root);
     accept_licence(model, options);
     make_directories(report.folder);
