@@ -15,6 +15,24 @@ namespace fs = std::filesystem;
 
 enum class Format { png, jpeg, webp, tiff, exr, pfm, radiance };
 
+// What users take for a picture that can be read, by its first bytes.
+std::string other_format(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    if (bytes.empty()) return "an empty file";
+    if (bytes.size() >= 12 && bytes.substr(4, 4) == "ftyp") {
+        const std::string_view brand = bytes.substr(8, 4);
+        if (brand == "avif" || brand == "avis") return "AVIF: save it as JPEG or PNG";
+        return brand == "heic" || brand == "heix" || brand == "mif1" || brand == "hevc" ? "HEIC, as phones save it: save it as JPEG" : "a film";
+    }
+    static constexpr std::pair<std::string_view, const char*> kBegins[] = {
+        {"GIF8"sv, "GIF"},           {"BM"sv, "BMP"},         {"\0\0\0\x0cjP  "sv, "JPEG 2000"}, {"\xff\x4f\xff\x51"sv, "JPEG 2000"}, {"\0\0\0\x0cJXL "sv, "JPEG XL"},
+        {"8BPS"sv, "Photoshop"},     {"P5"sv, "PNM"},         {"P6"sv, "PNM"},                  {"<!DOCTYPE"sv, "a web page"},      {"<html"sv, "a web page"},
+        {"<svg"sv, "SVG"},           {"%PDF"sv, "PDF"},       {"\x93NUMPY"sv, "a NumPy array"}, {"version https://git-lfs"sv, "a pointer of Git LFS: fetch the file itself (git lfs pull)"}};
+    for (const auto& [begin, name] : kBegins)
+        if (bytes.starts_with(begin)) return name;
+    return "something else";
+}
+
 // By content, not by name: users rename files.
 Format format_of(const fs::path& path, std::string_view bytes) {
     const auto begins = [&](std::string_view with) { return bytes.substr(0, with.size()) == with; };
@@ -27,8 +45,7 @@ Format format_of(const fs::path& path, std::string_view bytes) {
     if (begins("\x76\x2f\x31\x01")) return Format::exr;
     if (begins("Pf") || begins("PF")) return Format::pfm;
     if (begins("#?")) return Format::radiance;
-    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(),
-                bytes.empty() ? "an empty file" : "something else");
+    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(), other_format(bytes));
 }
 
 PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format) {

@@ -65,6 +65,21 @@ TEST(Jpeg, RoundTripIsNear) {
     for (std::size_t i = 0; i < image.size(); ++i) EXPECT_NEAR(back.pixels[i].r, image.pixels[i].r, 8);
 }
 
+TEST(Pictures, FormatsThatAreNotReadAreNamed) {
+    using namespace std::string_literals;
+    for (const auto& [bytes, name] : {std::pair{"\0\0\0\x18" "ftypheic\0\0\0\0"s, "HEIC"}, {"\0\0\0\x1c" "ftypavif\0\0\0\0"s, "AVIF"}, {"GIF89a....."s, "GIF"}, {"BM........"s, "BMP"},
+                                      {"<!DOCTYPE html>"s, "web page"}, {"version https://git-lfs.github.com/spec/v1\n"s, "Git LFS"}, {""s, "an empty file"}, {"hello"s, "something else"}}) {
+        write_file(scratch("odd.jpg"), bytes);
+        try {
+            load_rgb8(scratch("odd.jpg"));
+            ADD_FAILURE() << name;
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();
+            EXPECT_NE(std::string(e.what()).find("odd.jpg"), std::string::npos) << e.what();
+        }
+    }
+}
+
 TEST(FloatMaps, RoundTripsKeepEveryBit) {
     ImageF map(7, 4);
     Random random(3, "map");
