@@ -15,6 +15,11 @@ expect 2 "$fastscene" render run --size 80 -o a.png
 expect 2 "$fastscene" render run --fov 200 -o a.png
 expect 2 "$fastscene" render run -o a.bmp
 expect 2 "$fastscene" render .
+# Known before the work, not after it; a shorter film does not end in an earlier one's frames.
+expect 1 "$fastscene" render run --size 80x60 -o a.png --alpha nowhere/alpha.png
+says "nowhere/alpha.png: cannot be written"
+expect 1 "$fastscene" convert run nowhere/a.spz
+says "nowhere/a.spz: cannot be written"
 
 # All around, with depth and alpha; other programs' cameras; what does not go together.
 expect 0 "$fastscene" render run --sphere --size 128x64 -o sphere.png --depth range.exr --alpha alpha.png --background 1 0 1
@@ -79,6 +84,12 @@ echo '{"fps": 4, "size": [64, 48], "keys": [{"position_m": [0, 0, 0]}, {"time_s"
 expect 0 "$fastscene" render run --path path.json -o film
 [ "$(ls film | wc -l)" = 5 ] || fail "expected 5 frames"
 if command -v ffmpeg >/dev/null; then has film.mp4; prints film.mp4; fi
+sed 's/"time_s": 1/"time_s": 0.25/' path.json >short.json
+expect 0 "$fastscene" render run --path short.json -o film
+says "frames from 00002.png on are of an earlier film"
+if command -v ffprobe >/dev/null; then
+  [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 film.mp4)" = 2 ] || fail "the film goes on in an earlier one's frames"
+fi
 echo '{"keys": []}' >bad.json
 expect 1 "$fastscene" render run --path bad.json -o film
 says bad.json
@@ -177,16 +188,14 @@ says "pictures/cut.png: expected"
 # Range maps that are none are named.
 expect 1 "$fastscene" metrics depth run/depth/range.exr pictures/cut.png
 says "pictures/cut.png"
-ffmpeg_gray() { command -v ffmpeg >/dev/null && ffmpeg -v error -y -i run/panorama/color.png -vf "$1" "$2" 2>/dev/null; }
-if ffmpeg_gray format=gray gray.png; then
+if command -v ffmpeg >/dev/null && ffmpeg -v error -y -i run/panorama/color.png -vf format=gray gray.png 2>/dev/null; then
   expect 1 "$fastscene" metrics depth run gray.png
   says "gray.png: expected a map of one number a pixel"
   says "found 8 bits of gray"
 fi
-if ffmpeg_gray "lutrgb=r=0:g=0:b=0,format=gray16be" black.png; then
-  expect 1 "$fastscene" metrics depth run black.png
-  says "black.png: expected pixels with a range above 0"
-fi
+{ printf 'Pf\n128 64\n-1.0\n' && head -c $((4 * 128 * 64)) /dev/zero; } >empty.pfm
+expect 1 "$fastscene" metrics depth run empty.pfm
+says "empty.pfm: expected pixels with a range above 0"
 
 # Help and doctor.
 expect 0 "$fastscene" --help

@@ -9,6 +9,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/json.h"
+#include "fastscene/base/writable.h"
 
 namespace fastscene {
 namespace {
@@ -62,6 +63,16 @@ TEST_F(File, ErrorsNameThePath) {
     EXPECT_NE(complaint([&] { make_directories(folder_ / "file"); }), "");
 }
 
+TEST_F(File, WhatCannotBeWrittenIsKnownBeforehand) {
+    check_writable(folder_ / "x");
+    EXPECT_TRUE(fs::is_empty(folder_));
+    write_file(folder_ / "x", "old");
+    check_writable(folder_ / "x");
+    EXPECT_EQ(read_file(folder_ / "x"), "old");
+    EXPECT_NE(complaint([&] { check_writable(folder_ / "none" / "x"); }).find("none/x: cannot be written: No such"), std::string::npos);
+    EXPECT_NE(complaint([&] { check_writable(folder_); }).find("found a folder"), std::string::npos);
+}
+
 // A limit on the size of files stands for the full disk: the write stops half-way with an error.
 TEST_F(File, AFullDiskIsAnErrorAndKeepsTheOldFile) {
     write_file(folder_ / "x", "old");
@@ -81,6 +92,9 @@ TEST_F(File, BrokenJsonNamesFileAndByte) {
     write_file(folder_ / "x.json", "{\"a\": 1,, }");
     const std::string text = complaint([&] { read_json(folder_ / "x.json"); });
     EXPECT_NE(text.find("x.json"), std::string::npos);
+    write_file(folder_ / "x.json", "{\"a\": [1e400]}");
+    const std::string large = complaint([&] { read_json(folder_ / "x.json"); });
+    EXPECT_NE(large.find("x.json: expected numbers"), std::string::npos) << large;
     EXPECT_NE(text.find("byte 9"), std::string::npos) << text;
 }
 

@@ -11,6 +11,8 @@ Json read_json(const std::filesystem::path& path) {
         return Json::parse(text);
     } catch (const Json::parse_error& e) {
         throw Error("{}: not valid JSON at byte {}", path.string(), e.byte);
+    } catch (const Json::out_of_range&) {
+        throw Error("{}: expected numbers that a computer can hold, found one far too large (1e400)", path.string());
     }
 }
 

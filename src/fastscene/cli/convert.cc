@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fastscene/base/writable.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/splat_files.h"
@@ -53,6 +54,7 @@ void check_target(const Flags& flags) {
     if (fs::equivalent(from, to, absent)) throw UsageError("{}: expected another file than the one that is read, found the same", flags.to);
     if (fs::exists(to) && fs::exists(to.parent_path() / "stage.json"))
         throw UsageError("{}: expected a file of your own, found one that belongs to a run; choose another name", flags.to);
+    check_writable(to);
 }
 
 void convert(const Flags& flags, const Session& session) {

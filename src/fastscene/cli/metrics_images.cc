@@ -1,6 +1,7 @@
 // metrics images, metrics niqe-fit: pictures measured without a scene.
 #include <fmt/ranges.h>
 
+#include "fastscene/base/writable.h"
 #include "fastscene/cli/metrics.h"
 #include "fastscene/metrics/images.h"
 #include "fastscene/metrics/niqe.h"
@@ -55,6 +56,7 @@ Verb add_niqe_fit(CLI::App& metrics) {
         ->required();
     verb->footer(niqe_fit_text());
     return {verb, [flags](const Session& session) {
+                check_writable(flags->out);
                 const NiqeModel model = fit_niqe(pictures_in(flags->folder, "niqe-fit"), session.run(0));
                 save_niqe_model(flags->out, model);
                 session.print(fmt::format("{}: {} sharp blocks of {} pictures", flags->out, model.blocks, model.pictures),

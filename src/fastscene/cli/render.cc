@@ -3,6 +3,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/program.h"
+#include "fastscene/base/writable.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/io/capture_io.h"
@@ -70,10 +71,12 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
     }
     Json json{{"frames", frames.string()}, {"count", count}};
     std::string text = frames.string();
+    // A longer film that was made here before would go on after this one.
+    if (fs::exists(frames / fmt::format("{:05}.png", count))) run.note(fmt::format("{}: frames from {:05}.png on are of an earlier film", frames.string(), count));
     if (const auto ffmpeg = find_program("ffmpeg")) {
         const fs::path film = fs::path(frames.string() + ".mp4");
         const int code = run_program(*ffmpeg, {"-y", "-loglevel", "error", "-framerate", fmt::format("{}", camera.fps), "-i",
-                                               (frames / "%05d.png").string(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
+                                               (frames / "%05d.png").string(), "-frames:v", std::to_string(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
                                                "yuv420p", "-crf", "18", film.string()}, {{}, {}, session.stop});
         if (code != 0) throw Error("{}: ffmpeg failed with exit code {}; the frames are in {}", film.string(), code, frames.string());
         json["film"] = film.string();
@@ -171,6 +174,9 @@ void render(const Flags& flags, const Session& session) {
         camera = load_camera_path(flags.path);
         if (!flags.size.empty()) camera.width = width, camera.height = height;
     }
+    if (flags.path.empty())
+        for (const fs::path& file : {out, fs::path(flags.depth), fs::path(flags.alpha)})
+            if (!file.empty()) check_writable(file);
     const Splats splats = load_scene(flags.scene, session.run(0)).splats;
     if (capture) return render_cameras(splats, *capture, out, flags, session);
     if (!flags.path.empty()) return render_film(splats, camera, out, flags, session);

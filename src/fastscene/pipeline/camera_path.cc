@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fastscene/base/json.h"
+#include <fmt/ranges.h>
+
 #include "fastscene/base/error.h"
+#include "fastscene/base/json.h"
+#include "fastscene/base/suggest.h"
 
 namespace fastscene {
 namespace {
@@ -17,9 +20,43 @@ T catmull_rom(T a, T b, T c, T d, float t) {
     return (b * 2.f + (c - a) * t + (a * 2.f - b * 5.f + c * 4.f - d) * (t * t) + (b * 3.f - a - c * 3.f + d) * (t * t * t)) * 0.5f;
 }
 
-CameraKey key_from_json(const Json& json) {
-    const Json& p = json.at("position_m");
-    return {json.value("time_s", 0.f), {p.at(0), p.at(1), p.at(2)}, json.value("yaw_deg", 0.f), json.value("pitch_deg", 0.f)};
+// One object of the file, by its keys: a typo is told, not passed over.
+class PathPart {
+  public:
+    PathPart(std::string where, const Json& json, const std::vector<std::string>& known) : where_(std::move(where)), json_(json) {
+        if (!json.is_object()) fail(fmt::format("an object with {}", fmt::join(known, ", ")), text(json));
+        for (const auto& [key, value] : json.items()) {
+            if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+            const std::string guess = nearest_word(key, known);
+            fail(fmt::format("{}", fmt::join(known, ", ")), key + (guess.empty() ? "" : "; did you mean " + guess + "?"));
+        }
+    }
+    float number(const char* key, float otherwise) const { return json_.contains(key) ? number_in(key, json_.at(key)) : otherwise; }
+    std::vector<float> numbers(const char* key, std::size_t count) const {
+        if (!json_.contains(key)) fail(fmt::format("{} with {} numbers", key, count), "none");
+        const Json& list = json_.at(key);
+        if (!list.is_array() || list.size() != count) fail(fmt::format("{} numbers as {}", count, key), text(list));
+        std::vector<float> out;
+        for (const Json& v : list) out.push_back(number_in(key, v));
+        return out;
+    }
+    [[noreturn]] void fail(const std::string& expected, const std::string& found) const { throw Error("{}: expected {}, found {}", where_, expected, found); }
+    static std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 60); }
+
+  private:
+    float number_in(const char* key, const Json& v) const {
+        constexpr double kMost = 1e6;
+        if (!v.is_number() || !(std::abs(v.get<double>()) < kMost)) fail(fmt::format("a number below a million as {}", key), text(v));
+        return v.get<float>();
+    }
+    std::string where_;
+    const Json& json_;
+};
+
+CameraKey key_from_json(const std::string& where, const Json& json) {
+    const PathPart part(where, json, {"time_s", "position_m", "yaw_deg", "pitch_deg"});
+    const std::vector<float> p = part.numbers("position_m", 3);
+    return {part.number("time_s", 0), {p[0], p[1], p[2]}, part.number("yaw_deg", 0), part.number("pitch_deg", 0)};
 }
 
 }  // namespace
@@ -42,14 +79,16 @@ CameraKey CameraPath::at(float time_s) const {
 CameraPath load_camera_path(const std::filesystem::path& path) {
     const Json json = read_json(path);
     CameraPath camera;
-    try {
-        camera.fps = json.value("fps", camera.fps);
-        camera.fov_deg = json.value("fov_deg", camera.fov_deg);
-        if (json.contains("size")) camera.width = json.at("size").at(0), camera.height = json.at("size").at(1);
-        for (const Json& key : json.at("keys")) camera.keys.push_back(key_from_json(key));
-    } catch (const Json::exception& e) {
-        throw Error("{}: expected fps, fov_deg, size and keys with time_s, position_m, yaw_deg, pitch_deg: {}", path.string(), e.what());
+    const PathPart file(path.string(), json, {"fps", "fov_deg", "size", "keys"});
+    camera.fps = file.number("fps", camera.fps);
+    camera.fov_deg = file.number("fov_deg", camera.fov_deg);
+    if (json.contains("size")) {
+        const std::vector<float> size = file.numbers("size", 2);
+        camera.width = static_cast<int>(size[0]), camera.height = static_cast<int>(size[1]);
     }
+    if (!json.contains("keys") || !json["keys"].is_array())
+        file.fail("a list of keys with time_s, position_m, yaw_deg, pitch_deg", json.contains("keys") ? PathPart::text(json["keys"]) : "none");
+    for (const Json& key : json["keys"]) camera.keys.push_back(key_from_json(fmt::format("{}: key {}", path.string(), camera.keys.size() + 1), key));
     if (camera.keys.empty()) throw Error("{}: expected at least one key, found none", path.string());
     for (std::size_t i = 1; i < camera.keys.size(); ++i)
         if (!(camera.keys[i].time_s > camera.keys[i - 1].time_s))

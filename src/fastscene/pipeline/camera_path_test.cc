@@ -62,6 +62,20 @@ TEST(CameraPath, BadFilesAreRefusedWithTheirName) {
             EXPECT_NE(std::string(e.what()).find("fastscene-path.json"), std::string::npos);
         }
     }
+    for (const auto& [text, said] : {std::pair{R"({"keys": [{"position_m": [0,0,0]}, {"position_m": [0,0,0], "yaw": 20}]})", "key 2: expected time_s, position_m, yaw_deg, pitch_deg, found yaw"},
+                                     {R"({"keys": [{"position_m": [0,0,0], "yaw_deg": 1e39}]})", "key 1: expected a number below a million as yaw_deg, found 1e+39"},
+                                     {R"({"keys": [{"position_m": [0,0]}]})", "key 1: expected 3 numbers as position_m, found [0,0]"},
+                                     {R"({"keys": {"a": 3}})", "expected a list of keys"},
+                                     {R"({"key": []})", "found key; did you mean keys?"},
+                                     {R"({"keys": [{"position_m": [0,0,0]}], "fps": "fast"})", "as fps, found \"fast\""}}) {
+        write_file(file, text);
+        try {
+            load_camera_path(file);
+            ADD_FAILURE() << text;
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find(said), std::string::npos) << e.what();
+        }
+    }
     write_file(file, R"({"size": [64, 32], "keys": [{"position_m": [0,0,1], "yaw_deg": 3}]})");
     const CameraPath path = load_camera_path(file);
     EXPECT_EQ(path.width, 64);

@@ -105,7 +105,7 @@ Cost measure_cost(const std::function<void()>& work) {
 
 std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs, std::uint64_t seed) {
     Hash hash;
-    hash.add(stage).add(code_version(stage)).add(params.dump()).add(seed);
+    hash.add(stage).add(code_version(stage)).add(params.dump(-1, ' ', false, Json::error_handler_t::replace)).add(seed);
     for (const std::string& input : inputs) hash.add(input);
     return hash.hex();
 }
