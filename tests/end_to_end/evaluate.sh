@@ -106,6 +106,13 @@ cmp -s eval2/scenes/ours/bedroom-3/panorama/stage.json eval2/scenes/fewer/bedroo
 says "2 of 4 scenes failed"
 for form in html md tex csv; do grep -q "odd.png: expected" eval2/{report,table}.$form 2>/dev/null || fail "the failure is not in .$form"; done
 
+# A kill while the second row's copy of the panorama was made: the rest of it goes, and the row is made as before.
+cp -r eval2/scenes/fewer/bedroom-3 as_before
+rm -r eval2/scenes/fewer/bedroom-3/{run.json,report.json,depth/stage.json,walk,views,splat}
+expect 1 "$fastscene" evaluate odd.toml -o eval2
+says "2 of 4 scenes failed"
+same eval2/scenes/fewer/bedroom-3/splat as_before/splat
+
 # Suites that ship, and typos.
 expect 0 "$fastscene" evaluate
 prints paper-table2

@@ -5,6 +5,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/columns.h"
+#include "fastscene/evaluate/failure.h"
 #include "fastscene/evaluate/job_events.h"
 #include "fastscene/evaluate/measures.h"
 #include "fastscene/evaluate/peers.h"
@@ -55,8 +56,11 @@ void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::
         const fs::path from = other.folder(out);
         if (&other == &job || other.scene != job.scene || other.seed != job.seed || !finished_stage(from, "depth")) continue;
         make_directories(to);
-        for (const std::string_view name : {"panorama", "depth"}) fs::copy(from / name, to / name, fs::copy_options::recursive);
-        fs::copy_file(from / "run.json", to / "run.json");
+        for (const std::string_view name : {"panorama", "depth"}) {
+            fs::remove_all(to / name);  // what a kill left of an earlier copy
+            fs::copy(from / name, to / name, fs::copy_options::recursive);
+        }
+        write_file(to / "run.json", read_file(from / "run.json"));  // last, and whole: it says that the copy is
         return;
     }
 }
@@ -150,9 +154,11 @@ class Evaluation {
             measured.samples.push_back(cost_of(report));
             record.update(json_of(measured));
             record["panorama"] = fs::relative(folder.panorama_color(), options_.out).generic_string();
-        } catch (const Error& e) {
-            record["failed"] = e.what();
-            run.warn(fmt::format("{}, seed {}: {}; the other scenes go on", job.scene->name, job.seed, e.what()));
+        } catch (const Stopped&) {
+            throw;
+        } catch (const std::exception& e) {
+            record["failed"] = failure_text(e);
+            run.warn(fmt::format("{}, seed {}: {}; the other scenes go on", job.scene->name, job.seed, failure_text(e)));
         }
         return record;
     }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fastscene/base/file.h"
+#include "fastscene/evaluate/failure.h"
 #include "fastscene/evaluate/measures.h"
 #include "fastscene/metrics/images.h"
 
@@ -86,9 +87,11 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
         Measured measured = measure_other(measure, judged, own ? std::optional(own->folder) : std::nullopt, width, run);
         add_minutes(peer, scene.name, measured);
         record.update(json_of(measured));
-    } catch (const Error& e) {
-        record["failed"] = e.what();
-        run.warn(fmt::format("{}, {}: {}", peer.name, scene.name, e.what()));
+    } catch (const Stopped&) {
+        throw;
+    } catch (const std::exception& e) {
+        record["failed"] = failure_text(e);
+        run.warn(fmt::format("{}, {}: {}", peer.name, scene.name, failure_text(e)));
     }
     return record;
 }
