@@ -10,6 +10,9 @@ has whole/egformer.safetensors whole/checkpoint.safetensors whole/curves.csv who
 expect 0 "$fastscene" depth train --painted 1 --steps 2 "${small[@]}" -o parts
 expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o parts
 cmp -s whole/egformer.safetensors parts/egformer.safetensors || fail "a training that was stopped ends elsewhere"
+expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o parts --start whole/egformer.safetensors
+says "--start whole/egformer.safetensors: not used"
+cmp -s whole/egformer.safetensors parts/egformer.safetensors || fail "--start changed a training that goes on"
 
 # One folder, one training.
 expect 2 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" --channels 8 -o parts

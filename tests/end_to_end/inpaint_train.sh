@@ -10,7 +10,12 @@ prints "18 faces, 288 masks"
 has holes/train/images holes/train/masks holes/held-out/images
 expect 2 "$fastscene" inpaint dataset rooms -o holes --size 32
 says "dataset.json"
+expect 0 "$fastscene" inpaint dataset ./rooms/ -o holes --size 64 --held-out 50 --seed 3
+prints "0 made now"
 expect 2 "$fastscene" inpaint dataset nowhere -o holes
+cp -r holes held_out_only && rm -r held_out_only/train
+expect 2 "$fastscene" inpaint train held_out_only -o run3
+says "held_out_only: expected faces to train on, found held-out ones only"
 
 train=("$fastscene" inpaint train holes -o run --width 4 --blocks 1 --size 64 --batch 1 --held-out 2 --holes harmonic --adversarial 0 --log-steps 1)
 expect 0 "${train[@]}" --steps 2

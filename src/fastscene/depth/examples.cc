@@ -103,7 +103,10 @@ DepthExample load_example(const DepthFiles& files, EquirectSize size) {
     if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
     const ImageF range = load_float(files.range);
     if (range.width != 2 * range.height) throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
-    return {srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked(range, size)};
+    DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked(range, size)};
+    if (std::none_of(out.range.pixels.begin(), out.range.pixels.end(), [](float r) { return r > 0.f && r < kFarthestTaught_m; }))
+        throw Error("{}: expected ranges in metres, above 0 and below {}, found none: are they in another unit?", files.range.string(), kFarthestTaught_m);
+    return out;
 }
 
 std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size, const Run& run) {

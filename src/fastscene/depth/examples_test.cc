@@ -92,6 +92,12 @@ TEST(Examples, BadFoldersAndPictures) {
     for (DepthFiles& f : files) f.held_out = false;
     EXPECT_EQ(load_examples(files, false, {32, 16}, {}).size(), 1u);
     EXPECT_THROW(load_example(files[2], {32, 16}), Error);
+    // Ranges that teach nothing: none measured, or all of them far beyond any room, as of millimetres in floats.
+    for (const float range : {0.f, 2500.f}) {
+        files[0].range = folder / "far.exr";
+        save_exr(files[0].range, ImageF(64, 32, range));
+        EXPECT_THROW(load_example(files[0], {32, 16}), Error) << range;
+    }
 }
 
 // The first archives of Structured3D hold no scene from 3000 on.

@@ -1,5 +1,7 @@
 #include "fastscene/depth/train.h"
 
+#include <algorithm>
+
 #include "fastscene/depth/examples.h"
 #include "fastscene/depth/painted_room.h"
 #include "fastscene/depth/photo_look.h"
@@ -45,6 +47,8 @@ std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, st
 EgformerTrained train_depth(const DepthTraining& training, const std::filesystem::path& folder, const Run& run) {
     const DepthTrainParams& p = training.params;
     check_sizes(p);
+    if (!training.start.empty() && std::filesystem::exists(folder / "checkpoint.safetensors"))
+        run.warn(fmt::format("--start {}: not used, the training in {} goes on from its own checkpoint", training.start.string(), folder.string()));
     const EquirectSize size{2 * p.height, p.height};
     std::vector<DepthFiles> files;
     Json names = Json::array();
@@ -56,7 +60,9 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     const std::vector<DepthExample> examples = load_examples(with_fate(files, false, wanted), false, size, run);
     std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);
     if (examples.empty() && !files.empty())
-        throw Error("{}: expected pictures to train on, found held-out ones only: more rooms are needed", names.dump());
+        throw Error("{}: expected pictures to train on, found {}", names.dump(),
+                    std::all_of(files.begin(), files.end(), [](const DepthFiles& f) { return f.held_out; }) ? "held-out ones only: more rooms are needed"
+                                                                                                           : "none that can be used (why is told above)");
     if (held_out.empty() && !files.empty()) {
         run.warn(fmt::format("{}: expected held-out pictures, found none (each tenth room of ours, Structured3D's scenes from 3000 on): the figures are of "
                              "pictures that are trained on",

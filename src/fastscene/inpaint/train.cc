@@ -178,6 +178,8 @@ InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params
 std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params, const fs::path& folder,
                                                             const Run& run) {
     if (params.size % 8 != 0) throw UsageError("--size: expected a multiple of 8, found {}", params.size);
+    if (fs::exists(data / "held-out") && !fs::exists(data / "train"))
+        throw UsageError("{}: expected faces to train on, found held-out ones only: `fastscene inpaint dataset` with more places, or less --held-out", data.string());
     const HoleSet train = find_holes(data / "train"), held_out = held_out_of(data, train, run);
     std::atomic<std::int64_t> broken{0};
     InpaintExamples examples;

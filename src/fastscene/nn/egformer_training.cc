@@ -19,8 +19,7 @@ namespace {
 
 using at::Tensor;
 
-// The unit of targets: published are 8 m, and ranges beyond are not looked at. Our halls are longer.
-constexpr float kUnit = 16.f, kFarthest = 15.f;
+constexpr float kUnit = 16.f;  // of targets, metres
 
 // color [N, 3, H, W] in 0..1, truth and mask [N, 1, H, W].
 nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShape& shape) {
@@ -37,7 +36,7 @@ nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShap
             const Vec3f v = unit_from_srgb8(e.color.pixels[p]);
             c[p] = v.x, c[pixels + p] = v.y, c[2 * pixels + p] = v.z;
             const float range = e.range.pixels[p];
-            if (!(range > 0.f && range < kFarthest)) continue;
+            if (!(range > 0.f && range < kFarthestTaught_m)) continue;
             t[p] = range / kUnit;
             m[p] = 1;
         }

@@ -14,6 +14,9 @@
 
 namespace fastscene {
 
+// Beyond, a range teaches nothing: published are 8 m, our halls are longer.
+inline constexpr float kFarthestTaught_m = 15;
+
 // A panorama of the network's size: sRGB, and metres along each pixel's ray (0 = not known).
 struct DepthExample {
     ImageRgb8 color;

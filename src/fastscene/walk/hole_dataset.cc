@@ -102,7 +102,7 @@ void make_one(const Plan& plan, const PanoramaFiles& files, const Panorama& pano
             open += static_cast<double>(std::count(torn[f].pixels.begin(), torn[f].pixels.end(), 255)) / static_cast<double>(torn[f].size());
         }
     }
-    write_json(plan.done(i), {{"color", files.color.string()}, {"place", files.place}, {"part", part.filename().string()}, {"faces", whole.size()},
+    write_json(plan.done(i), {{"color", files.name}, {"place", files.place}, {"part", part.filename().string()}, {"faces", whole.size()},
                               {"masks", holes.size() * whole.size()}, {"open", open / static_cast<double>(holes.size() * whole.size())}});
 }
 
@@ -137,6 +137,7 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
     settle_settings(plan);
     HoleDatasetState state;
     state.panoramas = static_cast<std::int64_t>(panoramas.size());
+    std::int64_t held_out = 0;
     Progress progress(run, "panoramas", state.panoramas);
     for (std::int64_t i = 0; i < state.panoramas; ++i) {
         run.check_stop();
@@ -152,16 +153,21 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
             ++state.made;
         }
         const Json about = read_json(plan.done(i));
-        if (about.value("color", "") != files.color.string())
+        // Records of before say the whole path.
+        if (const std::string made = about.value("color", ""); made != files.name && made != files.color.string())
             throw UsageError("{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder", folder.string(),
-                             i, about.value("color", ""), files.color.string());
+                             i, made, files.name);
         ++state.there;
+        held_out += plan.held_out(files);
         state.faces += about.value("faces", std::int64_t{0});
         state.masks += about.value("masks", std::int64_t{0});
         progress.advance();
     }
     if (state.panoramas > 0 && state.there == 0)
         throw Error("{}: expected a panorama with range that can be read, found none among {}", folder.string(), state.panoramas);
+    if (held_out == state.there)
+        run.warn(fmt::format("{}: all {} panoramas are of places that are held out, none is left to train on: give more places, or another folder with less --held-out",
+                             folder.string(), held_out));
     return state;
 }
 

@@ -129,6 +129,36 @@ TEST(HoleDataset, ABrokenPictureIsSkippedAndCounted) {
     EXPECT_EQ(mended.there, 3);
 }
 
+TEST(HoleDataset, TheSameFolderByAnotherNameGoesOnAndAnotherOneDoesNot) {
+    const Folder folder;
+    for (const char* name : {"a", "b"}) save_post(folder.path / "in" / name, 64);
+    make_hole_dataset(find_panoramas(folder.path / "in"), small(), folder.path / "out", {});
+    const HoleDatasetState again = make_hole_dataset(find_panoramas(folder.path / "." / "in" / ""), small(), folder.path / "out", {});
+    EXPECT_EQ(again.there, 2);
+    EXPECT_EQ(again.made, 0);
+    fs::rename(folder.path / "in", folder.path / "moved");
+    EXPECT_EQ(make_hole_dataset(find_panoramas(folder.path / "moved"), small(), folder.path / "out", {}).there, 2);
+    save_post(folder.path / "moved/0", 64);
+    EXPECT_THROW(make_hole_dataset(find_panoramas(folder.path / "moved"), small(), folder.path / "out", {}), UsageError) << "another list";
+}
+
+TEST(HoleDataset, NothingLeftToTrainOnIsTold) {
+    struct : EventSink {
+        std::string warnings;
+        void tell(const Event& event) override {
+            if (const auto* warning = std::get_if<WarningEvent>(&event)) warnings += warning->text;
+        }
+    } heard;
+    const Folder folder;
+    save_post(folder.path / "in/a", 64);
+    HoleDatasetParams params = small();
+    make_hole_dataset(find_panoramas(folder.path / "in"), params, folder.path / "out", {0, &heard, {}});
+    EXPECT_EQ(heard.warnings, "");
+    params.held_out = 100;
+    make_hole_dataset(find_panoramas(folder.path / "in"), params, folder.path / "other", {0, &heard, {}});
+    EXPECT_NE(heard.warnings.find("none is left to train on"), std::string::npos) << heard.warnings;
+}
+
 TEST(HoleDataset, NothingReadableIsAnErrorAndEachFileIsNamedOnce) {
     struct Warnings : EventSink {
         void tell(const Event& event) override {

@@ -21,7 +21,7 @@ std::optional<PanoramaFiles> from_our_set(const fs::path& json_path) {
         !about.contains("range"))
         return {};
     return PanoramaFiles{json_path.parent_path() / about["color"].get<std::string>(), json_path.parent_path() / about["range"].get<std::string>(),
-                         fmt::format("room {}", about.value("room", 0))};
+                         fmt::format("room {}", about.value("room", 0)), {}};
 }
 
 std::optional<PanoramaFiles> from_structured3d(const fs::path& color) {
@@ -30,14 +30,14 @@ std::optional<PanoramaFiles> from_structured3d(const fs::path& color) {
     std::string place = color.parent_path().string();
     for (const fs::path& part : color)
         if (part.string().starts_with("scene_")) place = part.string();
-    return PanoramaFiles{color, range, place};
+    return PanoramaFiles{color, range, place, {}};
 }
 
 std::optional<PanoramaFiles> from_anybody(const fs::path& color) {
     if (!has_picture_ending(color)) return {};
     for (const char* range_ending : {".range.exr", ".range.pfm", ".range.png", ".range.tif", ".range.tiff"}) {
         const fs::path range = fs::path(color).replace_extension(range_ending);
-        if (fs::exists(range)) return PanoramaFiles{color, range, color.stem().string()};
+        if (fs::exists(range)) return PanoramaFiles{color, range, color.stem().string(), {}};
     }
     return {};
 }
@@ -61,6 +61,7 @@ std::vector<PanoramaFiles> find_panoramas(const fs::path& folder) {
             "{}: expected panoramas with range maps (a set of `fastscene rooms dataset`, Structured3D's folders, or NAME.png beside NAME.range.png), "
             "found none",
             folder.string());
+    for (PanoramaFiles& files : found) files.name = files.color.lexically_relative(folder).string();
     std::sort(found.begin(), found.end(), [](const PanoramaFiles& a, const PanoramaFiles& b) { return a.color < b.color; });
     return found;
 }

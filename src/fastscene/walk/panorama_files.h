@@ -12,6 +12,7 @@ namespace fastscene {
 struct PanoramaFiles {
     std::filesystem::path color, range;
     std::string place;   // pictures of one room (ours), of one house (Structured3D) have one place; else the name of the file
+    std::string name;    // the color file's path below the folder that was searched: the same from wherever and however that is named
 };
 // In the order of their paths:
 //   - what `fastscene rooms dataset` made: the panoramas among its pictures;
