@@ -209,7 +209,7 @@ int main(int argc, char** argv) try {
     set_threads(threads);
     const c10::InferenceMode inference;
     use_our_threads();
-    fmt::print("{}\n", (runs > 0 ? seam(runs) : cost(width, steps, nn::type_of_precision(type))).dump(2));
+    fmt::print("{}\n", (runs > 0 ? seam(runs) : cost(width, steps, nn::type_of_precision(type, at::kCPU))).dump(2));
     return 0;
 } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());

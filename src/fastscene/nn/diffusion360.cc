@@ -68,7 +68,7 @@ struct Diffusion360::Parts {
 
     Parts(const fs::path& weights, const Diffusion360Settings& s, From from)
         : settings(s), model(base_of(weights, from == From::text ? "sd-base" : "sr-base"),
-                             {nn::type_of_precision(s.precision), sampler_named(s.sampler), !s.low_memory, from == From::photo}) {
+                             nn::sd_options(s.precision, s.device, sampler_named(s.sampler), s.low_memory, from == From::photo)) {
         if (from == From::text) return;
         if (!fs::is_directory(weights / "sd-i2p"))
             throw Error("--photo: expected sd-i2p/ in {}, found none (fastscene models pull diffusion360-photo)", weights.string());
@@ -94,7 +94,10 @@ void Diffusion360::Parts::estimate(const Run& run) {
     info.parameters = model.unet->bytes() / model.unet->dtype_bytes();
     info.peak_bytes = diffusion_memory({settings.width, settings.low_memory, model.unet->bytes(), model.vae->bytes(), model.text->bytes(),
                                         control ? control->weights->bytes() : 0, model.unet->largest_bytes(), decodes_in_tiles()});
-    run.note(fmt::format("diffusion360: {}, {:.0f} million parameters, needs about {} of memory", info.family, static_cast<double>(info.parameters) / 1e6, gib_text(info.peak_bytes)));
+    const bool on_card = model.options.device.is_cuda();
+    run.note(fmt::format("diffusion360: {}, {:.0f} million parameters, needs about {} of {}memory", info.family, static_cast<double>(info.parameters) / 1e6,
+                         gib_text(info.peak_bytes), on_card ? "the graphics card's " : ""));
+    if (on_card) return;  // which says itself when it is full
     check_memory(fmt::format("diffusion360: {} x {} in {}", settings.width, settings.width / 2, settings.precision), info.peak_bytes,
                  fmt::format("{}{}, or make it smaller with --panorama-width", settings.low_memory ? "" : ", use --panorama-low-memory",
                              settings.precision == "bf16" ? "" : ", use --panorama-precision bf16"));
@@ -103,14 +106,14 @@ void Diffusion360::Parts::estimate(const Run& run) {
 Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const {
     nn::StoppableWeights weights(*model.vae, run);
     const Scope s(weights);
-    const nn::Autocast coarse(latents.device(), settings.precision == "bf16");   // what is summed up from layer to layer stays in float
-    const Tensor z = latents / model.vae_config.scale;
+    const nn::Autocast coarse(model.options.device, settings.precision == "bf16");   // what is summed up from layer to layer stays in float
+    const Tensor z = (latents / model.vae_config.scale).to(model.options.device);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
     const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}};
     const Tensor picture = decodes_in_tiles() ? nn::over_sphere(z, how, [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
                                               : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
     nn::expect_finite(picture, folder_of("vae"), model.options.type);
-    return picture / 2 + 0.5;
+    return picture.to(at::kCPU) / 2 + 0.5;
 }
 
 Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
@@ -119,7 +122,7 @@ Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent, channels = model.vae_config.latent_channels;
     const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}};
     const Tensor both = nn::over_sphere(unit * 2 - 1, how, [&](const Tensor& part) {
-        const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part);
+        const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part.to(model.options.device));
         return at::cat({found.mean, found.log_variance}, 1);
     });
     nn::expect_finite(both, folder_of("vae"), model.options.type);
@@ -170,7 +173,7 @@ ImageRgb8 Diffusion360::paint(const std::string& prompt, const Run& run, const P
     p.random = at::detail::createCPUGenerator(run.seed);
     const auto scheduler = nn::make_scheduler(p.model.options.sampler, p.model.schedule, p.settings.steps);
     const Tensor start = p.noise({1, p.model.vae_config.latent_channels, p.latent_width() / 2, p.latent_width()});
-    return p.finish(start, {}, *scheduler, prompt, run, preview);
+    return nn::fitting_the_card([&] { return p.finish(start, {}, *scheduler, prompt, run, preview); });
 }
 
 ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& prompt, const Run& run, const Preview& preview) const {
@@ -180,12 +183,14 @@ ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& 
     p.random = at::detail::createCPUGenerator(run.seed);
     const auto scheduler = nn::make_scheduler(p.model.options.sampler, p.model.schedule, p.settings.steps);
     const nn::PhotoOnSphere placed = nn::photo_on_sphere(photo, p.settings.width, p.settings.photo_fov_deg);
-    const Tensor clean = p.encode(placed.color, run);
     nn::TextToPanorama how;
     nn::StoppableWeights control(*p.control->weights, run);
     how.control = nn::Control{Scope(control), p.control->config, at::cat({placed.mask, placed.color}, 1), 1};
     how.noised = true;
-    return p.finish(scheduler->noised(clean, p.noise(clean.sizes()), 0), how, *scheduler, prompt, run, preview);
+    return nn::fitting_the_card([&] {
+        const Tensor clean = p.encode(placed.color, run);
+        return p.finish(scheduler->noised(clean, p.noise(clean.sizes()), 0), how, *scheduler, prompt, run, preview);
+    });
 }
 
 }  // namespace fastscene

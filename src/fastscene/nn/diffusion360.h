@@ -18,7 +18,8 @@ struct Diffusion360Settings {
     int steps = 20;
     double guidance = 7.5;
     std::string sampler = "euler-ancestral";  // or ddim, unipc
-    std::string precision = "float";          // or bf16
+    std::string device = "auto";              // or cpu, cuda; auto: CUDA where libtorch has it
+    std::string precision = "float";          // or bf16; on CUDA fp16, too
     bool published_seam = false;         // the repository's text path, whose left 32 columns repeat the right ones
     bool low_memory = false;             // weights are read layer by layer, the picture is decoded in tiles
     std::string negative;                // empty: the published negative prompt

@@ -67,19 +67,19 @@ Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& sch
     const auto repeated = [&](const Tensor& x) { return text.size(0) == 1 ? x : at::cat({x, x}, 0); };
     if (!how.noised) latents = latents * scheduler.init_noise_sigma();
     Tensor held;
-    if (how.control) held = how.control->picture.to(text.scalar_type());
+    if (how.control) held = how.control->picture.to(text.options());
     if (how.seam == Seam::closed) {
         if (held.defined()) held = extended(held, how.blend_columns * (held.size(3) / width));
         latents = extended(latents, how.blend_columns);
     }
     if (held.defined()) held = repeated(held);
     for (int i = 0; i < scheduler.steps(); ++i) {
-        const Tensor input = repeated(scheduler.scaled_input(latents, i).to(text.scalar_type()));
+        const Tensor input = repeated(scheduler.scaled_input(latents, i).to(text.options()));
         const double t = scheduler.timestep(i);
         std::optional<Residuals> hold;
         if (held.defined()) hold = controlnet(how.control->scope, how.control->config, input, t, text, held, how.control->strength);
         if (i == 0 && hold && how.first_outputs) how.first_outputs("control", hold->middle);
-        const Tensor output = guided(unet(s, config, input, t, text, hold ? &*hold : nullptr).to(at::kFloat), how.guidance);
+        const Tensor output = guided(unet(s, config, input, t, text, hold ? &*hold : nullptr).to(latents.device(), at::kFloat), how.guidance);
         if (i == 0 && how.first_outputs) how.first_outputs("unet", output);
         if (how.preview) how.preview(i, t, scheduler.clean(output, i, latents).narrow(3, 0, width));
         latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor()).contiguous();
@@ -114,14 +114,14 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
                         0);
                 };
                 const auto n = static_cast<std::int64_t>(count);
-                const Tensor x = some(tiles), c = some(controls).to(text.scalar_type());
+                const Tensor x = some(tiles), c = some(controls).to(text.options());
                 const Tensor prompts = at::cat({text.narrow(0, 0, 1).expand({n, -1, -1}), text.narrow(0, 1, 1).expand({n, -1, -1})}, 0);
-                const Tensor input = scheduler.scaled_input(x, step).to(text.scalar_type()), twice = at::cat({input, input}, 0);
+                const Tensor input = scheduler.scaled_input(x, step).to(text.options()), twice = at::cat({input, input}, 0);
                 const double t = scheduler.timestep(step);
                 const Residuals hold = controlnet(control_scope, control_config, twice, t, prompts, at::cat({c, c}, 0), how.control);
                 const bool is_first = step == how.first_step && rows.empty() && from == 0 && how.first_outputs;
                 if (is_first) how.first_outputs("control", hold.middle);
-                const Tensor output = guided(unet(unet_scope, config, twice, t, prompts, &hold).to(at::kFloat), how.guidance);
+                const Tensor output = guided(unet(unet_scope, config, twice, t, prompts, &hold).to(x.device(), at::kFloat), how.guidance);
                 if (is_first) how.first_outputs("unet", output);
                 // A fresh sampler each time: as published, every step is of first order.
                 for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0)) done.push_back(tile.clone());

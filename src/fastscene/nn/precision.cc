@@ -37,10 +37,12 @@ bool cpu_has_bf16() {
 
 }  // namespace
 
-at::Device training_device(const TrainingParams& params) {
-    if (params.device == "cuda" && !at::hasCUDA()) throw UsageError("--device: expected cpu, since this libtorch has no CUDA, found cuda");
-    return params.device == "cuda" || (params.device == "auto" && at::hasCUDA()) ? at::Device(at::kCUDA) : at::Device(at::kCPU);
+at::Device device_named(const std::string& name, const std::string& flag) {
+    if (name == "cuda" && !at::hasCUDA()) throw UsageError("{}: expected cpu, since this libtorch has no CUDA, found cuda", flag);
+    return name == "cuda" || (name == "auto" && at::hasCUDA()) ? at::Device(at::kCUDA) : at::Device(at::kCPU);
 }
+
+at::Device training_device(const TrainingParams& params) { return device_named(params.device, "--device"); }
 
 bool trains_in_bf16(const TrainingParams& params) {
     if (params.precision != "auto") return params.precision == "bf16";

@@ -1,4 +1,4 @@
-// Where networks are trained, and with which numbers. One source for libtorch 1.13 and 2.x. Private to nn/ (torch).
+// Where networks are computed, and with which numbers. One source for libtorch 1.13 and 2.x. Private to nn/ (torch).
 #pragma once
 
 #include <ATen/ATen.h>
@@ -7,7 +7,8 @@
 
 namespace fastscene::nn {
 
-// Throws UsageError when CUDA is asked for and this libtorch has none.
+// `name`: cpu, cuda, or auto (CUDA where this libtorch has it). Throws UsageError naming `flag` when CUDA is asked for and there is none.
+at::Device device_named(const std::string& name, const std::string& flag);
 at::Device training_device(const TrainingParams& params);
 // bf16 for "auto" where the device computes with it: CUDA, or a CPU with AVX-512 BF16.
 bool trains_in_bf16(const TrainingParams& params);

@@ -6,6 +6,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
 #include "fastscene/nn/panorama_loops.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/stoppable.h"
 
 namespace fastscene::nn {
@@ -68,6 +69,11 @@ class ShapesOnly final : public WeightSource {
 
 }  // namespace
 
+SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory, bool encoder) {
+    const at::Device where = device_named(device, "--panorama-device");
+    return {type_of_precision(precision, where), where, sampler, !low_memory, encoder};
+}
+
 SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), options(with) {
     unet_config = nn::unet_config(component_config(base / "unet", "UNet2DConditionModel"), (base / "unet/config.json").string());
     vae_config = nn::vae_config(component_config(base / "vae", "AutoencoderKL"), (base / "vae/config.json").string());
@@ -75,8 +81,9 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
     schedule =
         schedule_config(config_in(base / "scheduler", "scheduler_config.json"), (base / "scheduler/scheduler_config.json").string(), with.sampler);
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
-    unet = std::make_unique<FileWeights>(base / "unet", with.type, with.keep, "conv_in.weight");
-    vae = std::make_unique<FileWeights>(base / "vae", at::kFloat, with.keep, "decoder.conv_in.weight");  // 16 bits overflow on some pictures
+    unet = std::make_unique<FileWeights>(base / "unet", at::TensorOptions(with.device).dtype(with.type), with.keep, "conv_in.weight");
+    // 16 bits overflow on some pictures.
+    vae = std::make_unique<FileWeights>(base / "vae", at::TensorOptions(with.device).dtype(at::kFloat), with.keep, "decoder.conv_in.weight");
     text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep, kWords);
     check_text();
     check_families();
@@ -129,14 +136,14 @@ Tensor SdModel::read_prompt(const std::string& prompt, const std::string& negati
     const Scope words(weights);
     const Tensor both = at::cat({embed_prompt(words, tower, tokens[1]).states, embed_prompt(words, tower, tokens[0]).states}, 0);
     expect_finite(both, base / "text_encoder", at::kFloat);
-    return both.to(options.type);
+    return both.to(options.device, options.type);
 }
 
 std::string SdModel::family() const { return family_of(unet_config.text_width); }
 
 ControlModel::ControlModel(const fs::path& folder, const SdModel& model, std::int64_t channels)
     : config(nn::controlnet_config(component_config(folder, "ControlNetModel"), (folder / "config.json").string())),
-      weights(std::make_unique<FileWeights>(folder, model.options.type, model.options.keep, "conv_in.weight")) {
+      weights(std::make_unique<FileWeights>(folder, at::TensorOptions(model.options.device).dtype(model.options.type), model.options.keep, "conv_in.weight")) {
     if (config.text_width != model.unet_config.text_width)
         throw Error("{}: expected a ControlNet for {} of {}, found one for {}", folder.string(), model.family(), model.base.string(), family_of(config.text_width));
     if (config.picture_channels != channels)
@@ -157,7 +164,7 @@ ControlModel::ControlModel(const fs::path& folder, const SdModel& model, std::in
 void expect_finite(const Tensor& output, const fs::path& component, at::ScalarType type) {
     if (at::isfinite(output).all().item<bool>()) return;
     throw Error("{}: expected a network that puts out numbers, found values that are not finite; are its weights whole{}?", component.string(),
-                type == at::kFloat ? "" : ", or is bf16 too coarse for them (--panorama-precision float)");
+                type == at::kFloat ? "" : fmt::format(", or are 16 bits too {} for them (--panorama-precision float)", type == at::kHalf ? "narrow" : "coarse"));
 }
 
 Tensor unit_picture(const ImageRgb8& image) {
@@ -172,10 +179,23 @@ ImageRgb8 picture_of_unit(const Tensor& unit) {
     return out;
 }
 
-at::ScalarType type_of_precision(const std::string& name) {
+at::ScalarType type_of_precision(const std::string& name, at::Device device) {
     if (name == "float") return at::kFloat;
     if (name == "bf16") return at::kBFloat16;
-    throw UsageError("--panorama-precision: expected float or bf16, found \"{}\"", name);
+    if (name != "fp16") throw UsageError("--panorama-precision: expected float, bf16 or fp16, found \"{}\"", name);
+    // libtorch has no convolution of half precision for a CPU.
+    if (device.is_cpu()) throw UsageError("--panorama-precision: expected float or bf16 on a CPU, found fp16 (a graphics card's: --panorama-device cuda)");
+    return at::kHalf;
+}
+
+ImageRgb8 fitting_the_card(const std::function<ImageRgb8()>& make) {
+    try {
+        return make();
+    } catch (const c10::OutOfMemoryError& error) {
+        throw Error("--panorama-device cuda: expected more memory on the graphics card ({}); use --panorama-precision fp16, --panorama-low-memory or "
+                    "--panorama-device cpu",
+                    error.what_without_backtrace());
+    }
 }
 
 }  // namespace fastscene::nn

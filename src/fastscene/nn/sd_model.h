@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,16 +22,20 @@ constexpr std::int64_t kPixelsPerLatent = 8;
 
 struct SdOptions {
     at::ScalarType type = at::kFloat;  // of the denoiser; text and pictures are read and made in float
+    at::Device device = at::kCPU;      // of denoiser and pictures; text is short and read by the processor
     Sampler sampler = Sampler::euler_ancestral;
     bool keep = true;                  // converted weights stay (file_weights.h)
     bool encoder = false;              // pictures go in, too
 };
 
+// Of the settings' words. Throws UsageError naming the flag.
+SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory, bool encoder);
+
 struct SdModel {
     // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and found.
     SdModel(const std::filesystem::path& base, const SdOptions& options);
 
-    // [2, L, width]: negative prompt, prompt; in the denoiser's type. Warns of what is too long to be read.
+    // [2, L, width]: negative prompt, prompt; in the denoiser's type, on its device. Warns of what is too long to be read.
     at::Tensor read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const;
     std::string family() const;
     std::int64_t bytes() const { return unet->bytes() + vae->bytes() + text->bytes(); }
@@ -64,6 +69,9 @@ void expect_finite(const at::Tensor& output, const std::filesystem::path& compon
 // Pictures as networks see them, [1, 3, H, W] in [0, 1], and back (values outside are cut off).
 at::Tensor unit_picture(const ImageRgb8& image);
 ImageRgb8 picture_of_unit(const at::Tensor& unit);
-at::ScalarType type_of_precision(const std::string& name);  // float or bf16; UsageError
+// float, bf16, or on a graphics card fp16. Throws UsageError naming the flag.
+at::ScalarType type_of_precision(const std::string& name, at::Device device);
+// `make()`; a graphics card whose memory is too small for it is told as an Error with what helps.
+ImageRgb8 fitting_the_card(const std::function<ImageRgb8()>& make);
 
 }  // namespace fastscene::nn

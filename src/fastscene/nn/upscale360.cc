@@ -76,14 +76,15 @@ struct Upscale360::Parts {
     mutable at::Generator random;
 
     Parts(const fs::path& weights, const Upscale360Settings& s)
-        : settings(s), model(needed_folder(weights, "sr-base"), {nn::type_of_precision(s.precision), nn::Sampler::unipc, !s.low_memory, true}),
+        : settings(s), model(needed_folder(weights, "sr-base"), nn::sd_options(s.precision, s.device, nn::Sampler::unipc, s.low_memory, true)),
           control(needed_folder(weights, "sr-control"), model, 3) {
         if (s.to == "3") return;
         if (!fs::exists(weights / "RealESRGAN_x2plus.pth"))
             throw Error("--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull diffusion360-upscale)", s.to,
                         weights.string());
         // The official file has everything inside of "params_ema".
-        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth", at::kFloat, !s.low_memory, "conv_first.weight");
+        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth", at::TensorOptions(model.options.device).dtype(at::kFloat), !s.low_memory,
+                                                   "conv_first.weight");
         larger_config = rrdb_config(*larger);
     }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
@@ -104,7 +105,7 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
                  text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative,
                                           run);
     const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1), [&](const Tensor& part) {
-        const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part);
+        const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part.to(model.options.device));
         return at::cat({found.mean, found.log_variance}, 1);
     });
     nn::expect_finite(both, folder_of("vae"), model.options.type);
@@ -124,7 +125,7 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
                                                scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
     nn::expect_finite(latents, folder_of("unet"), model.options.type);
     const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent), [&](const Tensor& part) {
-        return nn::vae_decode(pictures, model.vae_config, part);
+        return nn::vae_decode(pictures, model.vae_config, part.to(model.options.device));
     });
     nn::expect_finite(decoded, folder_of("vae"), model.options.type);
     progress.advance();
@@ -140,7 +141,7 @@ ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) c
         progress->advance();
     };
     const Tensor enlarged =
-        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(weights), larger_config, part); });
+        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(weights), larger_config, part.to(model.options.device)); });
     nn::expect_finite(enlarged, larger->path(), at::kFloat);
     return nn::picture_of_unit(enlarged);
 }
@@ -158,6 +159,7 @@ Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Setti
                                                 p.control.weights->bytes(), p.model.unet->largest_bytes(), true}) +
                               (settings.to == "3" ? pixels / 4 : pixels) * 40;
     run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
+    if (p.model.options.device.is_cuda()) return;  // the graphics card says itself when it is full
     check_memory(
         "--panorama-upscale " + settings.to, need,
         fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
@@ -168,7 +170,10 @@ Upscale360::Upscale360(Upscale360&&) noexcept = default;
 ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run, const Keep& keep) const {
     const c10::InferenceMode inference;
     const Parts& p = *parts_;
-    const auto step = [&](const std::string& to, const std::function<ImageRgb8()>& make) { return keep ? keep(to, make) : make(); };
+    const auto step = [&](const std::string& to, const std::function<ImageRgb8()>& make) {
+        const auto fitting = [&] { return nn::fitting_the_card(make); };
+        return keep ? keep(to, fitting) : fitting();
+    };
     ImageRgb8 picture = step("3", [&] { return p.painted_anew(tripled(panorama), prompt, p.settings.guidance, run); });
     if (p.settings.to == "3") return picture;
     picture = step("6", [&] { return p.doubled(picture, run); });

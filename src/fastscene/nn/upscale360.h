@@ -16,6 +16,7 @@ namespace fastscene {
 struct Upscale360Settings {
     std::string to = "6";                // "3", "6", or "6-refined": times the width it was painted at
     std::string precision = "float";     // or bf16
+    std::string device = "auto";         // or cpu, cuda
     bool low_memory = false;
     std::string negative;                // empty: the published words
     int steps = 7;                       // of which `strength` are made

@@ -32,6 +32,7 @@ Upscale360Settings enlarging_of(const PanoramaParams& params) {
     const Diffusion360Settings& painting = params.diffusion;
     Upscale360Settings settings;
     settings.to = painting.upscale;
+    settings.device = painting.device;
     settings.precision = painting.precision;
     settings.low_memory = painting.low_memory;
     settings.negative = painting.negative;

@@ -22,7 +22,9 @@ void visit_fields(Diffusion360Settings& p, V&& v) {
     v("steps", p.steps, Bounds{1, 1000}, "diffusion360: steps from noise to picture.");
     v("guidance", p.guidance, Bounds{1, 50}, "diffusion360: how strictly the prompt is followed.");
     v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: what makes a step.");
-    v("precision", p.precision, Choices{{"float", "bf16"}}, "diffusion360: numbers of the denoiser; bf16 needs half the memory.");
+    v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "diffusion360: where it is painted; auto: CUDA if libtorch has it.");
+    v("precision", p.precision, Choices{{"float", "bf16", "fp16"}},
+      "diffusion360: numbers of the denoiser; 16 bits need half the memory (fp16: on CUDA only).");
     v("low-memory", p.low_memory, "diffusion360: weights are read layer by layer, the picture is decoded in tiles.");
     v("upscale", p.upscale, Choices{{"none", "3", "6", "6-refined"}},
       "diffusion360: the picture made so many times as wide by its super-resolution chain; slow.");
