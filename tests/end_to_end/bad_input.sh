@@ -124,6 +124,20 @@ says "no finite value above zero"
 with_map absent.exr
 kept
 
+# A picture that is gone after its run was begun: what was made of it is enough to go on, what wants it again names it.
+cp run/panorama/color.png mine.png && cp run/depth/range.exr mine.exr
+expect 0 "$fastscene" make --panorama mine.png --range mine.exr -o mine "${tiny[@]}"
+rm mine.exr
+echo other >>mine.png
+expect 1 "$fastscene" splat mine --splat-steps 21
+says "mine.exr: cannot be read"
+rm mine.png
+expect 0 "$fastscene" splat mine --splat-steps 21
+says "mine.png is gone: the run goes on from what was made of it"
+says "panorama: already made"
+expect 1 "$fastscene" depth mine --panorama-width 64
+says "mine.png: cannot be read"
+
 # Disks: a place that cannot be written, and a limit on the size of files in place of a full disk.
 echo x >file
 expect 1 "$fastscene" make "$prompt" -o file/below "${tiny[@]}"

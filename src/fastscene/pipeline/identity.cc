@@ -72,7 +72,7 @@ std::string describe(const Json& run, const Json& other) {
     return text;
 }
 
-Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
+Json run_json_of(const SceneRequest& request, std::uint64_t seed, const std::optional<GoneSource>& gone) {
     Json json;
     json["prompt"] = request.source.prompt;
     if (!request.source.picture.empty()) {
@@ -82,8 +82,8 @@ Json run_json_of(const SceneRequest& request, std::uint64_t seed) {
     if (!request.source.more.empty()) json["more"] = fs::absolute(request.source.more).string();
     if (!request.source.weights.empty()) json["weights"] = fs::absolute(request.source.weights).string();
     if (!request.source.photo.empty()) json["photo"] = fs::absolute(request.source.photo).string();
-    json["identity"] = identity_of(request.source);
-    json["contents"] = contents_of(request.source);
+    json["identity"] = gone ? gone->record.at("identity") : Json(identity_of(request.source));
+    json["contents"] = gone ? gone->record.at("contents") : contents_of(request.source);
     json["seed"] = seed;
     json["quality"] = request.quality;
     json["params"] = json_of_params(request.params);
@@ -168,8 +168,29 @@ std::string title_of(const SceneSource& source) {
     return source.picture.empty() || !source.prompt.empty() ? source.prompt : source.picture.stem().string();
 }
 
-void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uint64_t seed) {
-    const Json wanted = run_json_of(request, seed);
+std::optional<GoneSource> gone_source(const RunFolder& folder, const SceneSource& source) {
+    if (source.picture.empty() || !source.weights.empty() || !fs::exists(folder.run_json())) return {};
+    std::vector<std::pair<const char*, fs::path>> files{{"picture", source.picture}, {"range_map", source.range_map}, {"more", source.more}};
+    GoneSource gone{read_json(folder.run_json()), {}};
+    if (!gone.record.is_object() || !gone.record.contains("identity") || !gone.record.contains("contents")) return {};
+    for (const auto& [name, file] : files) {
+        const std::string recorded = gone.record.value(name, "");
+        if (file.empty() != recorded.empty() || (!file.empty() && fs::absolute(file).string() != recorded)) return {};
+        if (file.empty()) continue;
+        if (!fs::exists(file)) gone.file = gone.file.empty() ? file : gone.file;
+        else if (std::string_view(name) == "more") {
+            for (const MorePanorama& more : read_more_panoramas(file))
+                for (const fs::path& one : {more.color, more.range})
+                    if (!one.empty() && !fs::exists(one) && gone.file.empty()) gone.file = one;
+        } else if (Hash().add(read_file(file)).hex() != gone.record["contents"].value(name, "")) {
+            return {};   // there, but another
+        }
+    }
+    return gone.file.empty() ? std::nullopt : std::optional(std::move(gone));
+}
+
+void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uint64_t seed, const std::optional<GoneSource>& gone) {
+    const Json wanted = run_json_of(request, seed, gone);
     if (request.start_over) {
         remove_owned(folder);
     } else if (fs::exists(folder.run_json())) {

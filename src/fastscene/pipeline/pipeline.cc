@@ -22,8 +22,8 @@ namespace {
 // The stages in their order: each hangs on the results of all before it, and none is made after the last one asked for.
 class Stream {
   public:
-    Stream(const RunFolder& folder, const SceneRequest& request, const Run& run)
-        : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity_of(request.source)} {
+    Stream(const RunFolder& folder, const SceneRequest& request, const std::string& identity, const Run& run)
+        : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity} {
         // Another furniture pack furnishes another room.
         if (request.source.picture.empty())
             if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
@@ -96,14 +96,20 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
 
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
     check_params(request.params);
-    check_source(request.source, request.params, request.last_stage, run);
+    const auto gone = request.start_over ? std::nullopt : gone_source(folder, request.source);
+    if (gone) {
+        depth_backend(request.source, request.params.depth);
+        run.note(fmt::format("{} is gone: the run goes on from what was made of it", gone->file.string()));
+    } else {
+        check_source(request.source, request.params, request.last_stage, run);
+    }
     make_directories(folder.root);
     const FolderLock lock(folder.root);
-    claim_folder(folder, request, run.seed);
+    claim_folder(folder, request, run.seed, gone);
 
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
-    Stream stream(folder, request, run);
+    Stream stream(folder, request, gone ? gone->record.at("identity").get<std::string>() : identity_of(request.source), run);
     stream.stage("panorama", fields_json(params.panorama),
                  [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
     stream.stage("depth", fields_json(params.depth),
