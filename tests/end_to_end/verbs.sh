@@ -83,7 +83,11 @@ if command -v colmap >/dev/null; then expect 2 "$fastscene" views run --sfm nobo
 echo '{"fps": 4, "size": [64, 48], "keys": [{"position_m": [0, 0, 0]}, {"time_s": 1, "position_m": [0.1, 0, 0.1], "yaw_deg": 90}]}' >path.json
 expect 0 "$fastscene" render run --path path.json -o film
 [ "$(ls film | wc -l)" = 5 ] || fail "expected 5 frames"
-if command -v ffmpeg >/dev/null; then has film.mp4; prints film.mp4; fi
+if command -v ffmpeg >/dev/null; then
+  has film.mp4; prints film.mp4
+  expect 0 "$fastscene" render run --path path.json -o "a: 100%5d ü.mp4"
+  has "a: 100%5d ü.mp4"
+fi
 sed 's/"time_s": 1/"time_s": 0.25/' path.json >short.json
 expect 0 "$fastscene" render run --path short.json -o film
 says "frames from 00002.png on are of an earlier film"

@@ -52,6 +52,13 @@ void save_distance(const fs::path& path, const ImageF& distance) {
     save_png16(path, millimetres);
 }
 
+// Frames as ffmpeg is told of them: a colon in a folder's name is no protocol, a percent sign no number.
+std::string ffmpeg_frames(const fs::path& folder) {
+    std::string text = "file:";
+    for (const char c : folder.string()) text += c == '%' ? "%%" : std::string(1, c);
+    return text + "/%05d.png";
+}
+
 // The film's frames as PNGs, and the film itself where ffmpeg is.
 void render_film(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
     const Run run = session.run(0);
@@ -76,8 +83,8 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
     if (const auto ffmpeg = find_program("ffmpeg")) {
         const fs::path film = fs::path(frames.string() + ".mp4");
         const int code = run_program(*ffmpeg, {"-y", "-loglevel", "error", "-framerate", fmt::format("{}", camera.fps), "-i",
-                                               (frames / "%05d.png").string(), "-frames:v", std::to_string(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
-                                               "yuv420p", "-crf", "18", film.string()}, {{}, {}, session.stop});
+                                               ffmpeg_frames(frames), "-frames:v", std::to_string(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
+                                               "yuv420p", "-crf", "18", "file:" + film.string()}, {{}, {}, session.stop});
         if (code != 0) throw Error("{}: ffmpeg failed with exit code {}; the frames are in {}", film.string(), code, frames.string());
         json["film"] = film.string();
         text = film.string();
