@@ -181,7 +181,7 @@ ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float
     } else if (tiff.samples == 1 && !tiff.info.light && tiff.bits == 16) {
         for (const std::uint16_t count : tiff.numbers<std::uint16_t>()) image.pixels.push_back(unit * static_cast<float>(count));
     } else {
-        throw Error("{}: expected a map of one number a pixel, 32-bit float or 16 bits, found {} of {} bits", where, tiff.samples, tiff.bits);
+        throw Error("{}: expected a map of one number a pixel (TIFF: 32-bit float, or 16 bits in millimetres), found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
     }
     return image;
 }
@@ -189,7 +189,7 @@ ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float
 ImageColor decode_tiff_light(std::string_view bytes, const std::string& where) {
     Tiff tiff(bytes, where);
     if (!tiff.info.light || tiff.bits != 32 || (tiff.samples != 1 && tiff.samples != 3))
-        throw Error("{}: expected a picture of 32-bit floats, one or three a pixel, found {} of {} bits", where, tiff.samples, tiff.bits);
+        throw Error("{}: expected a picture of 32-bit floats, one or three a pixel, found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
     const std::vector<float> numbers = tiff.numbers<float>();
     ImageColor image(tiff.info.width, tiff.info.height);
     for (std::size_t i = 0; i < image.size(); ++i) {
