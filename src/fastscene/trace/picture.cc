@@ -15,6 +15,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kVeryNoisy = 0.06f;   // relative standard error of a pixel's light
+constexpr int kLeastRound = 3;         // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.
 class MeanError {
@@ -219,7 +220,7 @@ Vec3f world_direction(const Eye& eye, Vec2f pixel) { return normalize(eye.world_
 
 ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo,
                           const Run& run) {
-    const int round = parts.denoise ? std::max(1, samples / 16) : parts.noise > 0 ? std::min(16, samples) : samples;
+    const int round = parts.denoise ? std::max(kLeastRound, samples / 16) : parts.noise > 0 ? std::min(16, samples) : samples;
     ImageColor out(eye.width, eye.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;

@@ -79,7 +79,32 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 
 }  // namespace
 
-Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler) {
+namespace {
+
+// Panes, drinking glasses, shower screens: what lies behind is seen through them.
+bool is_clear(const Material& m) { return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f; }
+constexpr int kMostPanes = 8;      // surfaces of glass that are looked through
+constexpr float kVeil = 0.06f;     // share of the light that it scatters as frosted glass does: dust, scratches; without it no pane is seen
+
+// `travelled`: how far the ray has come through glass.
+Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes, Sampler& sampler);
+
+// The surface of glass `s` shaded as `veil`: what is behind it, a veil, and what it mirrors.
+Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction, float pixel_angle, float travelled, int panes,
+                    Sampler& sampler) {
+    constexpr float kAcross = 0.04f;   // mirrored at right angles
+    const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant, fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
+    const Vec3f dye = s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo));
+    const Vec3f through = lerp(Vec3f{1, 1, 1}, dye, 0.4f) * ((1 - fresnel) * (1 - kVeil));
+    Shaded out = shade_from(scene, s.position + direction * 1e-3f, direction, pixel_angle, travelled, panes - 1, sampler);
+    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine}) *light = *light * through;
+    const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
+    const Mirrored seen = mirrored_radiance(scene, offset_from(s.position, s.normal), mirror, pixel_angle, true, 1);
+    out.radiance += veil.radiance * kVeil + (seen.light + seen.rest) * fresnel;
+    return out;
+}
+
+Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes, Sampler& sampler) {
     const RayHit hit = scene.bvh.first_hit(origin, direction);
     Shaded out{};
     if (!hit) {
@@ -88,7 +113,7 @@ Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float p
     }
     // A surface seen at a slant lies under a longer footprint; the geometric mean keeps patterns crisp and calm.
     const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
-    const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, pixel_angle * hit.distance / std::sqrt(slant), true);
+    const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
     const Response r = response_of(s, direction);
     out.albedo = s.texture.albedo;
@@ -114,7 +139,14 @@ Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float p
         out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler);
     }
     out.radiance = lamp_as_seen(scene.room.look, m.emission) + out.light + out.sun + out.mirrored;
+    if (panes > 0 && is_clear(m)) return seen_through(scene, s, out, direction, pixel_angle, travelled + hit.distance, panes, sampler);
     return out;
+}
+
+}  // namespace
+
+Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler) {
+    return shade_from(scene, origin, direction, pixel_angle, 0.f, kMostPanes, sampler);
 }
 
 }  // namespace fastscene

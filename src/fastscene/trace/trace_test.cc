@@ -231,6 +231,55 @@ TEST(Trace, SameBytesForOneAndTwoThreads) {
     EXPECT_EQ(shots[0].range, shots[1].range);
 }
 
+// What stands behind a pane keeps its color; the pane takes a little of the light and is still told as what the ray meets first.
+TEST(Trace, GlassIsSeenThrough) {
+    const auto look = [](bool pane) {
+        Room room = furnished_room();
+        if (pane) {
+            Material glass = diffuse({0.6f, 0.68f, 0.66f});
+            glass.transmission = 0.8f;
+            glass.roughness = 0.05f;
+            glass.specular = 0.08f;
+            room.materials.push_back(glass);
+            room.objects.resize(3);
+            room.meshes.push_back(box({0.5f, 0.3f, 0.9f}, {1.9f, 1.45f, 0.905f}, false, static_cast<int>(room.materials.size()) - 1, 2));
+        }
+        TracedRoom traced(std::move(room));
+        traced.gather_light(quick(), {});
+        return traced.perspective({}, Pinhole::with_fov(64, 64, 100), {.color = true, .range = false, .object = true, .contacts = true}, {});
+    };
+    const Shot clear = look(false), through = look(true);
+    const Vec3f red = clear.color.at(58, 56), seen = through.color.at(58, 56);
+    EXPECT_EQ(through.object.at(58, 56), 2);
+    ASSERT_GT(red.x, 3 * red.y);
+    EXPECT_GT(seen.x, 2 * seen.y);
+    EXPECT_GT(luminance(seen), 0.5f * luminance(red));
+    EXPECT_LT(luminance(seen), 1.5f * luminance(red));
+}
+
+// However few rays are asked for, the denoiser learns how much chance is in them.
+TEST(Trace, FewRaysAreDenoisedToo) {
+    TracedRoom room(furnished_room());
+    room.gather_light(quick(), {});
+    const Pinhole camera = Pinhole::with_fov(96, 96, 75);
+    const auto picture = [&](int samples, bool denoised, std::uint64_t seed) {
+        fastscene::Run run;
+        run.seed = seed;
+        return room.perspective({}, camera, {.color = true, .range = false, .pixel_samples = samples, .contacts = true, .denoise = denoised}, run).color;
+    };
+    const ImageColor truth = picture(256, false, 3);
+    const auto error = [&](const ImageColor& color) {
+        double sum = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const double d = luminance(color.pixels[i]) - luminance(truth.pixels[i]);
+            sum += d * d;
+        }
+        return std::sqrt(sum / static_cast<double>(truth.size()));
+    };
+    const double raw = error(picture(3, false, 5));
+    for (const int samples : {1, 4, 8, 24}) EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
+}
+
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
     TracedRoom room(furnished_room());
     room.gather_light(quick(), {});
