@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/furniture_kit.h"
+#include "fastscene/rooms/furniture_motifs.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -124,7 +125,9 @@ void picture(Kit& k) {
     m.color_c = k.style.palette[(i + 2) % 6];
     m.scale_m = w;
     m.seed = k.seed();
-    const int art = k.main(m);
+    const bool motif = is_motif(k.request.pattern);
+    if (motif) draw_motif(k, k.request.pattern, {0, 0.5f * s.y, 0.0145f}, w, h);
+    const int art = motif ? -1 : k.main(m);
     for (const float sg : {-1.f, 1.f}) {
         k.board(frame, {sg * 0.5f * (s.x - f), 0, 0.0125f}, {f, s.y, 0.025f}, 0.003f);
         k.board(frame, {0, sg > 0 ? s.y - f : 0.f, 0.0125f}, {s.x - 2 * f, f, 0.025f}, 0.003f);
@@ -133,7 +136,7 @@ void picture(Kit& k) {
     Mesh canvas = shapes::box({w, h, 0.003f}, 0.0006f);
     canvas.coords = canvas.positions;
     for (Vec3f& c : canvas.coords) c = {c.x + 0.5f * w, 0.5f * h - c.y, c.z};  // from the picture's upper left corner
-    k.add(std::move(canvas), art, {0, 0.5f * s.y, 0.0135f});
+    if (!motif) k.add(std::move(canvas), art, {0, 0.5f * s.y, 0.0135f});
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.35f;
 }
@@ -234,14 +237,48 @@ void bowl(Kit& k) {
     }
     k.piece.mount = Mount::surface;
 }
+// A wick and the flame on it, `height` tall: dark orange at the root, yellow in its belly, orange at the point.
+class Wick {
+  public:
+    explicit Wick(Kit& k)
+        : k_(k), root_(k.material(flame("flame root", {5.f, 1.3f, 0.22f}))), belly_(k.material(flame("flame", {17.f, 7.6f, 1.1f}))),
+          point_(k.material(flame("flame point", {11.f, 2.9f, 0.16f}))), thread_(k.material(plain("wick", {0.03f, 0.027f, 0.025f}, 0.9f))) {}
+    void burn(Vec3f at, float height) {
+        const float r = 0.2f * height;
+        k_.rod(thread_, at, at + Vec3f{0, 0.22f * height, 0}, 0.0012f, -1, 5);
+        const auto part = [&](std::initializer_list<Vec2f> profile, int material) {
+            const std::vector<Vec2f> p(profile);
+            k_.add(shapes::lathe(shapes::curve(p, 2), 12, true), material, at + Vec3f{0, 0.12f * height, 0});
+        };
+        part({{0.f, 0.f}, {0.55f * r, 0.06f * height}, {0.88f * r, 0.16f * height}}, root_);
+        part({{0.88f * r, 0.16f * height}, {r, 0.3f * height}, {0.86f * r, 0.5f * height}, {0.62f * r, 0.64f * height}}, belly_);
+        part({{0.62f * r, 0.64f * height}, {0.3f * r, 0.84f * height}, {0.f, height}}, point_);
+    }
+
+  private:
+    Kit& k_;
+    int root_, belly_, point_, thread_;
+};
+
+// One for narrow places: a bathtub's rim.
+void single_candle(Kit& k) {
+    k.sized = true;
+    const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f));
+    k.add(shapes::prism(shapes::circle(0.028f, 24), 0.f, 0.006f), k.material(k.style.metal));
+    const float high = k.dice.uniform(0.07f, 0.12f);
+    k.rod(wax, {0, 0.005f, 0}, {0, high, 0}, 0.022f, -1, 20);
+    Wick(k).burn({0, high - 0.001f, 0}, 0.034f);
+    k.piece.mount = Mount::surface;
+}
 void candle(Kit& k) {
-    const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f)), metal = k.material(k.style.metal),
-              flame = k.material(glow("flame", {16.f, 8.f, 2.2f}));
+    if (k.request.size_m.x > 0 && k.request.size_m.x < 0.12f) return single_candle(k);
+    const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f)), metal = k.material(k.style.metal);
+    Wick wick(k);
     const float xs[] = {-0.07f, 0.f, 0.06f}, hs[] = {0.11f, 0.17f, 0.08f}, zs[] = {0.02f, -0.02f, 0.04f};
     k.add(shapes::prism(shapes::rounded_rectangle(0.26f, 0.14f, 0.05f), 0.f, 0.012f), metal);
     for (std::size_t i = 0; i < 3; ++i) {
         k.rod(wax, {xs[i], 0.011f, zs[i]}, {xs[i], hs[i], zs[i]}, 0.026f, -1, 20);
-        k.add(shapes::ball({xs[i], hs[i] + 0.018f, zs[i]}, {0.006f, 0.015f, 0.006f}, 8), flame);
+        wick.burn({xs[i], hs[i] - 0.001f, zs[i]}, 0.036f);
     }
     k.piece.mount = Mount::surface;
 }

@@ -150,7 +150,7 @@ void bathtub(Kit& k) {
     // One closed skin: up the outside, over the rim, down the inside.
     const std::vector<Vec2f> unit = shapes::circle(1.f, 56);
     struct Level { float grow, y; };
-    const std::array<Level, 10> skin{Level{0.74f, 0.f}, {0.78f, 0.02f}, {0.88f, 0.25f}, {0.97f, 0.53f}, {1.f, 0.56f}, {0.985f, 0.58f}, {0.93f, 0.575f}, {0.86f, 0.45f}, {0.74f, 0.2f}, {0.55f, 0.15f}};
+    const std::array<Level, 10> skin{Level{0.74f, 0.f}, {0.78f, 0.02f}, {0.88f, 0.25f}, {0.97f, 0.53f}, {1.f, 0.56f}, {0.985f, 0.58f}, {0.855f, 0.58f}, {0.82f, 0.45f}, {0.72f, 0.2f}, {0.55f, 0.15f}};
     Mesh m;
     const auto point = [&](const Level& l, const Vec2f& p) {
         const float e = 0.62f;  // between an ellipse and a rectangle
@@ -177,6 +177,9 @@ void bathtub(Kit& k) {
     shapes::lay_grain(m);
     k.add(std::move(m), white);
     tap(k, chrome, {-0.5f * w + 0.05f, 0.56f, 0}, 0.22f);
+    // Candles and bottles stand on the rim's long sides, where it is straight: more room behind than where one climbs in.
+    k.piece.surfaces.push_back({{0, h, -0.5f * d + 0.039f}, {0.2f * w, 0.03f}});
+    k.piece.surfaces.push_back({{0, h, 0.5f * d - 0.039f}, {0.16f * w, 0.03f}});
     k.piece.clearance_front_m = 0.6f;
     k.piece.against_wall = true;
 }
@@ -266,7 +269,7 @@ void fireplace(Kit& k) {
     wood.pattern = Pattern::bark;
     wood.scale_m = 0.05f;
     wood.color_b = {0.06f, 0.04f, 0.03f};
-    const int log = k.material(wood), fire = k.material(glow("fire", {13.f, 3.f, 0.3f})), embers = k.material(glow("embers", {6.f, 0.9f, 0.06f}));
+    const int log = k.material(wood), fire = k.material(flame("fire", {13.f, 3.f, 0.3f})), embers = k.material(flame("embers", {6.f, 0.9f, 0.06f}));
     for (const float sx : {-1.f, 1.f}) k.board(body, {sx * 0.56f, 0, 0}, {0.28f, 1.02f, 0.36f}, 0.01f);
     k.board(body, {0, 0.72f, 0}, {0.842f, 0.3f, 0.36f}, 0.008f);
     k.board(soot, {0, 0.03f, -0.16f}, {0.842f, 0.7f, 0.04f});

@@ -26,10 +26,14 @@ void buttons(Kit& k, int cloth, float x0, float x1, float y0, float y1, float z,
 
 // A wooden frame that shows, with loose cushions: northern, Japanese, southern and mid-century rooms.
 void frame_sofa(Kit& k, float width, int seats) {
-    const int cloth = k.main(k.style.fabric), wood = k.material(k.style.wood), second = k.material(tinted(k.style.fabric2, k.accent()));
+    // Of rattan: poles, arms and back of it, cushions of cloth.
+    const bool woven = is_woven(k);
+    const int main = woven ? woven_main(k) : k.main(k.style.fabric), cloth = woven ? k.material(k.style.fabric) : main,
+              wood = woven ? main : k.material(k.style.wood), second = k.material(tinted(k.style.fabric2, k.accent()));
     const float depth = 0.84f, seat = 0.3f, arm = 0.58f;
     for (const float sx : {-1.f, 1.f}) {
         const float x = sx * (0.5f * width - 0.03f);
+        if (woven) k.board(main, {x, 0.06f, 0}, {0.03f, arm - 0.06f, depth - 0.18f}, 0.01f);
         for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f}) k.board(wood, {x, 0, z}, {0.045f, arm, 0.06f}, 0.008f);
         k.board(wood, {x, arm - 0.001f, 0}, {0.085f, 0.03f, depth}, 0.01f);
         k.board(wood, {x, seat - 0.07f, 0}, {0.035f, 0.07f, depth - 0.16f}, 0.006f);
@@ -38,6 +42,10 @@ void frame_sofa(Kit& k, float width, int seats) {
     for (int i = 0; i < 3; ++i)
         k.board(wood, {0, seat + 0.1f + 0.14f * static_cast<float>(i), -0.5f * depth + 0.05f}, {width - 0.1f, 0.05f, 0.02f}, 0.005f);
     k.board(wood, {0, seat - 0.02f, 0}, {width - 0.12f, 0.02f, depth - 0.14f}, 0.004f);
+    if (woven) {
+        k.board(main, {0, seat + 0.05f, -0.5f * depth + 0.048f}, {width - 0.1f, 0.42f, 0.014f}, 0.004f);
+        k.board(main, {0, 0.08f, 0.5f * depth - 0.085f}, {width - 0.1f, seat - 0.1f, 0.014f}, 0.004f);
+    }
     const float inside = width - 0.14f, w = inside / static_cast<float>(seats);
     for (int i = 0; i < seats; ++i) {
         const float x = -0.5f * inside + (static_cast<float>(i) + 0.5f) * w;
@@ -151,9 +159,18 @@ void sling_chair(Kit& k) {
     k.piece.clearance_front_m = 0.5f;
 }
 
+bool is_woven(const Kit& k) {
+    return k.request.pattern == "wicker" || k.request.material == "rattan" || k.request.material == "wicker" || k.request.material == "cane";
+}
+int woven_main(Kit& k) {
+    const int cane = k.main(*material_named("wicker"));
+    k.piece.materials[static_cast<std::size_t>(cane)].scale_m = 0.036f;
+    return cane;
+}
+
 // Woven round a tall open back, with a cushion.
 void rattan_chair(Kit& k) {
-    const int cane = k.main(*material_named("wicker")), cloth = k.material(k.style.fabric);
+    const int cane = woven_main(k), cloth = k.material(k.style.fabric);
     const auto arc = [](float y, float r, float open) {
         std::vector<Vec3f> path;
         for (int i = 0; i <= 20; ++i) {

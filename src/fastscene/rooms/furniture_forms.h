@@ -26,4 +26,9 @@ struct StyleForms {
 };
 int form_for(Kit& k, std::initializer_list<StyleForms> table, int usual);
 
+// Asked for in rattan, cane or the like: what is woven of it looks so in every style.
+bool is_woven(const Kit& k);
+// Its weave, of strands as wide as a seat has them, in the color that was asked for.
+int woven_main(Kit& k);
+
 }  // namespace fastscene::furniture

@@ -21,6 +21,12 @@ Material glow(std::string name, Vec3f radiance) {
     m.emission = radiance;
     return m;
 }
+Material flame(std::string name, Vec3f radiance) {
+    Material m = glow(std::move(name), radiance);
+    m.color_a = m.color_b = m.color_c = {0.3f, 0.1f, 0.02f};
+    m.burns = true;
+    return m;
+}
 Material tinted(Material m, Vec3f color) {
     const float ratio = luminance(m.color_b) / std::max(luminance(m.color_a), 0.01f);
     m.color_a = color;
@@ -223,7 +229,7 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), tables(), fixtures(), lamps(), decor(), clutter()}) all.insert(all.end(), group.begin(), group.end());
+    for (const auto group : {seats(), tables(), fixtures(), lamps(), decor(), clutter(), themed()}) all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
 }

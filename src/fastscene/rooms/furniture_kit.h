@@ -67,6 +67,7 @@ struct Kit {
 
 Material plain(std::string name, Vec3f color, float roughness);
 Material glow(std::string name, Vec3f radiance);
+Material flame(std::string name, Vec3f radiance);   // glows at any hour
 Material tinted(Material m, Vec3f color);   // recolored, keeping the ratio of its second color
 Material glass();
 Material porcelain();
@@ -90,5 +91,6 @@ std::span<const Entry> fixtures();  // kitchen, bathroom
 std::span<const Entry> lamps();
 std::span<const Entry> decor();     // plants, vases, pictures, textiles, the rest
 std::span<const Entry> clutter();   // cups, trays, frames, toys, kitchen things: what stands about
+std::span<const Entry> themed();    // what a theme of the prompt brings: a sea chest, a ship, a player's computer
 
 }  // namespace fastscene::furniture

@@ -85,6 +85,7 @@ void couch(Kit& k, float width, int seats, int pillows) {
 }
 enum SofaForm { padded, framed, buttoned, channelled };
 int sofa_form(Kit& k) {
+    if (is_woven(k)) return framed;
     return form_for(k, {{"modern", padded, channelled}, {"scandinavian", padded, framed}, {"japandi", framed, padded}, {"industrial", buttoned, padded}, {"classic", padded, buttoned},
                         {"boho", framed, padded}, {"rustic", padded, framed}, {"mid-century", padded, framed}, {"mediterranean", padded, framed}, {"art deco", channelled, buttoned}}, padded);
 }
@@ -104,6 +105,7 @@ void sofa(Kit& k) {
 void loveseat(Kit& k) { sofa_of(k, 1.55f, 2, 2); }
 void shell_chair(Kit& k);
 void armchair(Kit& k) {
+    if (is_woven(k)) return rattan_chair(k);
     enum { shell, padded_chair, wing, tub, sling, rattan };
     const int form = form_for(k, {{"modern", tub, padded_chair}, {"scandinavian", shell, wing}, {"japandi", shell, tub}, {"industrial", sling, padded_chair}, {"classic", wing, padded_chair},
                                   {"boho", rattan, shell}, {"rustic", wing, padded_chair}, {"mid-century", shell, tub}, {"mediterranean", rattan, padded_chair}, {"art deco", tub, wing}}, shell);
@@ -163,7 +165,32 @@ void pouf(Kit& k) {
     k.top(0.4f, 0, 0, 0.12f, 0.12f);
 }
 
+// Poles of cane, a woven seat and a high woven back that hugs a little.
+void woven_chair(Kit& k) {
+    const int cane = woven_main(k);
+    Material pole = plain("cane", k.piece.materials[static_cast<std::size_t>(cane)].color_a * 0.85f, 0.5f);
+    const int poles = k.material(pole);
+    const float y = 0.45f;
+    for (const float sx : {-1.f, 1.f}) {
+        k.rod(poles, {sx * 0.2f, 0, 0.19f}, {sx * 0.21f, y, 0.18f}, 0.016f, -1, 12);
+        k.rod(poles, {sx * 0.2f, 0, -0.2f}, {sx * 0.19f, y, -0.18f}, 0.016f, -1, 12);
+        k.rod(poles, {sx * 0.19f, y - 0.01f, -0.185f}, {sx * 0.2f, 0.9f, -0.27f}, 0.016f, -1, 12);
+        k.rod(poles, {sx * 0.2f, 0.2f, 0.188f}, {sx * 0.195f, 0.2f, -0.19f}, 0.01f, -1, 10);
+    }
+    k.rod(poles, {-0.2f, 0.9f, -0.27f}, {0.2f, 0.9f, -0.27f}, 0.016f, -1, 12);
+    k.rod(poles, {-0.2f, 0.25f, 0.188f}, {0.2f, 0.25f, 0.188f}, 0.01f, -1, 10);
+    k.add(shapes::prism(shapes::rounded_rectangle(0.46f, 0.43f, 0.06f), y - 0.03f, y, 0.01f), cane);
+    k.add(shapes::slab(12, 6, 0.012f,
+                       [&](float u, float v) {
+                           const float x = (u - 0.5f) * 0.4f, t = 0.12f + 0.86f * v;
+                           return Vec3f{x, y + 0.45f * t, -0.18f - 0.085f * t - 0.02f * (1.f - 4.f * (u - 0.5f) * (u - 0.5f))};
+                       }),
+          cane);
+    k.top(y, 0, 0.03f, 0.18f, 0.16f);
+    k.piece.clearance_front_m = 0.3f;
+}
 void chair(Kit& k) {
+    if (is_woven(k)) return woven_chair(k);
     const LegType type = k.style.legs;
     const bool metal = type == LegType::metal_frame, wooden = type == LegType::square || type == LegType::turned;
     const int body = k.main(wooden || !metal ? k.style.wood : k.style.leather), pad = k.material(k.style.fabric2),

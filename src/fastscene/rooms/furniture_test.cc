@@ -125,6 +125,58 @@ TEST(Furniture, ALeatherSofaIsLeatherAndBrown) {
     EXPECT_GT(m.color_a.x, 1.5f * m.color_a.z);
 }
 
+// Whatever the style: what is asked for in rattan is woven, coarse enough to be seen, and browner than paper.
+TEST(Furniture, RattanIsSeenToBeWoven) {
+    for (const std::string& style : styles())
+        for (const std::string klass : {"chair", "armchair", "sofa", "loveseat"})
+            for (const std::string material : {"rattan", "wicker"}) {
+                PieceRequest r;
+                r.klass = klass, r.style = &style_named(style), r.material = material;
+                const Piece p = make_piece(r);
+                SCOPED_TRACE(style + " " + klass);
+                check_piece(p);
+                const Material& m = p.materials[static_cast<std::size_t>(p.main_material)];
+                EXPECT_EQ(m.pattern, Pattern::wicker);
+                EXPECT_GE(m.scale_m, 0.03f);
+                EXPECT_GT(m.color_a.x, 1.3f * m.color_a.z);
+                EXPECT_TRUE(std::any_of(p.meshes.begin(), p.meshes.end(), [&](const Mesh& mesh) { return mesh.material == p.main_material; }));
+            }
+}
+
+// A flame is yellow to orange wherever one looks, and orange at its point.
+TEST(Furniture, FlamesAreWarmAndTurnToOrange) {
+    for (const std::string klass : {"candle", "fireplace"}) {
+        const Piece p = make(klass, "classic");
+        int flames = 0;
+        float reddest = 0, yellowest = 1e9f;
+        for (const Material& m : p.materials) {
+            if (!m.burns) continue;
+            ++flames;
+            EXPECT_GT(m.emission.x, 1.5f * m.emission.y) << m.name;
+            EXPECT_GT(m.emission.y, 4.f * m.emission.z) << m.name;
+            reddest = std::max(reddest, m.emission.x / m.emission.y);
+            yellowest = std::min(yellowest, m.emission.x / m.emission.y);
+        }
+        EXPECT_GE(flames, 2) << klass;
+        EXPECT_GT(reddest, 1.4f * yellowest) << klass;
+    }
+}
+
+TEST(Furniture, APictureShowsTheMotifThatWasAskedFor) {
+    for (const char* motif : {"skull", "ship", "map", "anchor", "rocket", "lion", "gamepad", "whale"}) {
+        PieceRequest r;
+        r.klass = "picture", r.style = &style_named("classic"), r.pattern = motif, r.seed = 3;
+        const Piece shown = make_piece(r);
+        r.pattern.clear();
+        const Piece other = make_piece(r);
+        SCOPED_TRACE(motif);
+        check_piece(shown);
+        EXPECT_GT(shown.meshes.size(), other.meshes.size());
+        for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(shown.size_m[k], other.size_m[k], 1e-3f);
+        EXPECT_LT(shown.size_m.z, 0.05f);
+    }
+}
+
 TEST(Furniture, WishedSizesAreKept) {
     for (const std::string klass : {"rug", "dining_table", "wardrobe", "kitchen_counter", "cat"}) {
         PieceRequest r;

@@ -124,6 +124,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
         if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree"})) smaller.klass = "plant_small";
+        // On a bathtub's rim they stand one by one.
+        if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
         if (const auto i = l_.on_top(anchor, smaller, *ask.wish)) return i;
     }

@@ -17,8 +17,8 @@ bool is_hung(std::string_view klass) {
 }  // namespace
 
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 37> kSmall{
-        "monitor",
+    static constexpr std::array<std::string_view, 38> kSmall{
+        "monitor",       "ship_model",
         "table_lamp",    "vase",          "vase_small",  "book_stack",  "bowl",        "candle",
         "plant_small",   "picture",       "mirror",      "tv",          "clock",       "rug",
         "cushion",       "guitar",        "cat",         "alarm_clock", "bottles",     "cup",

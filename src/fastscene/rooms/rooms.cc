@@ -107,12 +107,15 @@ std::string name_of(const Placed& placed) {
     return name;
 }
 
+// Fires burn always; candles when they were asked for, or when lamps are lit.
+bool is_burning(const Placed& placed, float lamps) { return lamps > 0 || !placed.wish.klass.empty() || placed.piece.klass == "fireplace"; }
+
 void add_piece(const Placed& placed, float lamps, Room& room) {
     const auto object = static_cast<int>(room.objects.size());
     const auto first_material = static_cast<int>(room.materials.size());
     for (Material material : placed.piece.materials) {
-        // Screens glow by day too; lamps only as the hour asks.
-        if (material.pattern != Pattern::screen) material.emission = material.emission * lamps;
+        // Screens and flames glow by day too; lamps only as the hour asks.
+        if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * lamps;
         room.materials.push_back(std::move(material));
     }
     const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
@@ -126,7 +129,9 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     entry.source = placed.piece.source;
     entry.requested = !placed.wish.klass.empty();
     room.objects.push_back(entry);
+    const bool burning = is_burning(placed, lamps);
     for (Mesh mesh : placed.piece.meshes) {
+        if (!burning && placed.piece.materials[static_cast<std::size_t>(mesh.material)].burns) continue;
         mesh.material += first_material;
         mesh.object = object;
         for (Vec3f& p : mesh.positions) p = room_from_object * p;

@@ -38,7 +38,8 @@ struct Material {
     float metal = 0.f;                                       // 1: the albedo is the mirror's color
     float transmission = 0.f;                                // thin sheets (curtains, leaves, shades): share of diffuse light let through
     float mirror = 0.f;                                      // 1: perfect mirror (glass of mirrors)
-    Vec3f emission{};                                        // radiance of lamps and screens
+    Vec3f emission{};                                        // radiance of lamps, screens and flames
+    bool burns = false;                                      // a flame: it gives its light by day too, and without it nothing is there
     std::uint32_t seed = 0;                                  // variation of the pattern
     std::shared_ptr<const TextureImage> image{};             // Pattern::image: never null there; scale_m = metres that u = 1 spans
 };
