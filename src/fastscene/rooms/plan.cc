@@ -278,6 +278,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     add_door(spec, plan, dice);
     choose_ceiling(spec, plan);
     plan.neon = spec.light == "neon";
+    if (!spec.light_color.empty()) plan.neon_color = color_named(spec.light_color);
     open_plan(spec, plan, dice);
     return plan;
 }

@@ -139,6 +139,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.accent = dice.chance(0.5f);
         p.spots = plan.spots;
         p.neon = plan.neon;
+        p.neon_color = plan.neon_color;
         p.style.shelves = shelves_of(next->type);
         if (wet) tile_wet_room(p, dice);
         // Its place along our wall: the doorway inside it, itself within the wall's length.

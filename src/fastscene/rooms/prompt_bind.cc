@@ -248,6 +248,17 @@ void pass_on_cloth(Reading& r) {
     }
 }
 
+// "a rattan chair" is one to lounge in; at a table or a desk, or where there are many, it is a chair like others.
+void name_lounge_chairs(Reading& r) {
+    const auto sits_up = [](const Match& m) {
+        static constexpr std::array<std::string_view, 9> kUpright{"dining", "kitchen", "study", "dining_table", "dining_table_round", "desk", "kitchen_island", "kitchen_counter", "piano"};
+        return (m.is(WordKind::room) || m.is(WordKind::object)) && std::find(kUpright.begin(), kUpright.end(), m.word->meaning) != kUpright.end();
+    };
+    if (std::any_of(r.m.begin(), r.m.end(), sits_up)) return;
+    for (PromptObject& o : r.spec.objects)
+        if (o.klass == "chair" && o.material == "rattan" && o.count <= 2 && !o.forbidden) o.klass = "armchair";
+}
+
 }  // namespace
 
 bool modifies(const Match& m) {
@@ -266,6 +277,7 @@ void bind_adjectives(Reading& r) {
         if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])))
             if (const auto noun = noun_behind(r, i); noun && (!r.m[*noun].negated || r.m[i].negated)) give(r, i, *noun);
     pass_on_cloth(r);
+    name_lounge_chairs(r);
 }
 
 }  // namespace fastscene::reading

@@ -118,6 +118,13 @@ bool stands_before_piece(const Reading& r, std::size_t i) {
     return false;
 }
 
+// "purple neon lights", "blue led strips"
+bool colors_the_light(const Reading& r, std::size_t i) {
+    std::size_t k = i + 1;
+    while (k < r.m.size() && (modifies(r.m[k]) || r.m[k].is_function("and"))) ++k;
+    return k < r.m.size() && r.m[k].is(WordKind::light) && r.m[k].word->meaning == "neon" && !r.m[k].negated;
+}
+
 void read_one(Reading& r, std::size_t i) {
     Match& m = r.m[i];
     switch (m.word->kind) {
@@ -140,6 +147,9 @@ void read_one(Reading& r, std::size_t i) {
             if (m.negated) {
                 r.tell(i, "no " + m.word->meaning);
 
+            } else if (colors_the_light(r, i)) {
+                r.spec.light_color = m.word->meaning;
+                r.tell(i, "color of the light: " + m.word->meaning);
             } else {
                 r.spec.colors.push_back(m.word->meaning);
                 r.tell(i, (beside_room(r, i) ? "color of the room: " : "accent color: ") + m.word->meaning);

@@ -178,6 +178,16 @@ void heed_the_room(Matches& m) {
     }
 }
 
+// What is a thing in a room and can be drawn as well: "a painting of a ship".
+std::string motif_of(const std::string& words) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kDrawn{
+        {{"ship", "ship"}, {"boat", "ship"}, {"dragon", "dinosaur"}, {"cat", "fox"}, {"dog", "bear"}, {"car", "car"}, {"horse", "unicorn"}, {"skull", "skull"}, {"map", "map"}, {"flower", "leaf"}, {"plant", "leaf"}, {"tree", "leaf"},
+         {"guitar", "note"}, {"robot", "robot"}}};
+    for (const auto& [noun, motif] : kDrawn)
+        if (words == noun || (words.size() == noun.size() + 1 && words.starts_with(noun) && words.back() == 's')) return "motif=" + std::string(motif);
+    return {};
+}
+
 // "a clock shaped like a rooster", "a portrait of a lady", "the family kitchen": no rooster, no lady, no family stands there.
 void name_likenesses(Matches& m) {
     const auto shows = [](const Match& x) {
@@ -193,7 +203,7 @@ void name_likenesses(Matches& m) {
         if (!likeness && !(shows(m[i]) && m[i + 1].is_function("of"))) continue;
         for (std::size_t k = i + (likeness ? 1 : 2); k < m.size() && (modifies(m[k]) || is_noun(m[k])); ++k) {
             if (!is_noun(m[k])) continue;
-            m[k].word = Word{WordKind::nuance, "motif"};
+            m[k].word = Word{WordKind::nuance, "motif", true, motif_of(m[k].words)};
             break;
         }
     }
@@ -253,6 +263,7 @@ void take_added(const Word& word, PromptObject& object) {
     if (key == "material") object.material = value;
     if (key == "color") object.color = value;
     if (key == "size") object.size = value;
+    if (key == "pattern") object.pattern = value;
 }
 
 }  // namespace

@@ -108,6 +108,7 @@ void bind_measures(Reading& r);           // "a two metre wide bed", "3 m high c
 void bind_adjectives(Reading& r);         // color, material, pattern, size, count of each noun
 void seat_people(Reading& r);             // "a table for eight": its chairs
 void read_scopes(Reading& r);             // "only a bed", "everything is pink"
+void read_themes(Reading& r);             // "a pirate bedroom", "dinosaurs": what the room shows of them
 void read_globals(Reading& r);            // room, style, time … and adjectives that no noun took
 void relate(Reading& r);                  // "under the window"
 

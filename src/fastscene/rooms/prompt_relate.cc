@@ -1,6 +1,7 @@
 // Where things stand to each other: "a desk under the window", "on the table, a vase", "a bed between two nightstands".
 #include <algorithm>
 
+#include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -164,6 +165,44 @@ bool names_other_things(const Reading& r, std::size_t at) {
     return false;
 }
 
+// What stands on tops, and is said to.
+bool stands_on_tops(const PromptObject& o) { return furnishing::is_small(o.klass) && !is_one_of(o.klass, {"rug", "cushion"}) && !o.forbidden; }
+
+// "herbs and a vase on the sill", "books, a lamp and a clock on the desk": all of them stand there. Not the lamp of "a desk with a lamp and …".
+void attach_joined(Reading& r, std::size_t subject, std::size_t target) {
+    const PromptObject place = r.object_of(subject);
+    if (place.relation != "on" || !stands_on_tops(place)) return;
+    std::size_t noun = subject;
+    for (bool listed = false;; listed = true) {
+        std::size_t k = noun;
+        while (k > 0 && modifies(r.m[k - 1])) --k;
+        if (k == 0) return;
+        const bool joined = r.m[k - 1].is_function("and");
+        if (!joined && !(listed && r.m[k - 1].comma)) return;
+        --k;
+        if (joined && k > 0 && r.m[k - 1].comma) --k;
+        if (k == 0 || !has_object(r.m[k - 1]) || k - 1 == target) return;
+        noun = k - 1;
+        PromptObject& other = r.object_of(noun);
+        if (!stands_on_tops(other) || !other.relation.empty() || other.id == place.id) return;
+        while (k > 0 && modifies(r.m[k - 1])) --k;
+        std::size_t before = noun;
+        while (before > 0 && modifies(r.m[before - 1])) --before;
+        if (before > 1 && r.m[before - 1].is_function("with") && has_object(r.m[before - 2])) return;
+        other.relation = place.relation;
+        other.relation_to = place.relation_to;
+    }
+}
+
+// "candles on the rim", "a lamp on the edge": where a part is said and not whose, it is that of what was named before.
+std::optional<std::size_t> part_behind(const Reading& r, std::size_t at) {
+    std::size_t k = at + 1;
+    while (k < r.m.size() && (modifies(r.m[k]) || r.m[k].is_function("the") || r.m[k].is_function("its"))) ++k;
+    if (k >= r.m.size() || !r.m[k].is(WordKind::detail) || r.m[k].word->meaning != "part") return {};
+    const bool whose = k + 1 < r.m.size() && (has_object(r.m[k + 1]) || modifies(r.m[k + 1]) || r.m[k + 1].is_function("of"));
+    return whose ? std::nullopt : std::optional(k);
+}
+
 void relate_one(Reading& r, std::size_t at) {
     const std::string relation = r.m[at].word->meaning;
     if (relation == "both sides") return relate_both_sides(r, at);
@@ -201,6 +240,12 @@ void relate_one(Reading& r, std::size_t at) {
         if (!subject) return r.tell_near(at, "where: of nothing that was named");
         return attach(r, at, *subject, meant_by(r, *subject, them), relation);
     }
+    if (const auto part = part_behind(r, at); part && relation == "on") {
+        if (!subject) return r.tell_near(at, "where: of nothing that was named");
+        target = meant_by(r, *subject, false);
+        if (target) r.tell(*part, "of the " + r.m[*target].words, r.m[*target].object);
+        return attach(r, at, *subject, target, relation);
+    }
     if ((opens_clause(r, at) || (!subject && !names_other_things(r, at))) && target) {
         subject = noun_after(r, *target);
         if (!subject && *target + 1 < r.m.size() && r.m[*target + 1].comma) subject = noun_after(r, *target + 1);
@@ -212,6 +257,7 @@ void relate_one(Reading& r, std::size_t at) {
         return attach(r, at, *target, subject, turned);
     }
     attach(r, at, *subject, target, relation);
+    if (target) attach_joined(r, *subject, *target);
 }
 
 }  // namespace

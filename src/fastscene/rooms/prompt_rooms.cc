@@ -105,6 +105,8 @@ bool joins_rooms(const Match& m) {
            (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
 }
 
+constexpr const char* kAnyKind = "any";   // of the second room nothing was said but what stands in it
+
 // "a bedroom with an en-suite bathroom", "a living room opening to a kitchen": the second room lies behind a doorway.
 void find_next_room(Reading& r) {
     Matches& m = r.m;
@@ -112,6 +114,13 @@ void find_next_room(Reading& r) {
     if (first == m.end()) return;
     const std::string room = first->word->meaning;
     const bool en_suite = std::any_of(m.begin(), m.end(), is_en_suite);
+    // "a second room with a piano": of no kind that was said.
+    for (Match& x : m)
+        if (x.is(WordKind::nuance) && x.word->meaning == "another room" && !x.negated && r.spec.next_room.empty()) {
+            r.spec.next_room = room == "living" ? "study" : "living";
+            x.word = Word{WordKind::nuance, "next room", true, kAnyKind};
+            return;
+        }
     static constexpr std::array<std::string_view, 4> kNever{"attic", "loft", "sunroom", "kids"};
     for (auto x = m.begin(); x != m.end(); ++x) {
         if (!is_room(*x) || x == first || is_same_room(room, x->word->meaning) || !x->word->exact) continue;
@@ -141,8 +150,21 @@ bool belongs_to(const std::string& klass, const std::string& room) {
 void fill_next_room(Reading& r) {
     if (r.spec.next_room.empty()) return;
     const auto next = std::find_if(r.m.begin(), r.m.end(), [](const Match& x) { return x.is(WordKind::nuance) && x.word->meaning == "next room"; });
+    const bool any = next != r.m.end() && next->word->adds == kAnyKind;
     for (auto x = next; x != r.m.end(); ++x) {
+        if (any && x->comma) return;
+        if (any && x->is(WordKind::relation) && !x->relation) {
+            // "a second room with a piano behind the living room"
+            const auto room = std::find_if(x, r.m.end(), [](const Match& y) { return y.is(WordKind::room) || y.comma; });
+            if (room != r.m.end() && !room->comma) r.tell(static_cast<std::size_t>(x - r.m.begin()), "where the other room lies");
+            return;
+        }
         if (!has_object(*x) || x->negated) continue;
+        if (PromptObject& there = r.spec.objects[static_cast<std::size_t>(x->object)]; any && there.relation.empty() && x->is(WordKind::object)) {
+            there.relation = kInNextRoom;
+            continue;
+        }
+        if (any) continue;
         PromptObject& o = r.spec.objects[static_cast<std::size_t>(x->object)];
         if (o.relation.empty() && belongs_to(o.klass, r.spec.next_room) && !belongs_to(o.klass, r.spec.room)) o.relation = kInNextRoom;
     }

@@ -235,6 +235,79 @@ TEST(PromptWords, PronounsAndEachFindTheirPiece) {
     EXPECT_EQ(object_of(wardrobe, "wardrobe")->relation_to, "bed");
 }
 
+// Who is joined by "and" to what stands there stands there too; not what another piece has with it.
+TEST(PromptWords, JoinedThingsStandOnTheSamePlace) {
+    const auto on = [](const PromptSpec& spec, const char* klass) {
+        const PromptObject* o = object_of(spec, klass);
+        return o ? o->relation + " " + o->relation_to : std::string("nothing");
+    };
+    const PromptSpec sill = read("a kitchen with herbs and a vase on the window sill");
+    EXPECT_EQ(on(sill, "plant_small"), "on window");
+    EXPECT_EQ(on(sill, "vase"), "on window");
+    const PromptSpec desk = read("a study with a stack of books, a globe and a brass lamp on the desk");
+    for (const char* klass : {"book_stack", "globe", "table_lamp"}) EXPECT_EQ(on(desk, klass), "on desk") << klass;
+    const PromptSpec two = read("a study with a desk with a lamp and a vase on the shelf");
+    EXPECT_EQ(on(two, "vase"), "on shelf");
+    EXPECT_EQ(on(two, "table_lamp"), " ");
+    EXPECT_EQ(on(read("a living room with a sofa and a vase on the table"), "sofa"), " ");
+}
+
+TEST(PromptWords, APartThatIsSaidAloneIsOfThePieceBefore) {
+    for (const char* text : {"a bathroom with a freestanding tub, candles on the rim and a towel", "a bathroom with candles on the rim of the bathtub"}) {
+        const Furnished f = furnished(text);
+        const PromptObject* candles = object_of(f.spec, "candle");
+        ASSERT_TRUE(candles) << text;
+        EXPECT_EQ(candles->relation_to, "bathtub") << text;
+        for (const Placed& p : f.room.placed)
+            if (p.wish.klass == "candle") {
+                ASSERT_GE(p.on, 0) << text;
+                EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p.on)].piece.klass, "bathtub") << text;
+            }
+    }
+}
+
+TEST(PromptWords, ARattanChairAloneIsOneToLoungeIn) {
+    EXPECT_TRUE(object_of(read("a rattan chair in a boho sunroom"), "armchair"));
+    EXPECT_TRUE(object_of(read("a living room with two wicker chairs"), "armchair"));
+    EXPECT_TRUE(object_of(read("a dining room with a rattan chair"), "chair"));
+    EXPECT_TRUE(object_of(read("a table with six rattan chairs"), "chair"));
+}
+
+// A theme brings things that stand in the room, or says that there is no place; who forbids them gets none.
+TEST(PromptWords, ThemesBringTheirThings) {
+    for (const auto& [text, classes] : {std::pair{"a pirate themed kids room", std::vector<const char*>{"trunk", "picture", "ship_model"}},
+                                        {"a gamer's bedroom", std::vector<const char*>{"desk", "monitor", "pc_tower"}},
+                                        {"a gaming room with three monitors", std::vector<const char*>{"desk", "monitor", "office_chair"}}}) {
+        const Furnished f = furnished(text);
+        for (const char* klass : classes) {
+            const PromptObject* o = object_of(f.spec, klass);
+            ASSERT_TRUE(o) << text << ": " << klass;
+            const bool there = std::any_of(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& p) { return p.wish.klass == klass; });
+            const bool told_why = std::any_of(f.spec.not_placed.begin(), f.spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(o->words + ": "); });
+            EXPECT_TRUE(there || told_why) << text << ": " << klass;
+        }
+        EXPECT_TRUE(f.spec.words_with(PromptWord::Fate::not_understood).empty()) << text;
+    }
+    EXPECT_EQ(read("a gaming room with a sofa").light, "neon");
+    EXPECT_EQ(read("a gaming room with a dim light").light, "dim");
+    EXPECT_EQ(read("a gaming room in the morning").light, "");
+    const PromptSpec bare = read("a pirate bedroom without pictures");
+    EXPECT_TRUE(std::none_of(bare.objects.begin(), bare.objects.end(), [](const PromptObject& o) { return o.klass == "picture" && !o.forbidden; }));
+    const PromptSpec only = read("a pirate bedroom with only a bed");
+    EXPECT_FALSE(object_of(only, "trunk"));
+    // The picture that was named shows it; else one is hung.
+    EXPECT_EQ(object_of(read("a bedroom with a painting of a lion"), "picture")->pattern, "lion");
+    EXPECT_EQ(object_of(read("a nursery with elephants"), "picture")->pattern, "elephant");
+}
+
+TEST(PromptWords, ASecondRoomOfNoKindLiesBehindADoorway) {
+    const PromptSpec spec = read("a second room with a piano behind a bright living room with a yellow couch");
+    EXPECT_EQ(spec.room, "living");
+    EXPECT_FALSE(spec.next_room.empty());
+    EXPECT_EQ(object_of(spec, "piano")->relation, "in the next room");
+    EXPECT_NE(object_of(spec, "sofa")->relation, "in the next room");
+}
+
 TEST(PromptWords, SurfacesTakeAllTheirAdjectives) {
     const PromptSpec tiles = read("a hallway with black and white checkered tiles");
     ASSERT_TRUE(object_of(tiles, "floor"));

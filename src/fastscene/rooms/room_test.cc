@@ -196,6 +196,17 @@ TEST(Room, LampsAreLitWhereTheLightIsDim) {
     }
 }
 
+// Candles that were asked for burn by day too; where nobody lit one there is no flame to be seen.
+TEST(Room, FlamesBurnOrAreNotThere) {
+    const auto flames = [](const Room& room) {
+        return std::count_if(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) { return room.materials[static_cast<std::size_t>(m.material)].burns; });
+    };
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        EXPECT_GT(flames(room_of("a bright living room with two candles in the morning", seed)), 0) << seed;
+        EXPECT_EQ(flames(room_of("a bright living room with a sofa in the morning, no fireplace", seed)), 0) << seed;
+    }
+}
+
 TEST(Room, ForbiddenThingsAreAbsent) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const Room room = room_of("a living room with a sofa, no curtains, no tv, no rug, no plants, no windows", seed);
@@ -243,6 +254,22 @@ TEST(Room, NeonShinesInTwoColorsByNight) {
     EXPECT_GT(colors[0].x, colors[0].z);
     EXPECT_GT(colors[1].z, colors[1].x);
     for (const Material& m : room_of("a bedroom at night", 2).materials) EXPECT_NE(m.name, "neon strip");
+}
+
+TEST(Room, NeonIsOfTheColorThatWasSaid) {
+    for (const auto& [text, channel] : {std::pair{"a bedroom with green neon lights", std::size_t{1}}, {"a bedroom with red led strips", std::size_t{0}}}) {
+        PromptSpec spec;
+        const Room room = room_of(text, 2, &spec);
+        EXPECT_EQ(spec.light, "neon") << text;
+        EXPECT_TRUE(spec.colors.empty()) << text;
+        int strips = 0;
+        for (const Material& m : room.materials)
+            if (m.name == "neon strip") {
+                ++strips;
+                EXPECT_EQ(m.emission[channel], max_component(m.emission)) << text;
+            }
+        EXPECT_GE(strips, 2) << text;   // four with a second room
+    }
 }
 
 // The accent wall is the far one, tiles are all around.

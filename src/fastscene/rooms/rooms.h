@@ -57,6 +57,7 @@ struct PromptSpec {
     PromptObject everything;            // "everything is pink": color, material of all there is
     std::string mood;                   // cozy airy colorful
     std::string light;                  // bright dim "lamps on" neon
+    std::string light_color;            // of neon: "purple"; empty: pink and blue
     std::string clutter;                // cluttered bare, or empty: nothing but what is named ("only a bed")
     std::string outlook;                // what the windows show: garden city sea mountains forest
     std::vector<PromptObject> objects;

@@ -152,7 +152,16 @@ void build_neon(const Plan& plan, Room& room) {
         m.emission = radiance;
         return add_material(room, m);
     };
-    const int pink = tube({2.6f, 0.16f, 1.3f}), blue = tube({0.16f, 0.5f, 2.8f});
+    Vec3f ahead{2.6f, 0.16f, 1.3f}, behind{0.16f, 0.5f, 2.8f};
+    if (plan.neon_color) {
+        // As strong as the others, and as pure; one side leans to blue, so that the room keeps two lights.
+        Vec3f c = *plan.neon_color;
+        c = c / std::max(0.01f, max_component(c));
+        for (std::size_t a = 0; a < 3; ++a) c[a] = std::max(0.04f, c[a] * c[a]);
+        ahead = c * 2.7f;
+        behind = lerp(c * 2.6f, behind, 0.3f);
+    }
+    const int pink = tube(ahead), blue = tube(behind);
     const float below = plan.beams ? 0.21f : plan.tray ? kTrayStep + 0.03f : plan.style.mouldings != Mouldings::none ? 0.12f : 0.03f;
     for (const WallFace& face : plan.faces()) {
         if (plan.joined && face.wall == 2) continue;
