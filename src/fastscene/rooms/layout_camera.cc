@@ -51,6 +51,7 @@ std::vector<int> Layout::unseen(Vec3f eye) const {
 
 float Layout::ease_of(Vec3f eye) const {
     const Vec2f at = flat(eye);
+    const float walls = plan_.wall_distance(at);
     float tall = plan_.air_around(eye), low = 1.f;
     for (const Placed& p : placed_) {
         if (p.flat) continue;
@@ -60,8 +61,9 @@ float Layout::ease_of(Vec3f eye) const {
         if (f.y1 > kEyeHeight - 0.7f && f.y0 < kEyeHeight + 0.7f) tall = std::min(tall, far);
         else if (f.y1 < kEyeHeight) low = std::min(low, far);
     }
-    // Beyond 1.1 m more space is no gain; the middle of the room shows most of it.
-    float score = 3.f * std::min(tall, 1.1f) + 0.8f * std::min(low, 0.4f) - 0.35f * length(at);
+    // Beyond 0.9 m more space from things is no gain, beyond 1.6 m from walls and doors: close by they fill half of the picture and show
+    // nothing. The middle of the room shows most of it.
+    float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 0.8f * std::min(low, 0.4f) - 0.35f * length(at);
     // Air around the eyes comes before all that may be seen, and behind a barrier of tables nobody stands.
     constexpr float kMustBeFree = 0.58f;
     if (tall < kMustBeFree) score -= 100.f * (kMustBeFree - tall) + 10.f;

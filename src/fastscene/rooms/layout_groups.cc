@@ -116,7 +116,7 @@ void Furnisher::seating_group() {
         return l_.against_wall(r, {}, o);
     };
     const int chairs = wishes_.count("armchair");
-    for (int i = 0; i < std::max(1, chairs); ++i) put("armchair", 0.65f, chair);
+    for (int i = 0; i < (chairs > 0 ? chairs : 2); ++i) put("armchair", i == 0 ? 0.8f : 0.5f, chair);
     if (!small && wishes_.has("loveseat")) wall("loveseat", 1);
 }
 
@@ -146,7 +146,10 @@ void Furnisher::focus_of(int sofa) {
     later([=, this] {
         if (wishes_.asked("tv")) return;
         if (chance(0.18f)) wall("fireplace", 1, for_fire, above_fire);
-        else if (!wishes_.forbids("tv")) wall("tv_stand", 0.85f, for_screen, screen);
+        else if (!wishes_.forbids("tv")) wall("tv_stand", 0.9f, for_screen, screen);
+        // No seat looks at a bare wall.
+        if (!l_.find("tv_stand") && !l_.find("fireplace"))
+            wall("sideboard", 0.9f, {.wall = opposite, .center_pull = 1.2f, .window_pull = -0.5f}, [this](int side) { above(side, "picture", 0.9f); });
     });
 }
 

@@ -66,15 +66,15 @@ struct Ceiling {
     float width_m;
 };
 constexpr Ceiling kCeilings[] = {
-    {"modern", 0.f, 0.75f, 0.85f, Pattern::planks, "white", "white", 0.12f},
-    {"scandinavian", 0.55f, 0.f, 0.3f, Pattern::planks, "white", "off white", 0.11f},
-    {"japandi", 0.35f, 0.3f, 0.5f, Pattern::planks, "natural", "oak", 0.09f},
+    {"modern", 0.f, 0.85f, 0.85f, Pattern::planks, "white", "white", 0.12f},
+    {"scandinavian", 0.7f, 0.7f, 0.3f, Pattern::planks, "white", "off white", 0.11f},
+    {"japandi", 0.6f, 0.8f, 0.5f, Pattern::planks, "natural", "oak", 0.09f},
     {"industrial", 0.f, 0.f, 0.f, Pattern::planks, "white", "white", 0.12f},
-    {"classic", 0.f, 0.4f, 0.f, Pattern::planks, "white", "white", 0.12f},
-    {"boho", 0.4f, 0.f, 0.f, Pattern::planks, "off white", "cream", 0.13f},
-    {"rustic", 0.6f, 0.f, 0.f, Pattern::planks, "natural", "oak", 0.15f},
-    {"mid-century", 0.5f, 0.f, 0.3f, Pattern::planks, "natural", "oak", 0.1f},
-    {"mediterranean", 0.3f, 0.f, 0.f, Pattern::planks, "natural", "oak", 0.15f},
+    {"classic", 0.f, 0.8f, 0.f, Pattern::planks, "white", "white", 0.12f},
+    {"boho", 0.65f, 0.5f, 0.f, Pattern::planks, "off white", "cream", 0.13f},
+    {"rustic", 0.8f, 0.f, 0.f, Pattern::planks, "natural", "oak", 0.15f},
+    {"mid-century", 0.65f, 0.6f, 0.3f, Pattern::planks, "natural", "oak", 0.1f},
+    {"mediterranean", 0.6f, 0.f, 0.f, Pattern::planks, "natural", "oak", 0.15f},
     {"art deco", 0.f, 0.85f, 0.2f, Pattern::planks, "white", "white", 0.12f},
 };
 
