@@ -51,10 +51,10 @@ struct PieceRequest {
     int screens = 0;                        // desks: how many monitors will stand on it
     float size_factor = 1.f;                // of the usual size, in [0.5, 2]
     std::uint64_t seed = 0;
-    Vec3f size_m{};                         // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
-                                            // pictures, mirrors, shelves, tables, single candles (see furniture_*.cc), others scale to it
+    Vec3f size_m{};  // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
+                     // pictures, mirrors, shelves, tables, single candles (see furniture_*.cc), others scale to it
 
-// A model of the furniture pack to be used in place of our own builder (pack.h); both null: none.
+    // A model of the furniture pack to be used in place of our own builder (pack.h); both null: none.
     std::shared_ptr<const FurniturePack> pack{};
     const PackModel* model = nullptr;
 };

@@ -241,8 +241,11 @@ void bowl(Kit& k) {
 class Wick {
   public:
     explicit Wick(Kit& k)
-        : k_(k), root_(k.material(flame("flame root", {5.f, 1.3f, 0.22f}))), belly_(k.material(flame("flame", {17.f, 7.6f, 1.1f}))),
-          point_(k.material(flame("flame point", {11.f, 2.9f, 0.16f}))), thread_(k.material(plain("wick", {0.03f, 0.027f, 0.025f}, 0.9f))) {}
+        : k_(k),
+          root_(k.material(flame("flame root", {5.f, 1.3f, 0.22f}))),
+          belly_(k.material(flame("flame", {17.f, 7.6f, 1.1f}))),
+          point_(k.material(flame("flame point", {11.f, 2.9f, 0.16f}))),
+          thread_(k.material(plain("wick", {0.03f, 0.027f, 0.025f}, 0.9f))) {}
     void burn(Vec3f at, float height) {
         const float r = 0.2f * height;
         k_.rod(thread_, at, at + Vec3f{0, 0.22f * height, 0}, 0.0012f, -1, 5);

@@ -150,7 +150,8 @@ void bathtub(Kit& k) {
     // One closed skin: up the outside, over the rim, down the inside.
     const std::vector<Vec2f> unit = shapes::circle(1.f, 56);
     struct Level { float grow, y; };
-    const std::array<Level, 10> skin{Level{0.74f, 0.f}, {0.78f, 0.02f}, {0.88f, 0.25f}, {0.97f, 0.53f}, {1.f, 0.56f}, {0.985f, 0.58f}, {0.855f, 0.58f}, {0.82f, 0.45f}, {0.72f, 0.2f}, {0.55f, 0.15f}};
+    const std::array<Level, 10> skin{Level{0.74f, 0.f}, {0.78f, 0.02f},  {0.88f, 0.25f}, {0.97f, 0.53f}, {1.f, 0.56f},
+                                     {0.985f, 0.58f},   {0.855f, 0.58f}, {0.82f, 0.45f}, {0.72f, 0.2f},  {0.55f, 0.15f}};
     Mesh m;
     const auto point = [&](const Level& l, const Vec2f& p) {
         const float e = 0.62f;  // between an ellipse and a rectangle

@@ -149,7 +149,8 @@ void Furnisher::focus_of(int sofa) {
         else if (!wishes_.forbids("tv")) wall("tv_stand", 0.9f, for_screen, screen);
         // No seat looks at a bare wall.
         if (!l_.find("tv_stand") && !l_.find("fireplace"))
-            wall("sideboard", 0.9f, {.wall = opposite, .center_pull = 1.2f, .window_pull = -0.5f}, [this](int side) { above(side, "picture", 0.9f); });
+            wall("sideboard", 0.9f, {.wall = opposite, .center_pull = 1.2f, .window_pull = -0.5f},
+                 [this](int side) { above(side, "picture", 0.9f); });
     });
 }
 

@@ -92,7 +92,7 @@ class Touches {
             if (f.room == room()) filling = &f;
         if (!filling) return;
         const float area = l_.plan().width * l_.plan().depth;
-        const float usual = room() == "living" ? 0.43f : 0.36f;   // sofas leave more floor free than beds and tables
+        const float usual = room() == "living" ? 0.43f : 0.36f;  // sofas leave more floor free than beds and tables
         const int wanted = static_cast<int>(area * (usual + 0.24f * clutter_));
         for (const std::string_view klass : filling->pieces) {
             const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.klass != "curtain"; });

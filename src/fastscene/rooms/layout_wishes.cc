@@ -18,13 +18,12 @@ bool is_hung(std::string_view klass) {
 
 bool is_small(std::string_view klass) {
     static constexpr std::array<std::string_view, 38> kSmall{
-        "monitor",       "ship_model",
-        "table_lamp",    "vase",          "vase_small",  "book_stack",  "bowl",        "candle",
-        "plant_small",   "picture",       "mirror",      "tv",          "clock",       "rug",
-        "cushion",       "guitar",        "cat",         "alarm_clock", "bottles",     "cup",
-        "cutting_board", "globe",         "kettle",      "laptop",      "magazines",   "photo_frame",
-        "picture_ledge", "place_setting", "pot",         "sculpture",   "storage_box", "teddy_bear",
-        "toaster",       "toiletries",    "towel_stack", "toy_blocks",  "tray",        "utensils"};
+        "monitor",    "ship_model",  "table_lamp",  "vase",        "vase_small",  "book_stack",    "bowl",
+        "candle",     "plant_small", "picture",     "mirror",      "tv",          "clock",         "rug",
+        "cushion",    "guitar",      "cat",         "alarm_clock", "bottles",     "cup",           "cutting_board",
+        "globe",      "kettle",      "laptop",      "magazines",   "photo_frame", "picture_ledge", "place_setting",
+        "pot",        "sculpture",   "storage_box", "teddy_bear",  "toaster",     "toiletries",    "towel_stack",
+        "toy_blocks", "tray",        "utensils"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 

@@ -71,7 +71,7 @@ struct Plan {
     bool beams = false;
     bool tray = false;         // the ceiling steps down along the walls
     bool neon = false;         // strips of colored light below the ceiling
-    std::optional<Vec3f> neon_color;   // an albedo of that hue; nothing: pink and blue
+    std::optional<Vec3f> neon_color;  // an albedo of that hue; nothing: pink and blue
     bool spots = false;        // small lamps sunk into the ceiling
     bool coffers = false;      // a grid of beams in the color of the trim
     bool bay = false;          // the recess of the far wall is all window

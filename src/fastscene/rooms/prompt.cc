@@ -143,10 +143,30 @@ Json to_json(const PromptSpec& spec) {
         assumed.push_back({{"what", line.substr(0, colon)}, {"value", colon == std::string::npos ? "" : line.substr(colon + 2)}});
     }
     const auto metres = [](Vec3f size) { return Json{size.x, size.y, size.z}; };
-    return {{"text", spec.text}, {"language", spec.language.empty() ? "en" : spec.language}, {"unread_language", spec.unread}, {"room", spec.room}, {"structure", spec.structure},
-            {"size_m", metres(spec.size_m)}, {"area_m2", spec.area_m2}, {"everything", {{"color", spec.everything.color}, {"material", spec.everything.material}}}, {"style", spec.style}, {"time", spec.time}, {"weather", spec.weather}, {"outlook", spec.outlook},
-            {"mood", spec.mood}, {"light", spec.light}, {"light_color", spec.light_color}, {"clutter", spec.clutter}, {"size", spec.size}, {"colors", spec.colors}, {"objects", objects}, {"understood", understood},
-            {"assumed", assumed}, {"approximated", approximated}, {"not_placed", not_placed}, {"not_understood", not_understood}};
+    return {{"text", spec.text},
+            {"language", spec.language.empty() ? "en" : spec.language},
+            {"unread_language", spec.unread},
+            {"room", spec.room},
+            {"structure", spec.structure},
+            {"size_m", metres(spec.size_m)},
+            {"area_m2", spec.area_m2},
+            {"everything", {{"color", spec.everything.color}, {"material", spec.everything.material}}},
+            {"style", spec.style},
+            {"time", spec.time},
+            {"weather", spec.weather},
+            {"outlook", spec.outlook},
+            {"mood", spec.mood},
+            {"light", spec.light},
+            {"light_color", spec.light_color},
+            {"clutter", spec.clutter},
+            {"size", spec.size},
+            {"colors", spec.colors},
+            {"objects", objects},
+            {"understood", understood},
+            {"assumed", assumed},
+            {"approximated", approximated},
+            {"not_placed", not_placed},
+            {"not_understood", not_understood}};
 }
 
 }  // namespace fastscene

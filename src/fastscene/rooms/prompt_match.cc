@@ -49,7 +49,8 @@ namespace {
 Match owner_at(const std::vector<std::string>& tokens, std::size_t i, Language language) {
     const std::string owner = tokens[i].substr(0, tokens[i].size() - 2);
     // "a gamer's den", "a pirate's cabin": who it is says what it shows.
-    if (const auto who = look_up(owner, language); who && who->kind == WordKind::nuance && (who->adds.starts_with("theme=") || who->adds.starts_with("motif=")))
+    if (const auto who = look_up(owner, language);
+        who && who->kind == WordKind::nuance && (who->adds.starts_with("theme=") || who->adds.starts_with("motif=")))
         return {.words = joined(tokens, i, 1), .word = who};
     const auto room = look_up(owner + " room");
     const bool room_follows = std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(), [&](const std::string& t) {

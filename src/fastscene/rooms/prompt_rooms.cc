@@ -105,7 +105,7 @@ bool joins_rooms(const Match& m) {
            (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
 }
 
-constexpr const char* kAnyKind = "any";   // of the second room nothing was said but what stands in it
+constexpr const char* kAnyKind = "any";  // of the second room nothing was said but what stands in it
 
 // "a bedroom with an en-suite bathroom", "a living room opening to a kitchen": the second room lies behind a doorway.
 void find_next_room(Reading& r) {

@@ -253,7 +253,8 @@ TEST(PromptWords, JoinedThingsStandOnTheSamePlace) {
 }
 
 TEST(PromptWords, APartThatIsSaidAloneIsOfThePieceBefore) {
-    for (const char* text : {"a bathroom with a freestanding tub, candles on the rim and a towel", "a bathroom with candles on the rim of the bathtub"}) {
+    for (const char* text :
+         {"a bathroom with a freestanding tub, candles on the rim and a towel", "a bathroom with candles on the rim of the bathtub"}) {
         const Furnished f = furnished(text);
         const PromptObject* candles = object_of(f.spec, "candle");
         ASSERT_TRUE(candles) << text;
@@ -283,7 +284,8 @@ TEST(PromptWords, ThemesBringTheirThings) {
             const PromptObject* o = object_of(f.spec, klass);
             ASSERT_TRUE(o) << text << ": " << klass;
             const bool there = std::any_of(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& p) { return p.wish.klass == klass; });
-            const bool told_why = std::any_of(f.spec.not_placed.begin(), f.spec.not_placed.end(), [&](const std::string& line) { return line.starts_with(o->words + ": "); });
+            const bool told_why = std::any_of(f.spec.not_placed.begin(), f.spec.not_placed.end(),
+                                              [&](const std::string& line) { return line.starts_with(o->words + ": "); });
             EXPECT_TRUE(there || told_why) << text << ": " << klass;
         }
         EXPECT_TRUE(f.spec.words_with(PromptWord::Fate::not_understood).empty()) << text;

@@ -199,7 +199,8 @@ TEST(Room, LampsAreLitWhereTheLightIsDim) {
 // Candles that were asked for burn by day too; where nobody lit one there is no flame to be seen.
 TEST(Room, FlamesBurnOrAreNotThere) {
     const auto flames = [](const Room& room) {
-        return std::count_if(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) { return room.materials[static_cast<std::size_t>(m.material)].burns; });
+        return std::count_if(room.meshes.begin(), room.meshes.end(),
+                             [&](const Mesh& m) { return room.materials[static_cast<std::size_t>(m.material)].burns; });
     };
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         EXPECT_GT(flames(room_of("a bright living room with two candles in the morning", seed)), 0) << seed;
@@ -257,7 +258,8 @@ TEST(Room, NeonShinesInTwoColorsByNight) {
 }
 
 TEST(Room, NeonIsOfTheColorThatWasSaid) {
-    for (const auto& [text, channel] : {std::pair{"a bedroom with green neon lights", std::size_t{1}}, {"a bedroom with red led strips", std::size_t{0}}}) {
+    for (const auto& [text, channel] :
+         {std::pair{"a bedroom with green neon lights", std::size_t{1}}, {"a bedroom with red led strips", std::size_t{0}}}) {
         PromptSpec spec;
         const Room room = room_of(text, 2, &spec);
         EXPECT_EQ(spec.light, "neon") << text;
@@ -268,7 +270,7 @@ TEST(Room, NeonIsOfTheColorThatWasSaid) {
                 ++strips;
                 EXPECT_EQ(m.emission[channel], max_component(m.emission)) << text;
             }
-        EXPECT_GE(strips, 2) << text;   // four with a second room
+        EXPECT_GE(strips, 2) << text;  // four with a second room
     }
 }
 

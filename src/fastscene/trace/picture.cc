@@ -15,7 +15,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kVeryNoisy = 0.06f;   // relative standard error of a pixel's light
-constexpr int kLeastRound = 3;         // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
+constexpr int kLeastRound = 3;        // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.
 class MeanError {

@@ -82,18 +82,21 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 namespace {
 
 // Panes, drinking glasses, shower screens: what lies behind is seen through them.
-bool is_clear(const Material& m) { return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f; }
-constexpr int kMostPanes = 8;      // surfaces of glass that are looked through
-constexpr float kVeil = 0.06f;     // share of the light that it scatters as frosted glass does: dust, scratches; without it no pane is seen
+bool is_clear(const Material& m) {
+    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
+}
+constexpr int kMostPanes = 8;   // surfaces of glass that are looked through
+constexpr float kVeil = 0.06f;  // share of the light that it scatters as frosted glass does: dust, scratches; without it no pane is seen
 
 // `travelled`: how far the ray has come through glass.
 Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes, Sampler& sampler);
 
 // The surface of glass `s` shaded as `veil`: what is behind it, a veil, and what it mirrors.
-Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction, float pixel_angle, float travelled, int panes,
-                    Sampler& sampler) {
-    constexpr float kAcross = 0.04f;   // mirrored at right angles
-    const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant, fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
+Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction, float pixel_angle, float travelled,
+                    int panes, Sampler& sampler) {
+    constexpr float kAcross = 0.04f;  // mirrored at right angles
+    const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant,
+                fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
     const Vec3f dye = s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo));
     const Vec3f through = lerp(Vec3f{1, 1, 1}, dye, 0.4f) * ((1 - fresnel) * (1 - kVeil));
     Shaded out = shade_from(scene, s.position + direction * 1e-3f, direction, pixel_angle, travelled, panes - 1, sampler);

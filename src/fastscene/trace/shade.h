@@ -17,8 +17,9 @@ struct ShadeScene {
     bool contacts = false;   // where the cache is too coarse (edges, corners, small things), light is gathered ray by ray
 };
 
-// What a camera ray brings back, through clear glass from what lies behind it. The parts that chance decides are kept apart from the colors they are seen through, so that their
-// noise can be averaged over neighbours without touching a texture: radiance = emission + light + sun + mirrored.
+// What a camera ray brings back, through clear glass from what lies behind it. The parts that chance decides are kept apart from the
+// colors they are seen through, so that their noise can be averaged over neighbours without touching a texture: radiance = emission +
+// light + sun + mirrored.
 struct Shaded {
     Vec3f radiance;
     Vec3f albedo;

@@ -265,7 +265,8 @@ TEST(Trace, FewRaysAreDenoisedToo) {
     const auto picture = [&](int samples, bool denoised, std::uint64_t seed) {
         fastscene::Run run;
         run.seed = seed;
-        return room.perspective({}, camera, {.color = true, .range = false, .pixel_samples = samples, .contacts = true, .denoise = denoised}, run).color;
+        return room.perspective({}, camera, {.color = true, .range = false, .pixel_samples = samples, .contacts = true, .denoise = denoised}, run)
+            .color;
     };
     const ImageColor truth = picture(256, false, 3);
     const auto error = [&](const ImageColor& color) {
