@@ -42,7 +42,7 @@ struct Plan {
 Json description(const Plan& plan) {
     const DatasetParams& p = plan.request.params;
     return {{"format", "fastscene dataset 1"}, {"seed", plan.seed}, {"width", plan.request.width}, {"height", plan.request.height},
-            {"camera", plan.panorama ? "panorama" : "perspective"}, {"film", p.film}, {"views", p.views}, {"shard", p.shard},
+            {"camera", plan.panorama ? "panorama" : "perspective"}, {"film", p.film}, {"views", p.views}, {"over_things", p.over_things}, {"shard", p.shard},
             {"cell_m", p.trace.cell_m}, {"cell_samples", p.trace.cell_samples}, {"pixel_samples", p.trace.pixel_samples},
             {"range_unit_m", 0.001}, {"classes", nyu40_names()}};
 }
@@ -58,14 +58,17 @@ void settle_description(const Plan& plan) {
                              found.contains(name) ? found[name].dump() : "none");
 }
 
-// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor below and ceiling above.
-Vec3f random_place(const TracedRoom& room, Random& dice) {
+// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor or, `over_things`, a piece of furniture
+// below and ceiling above. A room that has no such piece is seen from over its floor.
+Vec3f random_place(const TracedRoom& room, bool over_things, Random& dice) {
+    constexpr float kLowestThing = 0.25f;  // a carpet is floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
         const float floor = high.y;  // y is down
         const Vec3f p{dice.uniform(low.x, high.x), floor - dice.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)), dice.uniform(low.z, high.z)};
         const bool inside = room.distance(p, {0, 1, 0}) < 4.f && room.distance(p, {0, -1, 0}) < 6.f;
-        if (inside && room.clearance(p, 0.35f) >= 0.35f) return p;
+        const bool as_wished = !over_things || attempt >= 150 || room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
+        if (inside && as_wished && room.clearance(p, 0.35f) >= 0.35f) return p;
     }
     return {};  // the camera of the room itself is always clear
 }
@@ -76,7 +79,8 @@ struct Camera {
 };
 
 Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& dice) {
-    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, dice);
+    const bool over_things = dice.chance(static_cast<float>(plan.request.params.over_things));
+    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, dice);
     const float yaw = dice.uniform(0.f, 360.f) * kDegree, fov_deg = dice.uniform(50.f, 100.f);
     const float pitch = plan.panorama ? 0.f : 11.f * kDegree * dice.normal(), roll = plan.panorama ? 0.f : 2.f * kDegree * dice.normal();
     const Mat3f rotation = rotation_about(Vec3f{0, 1, 0}, yaw) * rotation_about(Vec3f{1, 0, 0}, std::clamp(pitch, -0.7f, 0.7f)) * rotation_about(Vec3f{0, 0, 1}, roll);

@@ -19,6 +19,7 @@ struct DatasetParams {
     std::string camera = "auto";
     std::string film = "varied";
     int views = 4;
+    double over_things = 0.25;
     int shard = 1000;
     int stale_minutes = 20;
     TraceParams trace{.cell_m = 0.06f, .cell_samples = 160, .pixel_samples = 9};
@@ -30,6 +31,8 @@ void visit_fields(DatasetParams& p, V&& v) {
     v("film", p.film, Choices{{"varied", "clean"}},
       "varied: each picture gets a lens blur, noise, tone curve and JPEG of its own; clean: lossless, none of these.");
     v("views", p.views, Bounds{1, 1000}, "Pictures of each room, from places of their own. The light of a room is gathered once for all of them.");
+    v("over-things", p.over_things, Bounds{0, 1},
+      "Share of the places that are over furniture, where there is room for a camera: real panoramas are often taken from over a bed or a table.");
     v("shard", p.shard, Bounds{1, 100000}, "Pictures in a folder.");
     v("stale-minutes", p.stale_minutes, Bounds{1, 10000},
       "A room claimed by a process of another machine that has shown no sign of life for so long is made by this one.");

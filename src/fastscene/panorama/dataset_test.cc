@@ -101,6 +101,28 @@ TEST_F(Dataset, RangeNormalsAndClassesAgree) {
     }
 }
 
+// What lies straight below a camera: furniture, where places over furniture are asked for.
+TEST_F(Dataset, PlacesOverFurniture) {
+    const auto over_furniture = [&](double share, const char* name) {
+        DatasetRequest request = small(16);
+        request.params.views = 4;
+        request.params.shard = 100;
+        request.params.over_things = share;
+        make_dataset(request, folder_ / name, {});
+        int found = 0;
+        for (int i = 0; i < request.count; ++i) {
+            if (i % request.params.views == 0) continue;  // the room's own place
+            const ImageMask classes = load_mask_png(folder_ / name / fmt::format("shard-00000/{:08}.class.png", i));
+            const int nadir = classes.at(5, classes.height - 1);
+            constexpr int kFloor = 2, kRug = 20;
+            found += nadir != kFloor && nadir != kRug;
+        }
+        return found;
+    };
+    EXPECT_GE(over_furniture(1, "over"), 8);
+    EXPECT_LE(over_furniture(0, "anywhere"), 5);
+}
+
 TEST_F(Dataset, AClaimIsHeldByOneAndInheritedFromTheDead) {
     make_directories(folder_);
     {
