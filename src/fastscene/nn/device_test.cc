@@ -11,7 +11,7 @@
 #include "fastscene/nn/rrdbnet.h"
 #include "fastscene/nn/scope.h"
 #include "fastscene/nn/sd_model.h"
-#include "fastscene/nn/unet.h"
+#include "fastscene/nn/small_unet.h"
 #include "fastscene/nn/vae.h"
 
 namespace fastscene {
@@ -76,21 +76,9 @@ class NetworksElsewhere : public ::testing::TestWithParam<at::ScalarType> {
     }
 };
 
-nn::UNetConfig small_unet() {
-    nn::UNetConfig config;
-    config.channels = {16, 32};
-    config.down_attention = {true, false};
-    config.up_attention = {false, true};
-    config.heads = {4, 4};
-    config.layers = 1;
-    config.groups = 8;
-    config.text_width = 12;
-    return config;
-}
-
 TEST_P(NetworksElsewhere, DenoiserAndControl) {
     const c10::InferenceMode inference;
-    const nn::UNetConfig config = small_unet();
+    const nn::UNetConfig config = nn::small_unet(12);
     nn::UNetConfig holding = config;
     holding.picture_widths = {4, 4, 8, 8};
     const at::Tensor text = at::empty({1, 7, 12}, there);

@@ -3,19 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "fastscene/nn/hashed.h"
+#include "fastscene/nn/small_unet.h"
 
 namespace fastscene {
 namespace {
 
 TEST(PanoramaLoops, WithGuidanceOneOnlyThePromptIsComputed) {
-    nn::UNetConfig config;
-    config.channels = {16, 32};
-    config.down_attention = {true, false};
-    config.up_attention = {false, true};
-    config.heads = {4, 4};
-    config.layers = 1;
-    config.groups = 8;
-    config.text_width = 32;
+    const nn::UNetConfig config = nn::small_unet(32);
     const at::Tensor latents = nn::hashed_input("latents", {1, 4, 8, 16}), text = nn::hashed_input("text", {2, 3, config.text_width});
     nn::HashedWeights weights;
     std::vector<std::int64_t> batches;
