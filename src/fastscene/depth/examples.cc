@@ -5,6 +5,7 @@
 
 #include "fastscene/base/json.h"
 #include "fastscene/base/random.h"
+#include "fastscene/depth/repaint.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
@@ -31,8 +32,13 @@ void find_rooms(const fs::path& shard, std::vector<DepthFiles>& out) {
         try {
             if (json.at("camera").at("model") != "EQUIRECTANGULAR") continue;
             const int room = json.at("room").get<int>();
-            out.push_back({shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), fmt::format("room {}", room),
-                           room % 10 == 9});
+            DepthFiles files{shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), {}, {}, fmt::format("room {}", room),
+                             room % 10 == 9};
+            if (json.contains("normal") && json.contains("instance")) {
+                files.normals = shard / json.at("normal").get<std::string>();
+                files.pieces = shard / json.at("instance").get<std::string>();
+            }
+            out.push_back(std::move(files));
         } catch (const Json::exception& e) {
             throw Error("{}: expected camera, room, color and range (docs/dataset.md): {}", path.string(), e.what());
         }
@@ -46,7 +52,7 @@ void find_structured3d(const fs::path& scene, std::vector<DepthFiles>& out) {
         for (const char* furniture : {"full", "simple", "empty"})
             for (const char* light : {"rgb_rawlight.png", "rgb_warmlight.png", "rgb_coldlight.png"}) {
                 const fs::path color = room / "panorama" / furniture / light, range = room / "panorama" / furniture / "depth.png";
-                if (fs::exists(color) && fs::exists(range)) out.push_back({color, range, place, held_out});
+                if (fs::exists(color) && fs::exists(range)) out.push_back({color, range, {}, {}, place, held_out});
             }
 }
 
@@ -57,7 +63,7 @@ void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
     if (at == std::string::npos || color.extension() != ".png") return;
     const std::string place = name.substr(0, at);
     name = name.substr(0, at) + "_depth_" + fs::path(name.substr(at + 7)).stem().string() + ".exr";
-    if (fs::exists(color.parent_path() / name)) out.push_back({color, color.parent_path() / name, place, drawn_for_holding_out(place)});
+    if (fs::exists(color.parent_path() / name)) out.push_back({color, color.parent_path() / name, {}, {}, place, drawn_for_holding_out(place)});
 }
 
 // Downloads lie in folders of their own: Structured3D_panorama_00/Structured3D/scene_00000.
@@ -73,13 +79,33 @@ void find_below(const fs::path& path, int deep, std::vector<DepthFiles>& out) {
 }
 
 // The pixel in the middle: a mean of two surfaces lies on neither.
-ImageF picked(const ImageF& range, EquirectSize size) {
-    ImageF out(size.width, size.height);
+template <class T>
+Image<T> picked(const Image<T>& map, EquirectSize size) {
+    Image<T> out(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const float r = range.at((2 * x + 1) * range.width / (2 * size.width), (2 * y + 1) * range.height / (2 * size.height));
-            out.at(x, y) = r > 0.f && std::isfinite(r) ? r : 0.f;
-        }
+        for (int x = 0; x < size.width; ++x)
+            out.at(x, y) = map.at((2 * x + 1) * map.width / (2 * size.width), (2 * y + 1) * map.height / (2 * size.height));
+    return out;
+}
+
+ImageF picked_range(const ImageF& range, EquirectSize size) {
+    ImageF out = picked(range, size);
+    for (float& r : out.pixels)
+        if (!(r > 0.f && std::isfinite(r))) r = 0.f;
+    return out;
+}
+
+// The axis that an encoded normal, (n + 1) / 2, points along most.
+int axis_of_normal(Rgb8 c) {
+    const int x = std::abs(2 * c.r - 255), y = std::abs(2 * c.g - 255), z = std::abs(2 * c.b - 255);
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+SurfaceMap load_surfaces(const DepthFiles& files, EquirectSize size) {
+    const ImageRgb8 normals = picked(load_rgb8(files.normals), size);
+    const ImageF pieces = picked(load_float(files.pieces, 1.f), size);
+    SurfaceMap out(size.width, size.height);
+    for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] = surface_id(static_cast<int>(pieces.pixels[i]), axis_of_normal(normals.pixels[i]));
     return out;
 }
 
@@ -103,7 +129,8 @@ DepthExample load_example(const DepthFiles& files, EquirectSize size) {
     if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
     const ImageF range = load_float(files.range);
     if (range.width != 2 * range.height) throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
-    DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked(range, size)};
+    DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked_range(range, size)};
+    if (!files.pieces.empty()) out.surfaces = load_surfaces(files, size);
     if (std::none_of(out.range.pixels.begin(), out.range.pixels.end(), [](float r) { return r > 0.f && r < kFarthestTaught_m; }))
         throw Error("{}: expected ranges in metres, above 0 and below {}, found none: are they in another unit?", files.range.string(), kFarthestTaught_m);
     return out;

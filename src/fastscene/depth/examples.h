@@ -13,6 +13,7 @@ namespace fastscene {
 
 struct DepthFiles {
     std::filesystem::path color, range;
+    std::filesystem::path normals, pieces = {};   // of our rooms: docs/dataset.md; empty: none
     std::string place;            // pictures of one room or scene share it: they are trained on together or not at all
     bool held_out = false;
 };
@@ -25,7 +26,7 @@ struct DepthFiles {
 // Throws Error when the folder holds none of these.
 std::vector<DepthFiles> find_depth_files(const std::filesystem::path& folder);
 
-// At the network's size: color averaged over areas, range picked. Throws Error naming the file when a picture is no panorama, or the two
+// At the network's size: color averaged over areas, range and surfaces picked. Throws Error naming the file when a picture is no panorama, or the two
 // do not belong together.
 DepthExample load_example(const DepthFiles& files, EquirectSize size);
 

@@ -8,6 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/depth/photo_look.h"
+#include "fastscene/depth/repaint.h"
 #include "fastscene/depth/train.h"
 #include "fastscene/io/image_io.h"
 
@@ -55,6 +56,23 @@ TEST(Examples, RoomsAreHeldOutAsAWhole) {
     const DepthExample example = load_example(all[0], {32, 16});
     EXPECT_EQ(example.color.at(5, 5), (Rgb8{90, 100, 110}));
     EXPECT_FLOAT_EQ(example.range.at(5, 5), 2.5f);
+    EXPECT_TRUE(example.surfaces.empty());
+}
+
+TEST(Examples, SurfacesOfOurRooms) {
+    const fs::path folder = fresh("surfaces"), shard = folder / "shard-00000";
+    make_room_picture(folder, 0, 0, "EQUIRECTANGULAR");
+    Image<std::uint16_t> pieces(64, 32);
+    ImageRgb8 normals(64, 32, {128, 0, 128});   // a floor
+    for (int y = 0; y < 32; ++y) pieces.at(40, y) = 300, normals.at(40, y) = {40, 128, 200};
+    save_png16(shard / "00000000.instance.png", pieces);
+    save_png(shard / "00000000.normal.png", normals);
+    Json json = read_json(shard / "00000000.json");
+    json["normal"] = "00000000.normal.png", json["instance"] = "00000000.instance.png";
+    write_json(shard / "00000000.json", json);
+    const DepthExample example = load_example(find_depth_files(folder).at(0), {64, 32});
+    EXPECT_EQ(example.surfaces.at(3, 9), surface_id(0, 1));
+    EXPECT_EQ(example.surfaces.at(40, 9), surface_id(300, 0));
 }
 
 TEST(Examples, Structured3dAndPano3d) {
@@ -177,6 +195,49 @@ TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
         EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 && look.white.x > 0.3f &&
                     look.white.x < 3.f);
     }
+}
+
+// A gray room, a window in it (no range), two things of the room's own gray.
+DepthExample gray_room() {
+    DepthExample room{ImageRgb8(64, 32, {120, 120, 120}), ImageF(64, 32, 2.f), SurfaceMap(64, 32)};
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            room.surfaces.at(x, y) = surface_id(y > 18 && x < 20 ? 1 : y > 18 && x < 40 ? 2 : 0, y < 8 || y > 24 ? 1 : 2);
+            if (x > 50 && y > 10 && y < 16) room.range.at(x, y) = 0;
+        }
+    return room;
+}
+
+TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
+    const DepthExample room = gray_room();
+    Random none(5, "repaint"), dice(5, "repaint"), again(5, "repaint");
+    EXPECT_EQ(repainted(room, 0, none).color, room.color);
+    const DepthExample other = repainted(room, 1, dice);
+    EXPECT_EQ(other.color, repainted(room, 1, again).color);
+    EXPECT_EQ(other.range, room.range);
+    EXPECT_EQ(other.color.at(55, 12), room.color.at(55, 12)) << "a window";
+    for (const auto& [x, y] : {std::pair{5, 20}, {30, 20}, {60, 20}, {5, 3}, {60, 30}}) EXPECT_NE(other.color.at(x, y), room.color.at(x, y));
+    EXPECT_NE(other.color.at(19, 22), other.color.at(20, 22)) << "two things, two paints";
+    EXPECT_NE(other.color.at(45, 22), other.color.at(39, 22)) << "thing and wall";
+    DepthExample bare = room;
+    bare.surfaces = {};
+    EXPECT_EQ(repainted(bare, 1, dice).color, room.color);
+}
+
+// What lies in shade stays darker than the rest of its surface, whatever the color.
+TEST(Repaint, KeepsShade) {
+    int plain = 0;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+        DepthExample room = gray_room();
+        for (int y = 18; y < 25; ++y)
+            for (int x = 10; x < 20; ++x) room.color.at(x, y) = {60, 60, 60};
+        Random dice(i, "shade");
+        const ImageRgb8 color = repainted(room, 1, dice).color;
+        if (color.at(2, 20) != color.at(7, 23)) continue;   // a pattern
+        ++plain;
+        EXPECT_LT(color.at(15, 21).g, color.at(5, 21).g);
+    }
+    EXPECT_GT(plain, 5);
 }
 
 }  // namespace

@@ -4,33 +4,23 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "fastscene/base/check.h"
+#include "fastscene/depth/paint.h"
 #include "fastscene/image/color.h"
-#include "fastscene/trace/noise.h"
 
 namespace fastscene {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-enum class PaintPattern { plain, stripes, checker, planks, clouds, count };
-
-struct Paint {
-    PaintPattern pattern = PaintPattern::plain;
-    Vec3f a{0.5f, 0.5f, 0.5f}, b{0.5f, 0.5f, 0.5f};
-    float scale = 0.3f, turn = 0;
-    std::uint32_t seed = 0;
-    bool shines = false, window = false;
-};
-
 // A box or the ellipsoid in it, turned about its vertical axis. Room frame: y down, the camera at the origin.
 struct Thing {
     Vec3f center, half;
     float c = 1, s = 0;   // of the turn
     bool round = false;
+    bool shines = false, window = false;
     Paint paint;
 };
 
@@ -47,7 +37,9 @@ struct Hit {
     float t = kFar;
     Vec3f normal, local;  // local: where on the thing, for its pattern
     const Paint* paint = nullptr;
-    bool shell = false;
+    const Thing* thing = nullptr;   // none: the room's box
+
+    bool lights() const { return thing && (thing->shines || thing->window); }
 };
 
 Vec3f turned(Vec3f v, float c, float s) { return {c * v.x - s * v.z, v.y, s * v.x + c * v.z}; }
@@ -88,7 +80,7 @@ void meet(const Thing& thing, Vec3f o, Vec3f d, Hit& hit) {
     else n[axis] = ld[axis] > 0 ? -1.f : 1.f;
     hit.normal = turned(n, thing.c, thing.s);
     hit.paint = &thing.paint;
-    hit.shell = false;
+    hit.thing = &thing;
 }
 
 Hit first_hit(const Scene& scene, Vec3f d) {
@@ -101,7 +93,6 @@ Hit first_hit(const Scene& scene, Vec3f d) {
         hit.normal[a] = d[a] > 0 ? -1.f : 1.f;
         hit.paint = &scene.sides[2 * a + (d[a] > 0)];
         hit.local = d * t;
-        hit.shell = true;
     }
     for (const Thing& thing : scene.things) meet(thing, {}, d, hit);
     return hit;
@@ -113,33 +104,14 @@ bool is_shadowed(const Scene& scene, Vec3f from, Vec3f lamp) {
         Hit hit;
         hit.t = 0.98f;
         meet(thing, from, to, hit);
-        if (hit.paint && !hit.paint->shines && !hit.paint->window) return true;
+        if (hit.thing && !hit.lights()) return true;
     }
     return false;
 }
 
-Vec3f color_of(const Paint& paint, Vec3f local, Vec3f normal) {
-    // Across the surface, turned within it.
-    const Vec3f n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    const Vec2f flat = n.y > n.x && n.y > n.z ? Vec2f{local.x, local.z} : n.x > n.z ? Vec2f{local.z, local.y} : Vec2f{local.x, local.y};
-    const float c = std::cos(paint.turn), s = std::sin(paint.turn);
-    const Vec2f uv{(c * flat.x - s * flat.y) / paint.scale, (s * flat.x + c * flat.y) / paint.scale};
-    float t = 0;
-    switch (paint.pattern) {
-        case PaintPattern::stripes: t = static_cast<float>(floor_int(uv.x) & 1); break;
-        case PaintPattern::checker: t = static_cast<float>((floor_int(uv.x) + floor_int(uv.y)) & 1); break;
-        case PaintPattern::planks:
-            t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0, paint.seed);
-            break;
-        case PaintPattern::clouds: t = 0.6f * noise2(uv, paint.seed) + 0.4f * noise2(uv * 3.1f, paint.seed + 1); break;
-        default: break;
-    }
-    return paint.a + (paint.b - paint.a) * t;
-}
-
 Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     const Vec3f albedo = color_of(*hit.paint, hit.local, hit.normal);
-    if (hit.paint->shines || hit.paint->window) return albedo * 3.f;
+    if (hit.lights()) return albedo * 3.f;
     float open = 1;   // less light comes into corners
     for (std::size_t a = 0; a < 3; ++a)
         if (std::abs(hit.normal[a]) < 0.7f)
@@ -155,22 +127,6 @@ Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
 }
 
 // ---- chance ----
-
-Vec3f random_color(Random& dice, float low, float high) {
-    const float level = std::exp(dice.uniform(std::log(low), std::log(high))), tint = dice.chance(0.3f) ? 0.9f : 0.35f;
-    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform())};
-}
-
-Paint random_paint(Random& dice, float low, float high, float plain) {
-    Paint paint;
-    paint.a = random_color(dice, low, high);
-    paint.b = dice.chance(0.5f) ? paint.a * dice.uniform(0.5f, 1.3f) : random_color(dice, low, high);
-    if (!dice.chance(plain)) paint.pattern = static_cast<PaintPattern>(1 + dice.index(static_cast<int>(PaintPattern::count) - 1));
-    paint.scale = std::exp(dice.uniform(std::log(0.06f), std::log(0.8f)));
-    paint.turn = dice.chance(0.7f) ? (dice.chance(0.5f) ? 0.f : kPi / 2) : dice.uniform(0, kPi);
-    paint.seed = dice.next_u32();
-    return paint;
-}
 
 // Whether the camera is clear of it by a hand's breadth or more.
 bool clear_of_camera(const Thing& t) {
@@ -263,7 +219,7 @@ void add_sheet(Scene& scene, Random& dice) {
     t.center = along_x ? Vec3f{scene.low.x + along, y, wall == 0 ? scene.low.z : scene.high.z}
                        : Vec3f{wall == 1 ? scene.high.x : scene.low.x, y, scene.low.z + along};
     t.paint = random_paint(dice, 0.05f, 0.9f, 0.3f);
-    t.paint.window = window;
+    t.window = window;
     add(scene, t);
 }
 
@@ -308,7 +264,7 @@ Scene random_scene(Random& dice) {
         shade.half.z = shade.half.x;
         shade.round = dice.chance(0.6f);
         shade.paint = random_paint(dice, 0.4f, 0.9f, 1);
-        shade.paint.shines = true;
+        shade.shines = true;
         if (dice.chance(0.7f)) add(scene, shade);
     }
     return scene;
@@ -327,7 +283,7 @@ DepthExample painted_room(EquirectSize size, Random& dice) {
         for (int x = 0; x < size.width; ++x) {
             const Vec3f d = turned(direction_of_pixel(x, y, size), c, s);
             const Hit hit = first_hit(scene, d);
-            range.at(x, y) = hit.paint->window ? 0.f : hit.t;
+            range.at(x, y) = hit.thing && hit.thing->window ? 0.f : hit.t;
             // Another ray beside the center's softens edges.
             const Vec3f beside =
                 turned(direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()}, size), c, s);

@@ -5,12 +5,14 @@
 #include "fastscene/depth/examples.h"
 #include "fastscene/depth/painted_room.h"
 #include "fastscene/depth/photo_look.h"
+#include "fastscene/depth/repaint.h"
 
 namespace fastscene {
 namespace {
 
 constexpr std::size_t kMostHeldOut = 60;   // looked at again and again
 constexpr std::size_t kPaintedHeldOut = 40;
+constexpr float kRepaintedSurfaces = 0.6f; // of a repainted room's
 
 void check_sizes(const DepthTrainParams& p) {
     if (p.height % 32 != 0) throw UsageError("--height: expected a multiple of 32, found {}", p.height);
@@ -74,12 +76,13 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
 
     EgformerTraining task{{p.height, 2 * p.height, p.channels, true}, p.training, p.direct, {}, std::move(held_out),
                           mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples), training.start,
-                          {{"data", names}, {"painted", painted}}};
+                          {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
     task.draw = [&](Random& dice) {
-        const bool paint = dice.chance(static_cast<float>(painted));
+        const bool paint = dice.chance(static_cast<float>(painted)), repaint = dice.chance(static_cast<float>(p.repainted));
         const PhotoLook look = random_photo_look(dice);
         if (paint) return seen_as(painted_room(size, dice), look, dice);
-        return seen_as(examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))], look, dice);
+        const DepthExample& room = examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))];
+        return seen_as(repaint ? repainted(room, kRepaintedSurfaces, dice) : room, look, dice);
     };
     run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms", examples.size(), task.held_out.size(), 100 * painted));
     return train_egformer(task, folder, run);

@@ -1,6 +1,7 @@
 // Training EGformer on pictures whose range is known. No libtorch in sight.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -17,10 +18,15 @@ namespace fastscene {
 // Beyond, a range teaches nothing: published are 8 m, our halls are longer.
 inline constexpr float kFarthestTaught_m = 15;
 
+// Which surface a pixel lies on (depth/repaint.h).
+using SurfaceId = std::uint16_t;
+using SurfaceMap = Image<SurfaceId>;
+
 // A panorama of the network's size: sRGB, and metres along each pixel's ray (0 = not known).
 struct DepthExample {
     ImageRgb8 color;
     ImageF range;
+    SurfaceMap surfaces = {};   // empty: not known
 };
 
 struct EgformerTraining {
