@@ -11,6 +11,13 @@
 namespace fastscene {
 namespace {
 
+// Panes, drinking glasses, shower screens: what lies behind is seen through them.
+bool is_clear(const Material& m) {
+    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
+}
+// What their color leaves of the light that comes through.
+Vec3f dye_of(const SurfacePointInfo& s) { return lerp(Vec3f{1, 1, 1}, s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo)), 0.4f); }
+
 // What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
 struct Mirrored {
     Vec3f light, rest;
@@ -26,6 +33,11 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         const Vec3f out = direction - s.normal * (2 * dot(direction, s.normal));
         const Mirrored behind = mirrored_radiance(scene, s.position + s.normal * 1e-3f, out, angle, sharp, mirrors - 1);
         return {{}, behind.light + behind.rest, hit};
+    }
+    if (sharp && mirrors > 0 && is_clear(m)) {
+        const Mirrored behind = mirrored_radiance(scene, s.position + direction * 1e-3f, direction, angle, sharp, mirrors - 1);
+        const Vec3f dye = dye_of(s);
+        return {behind.light * dye, behind.rest * dye, hit};
     }
     Vec3f front = scene.light.near(s.position, s.normal, true), back{};
     if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, true);
@@ -81,10 +93,6 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 
 namespace {
 
-// Panes, drinking glasses, shower screens: what lies behind is seen through them.
-bool is_clear(const Material& m) {
-    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
-}
 constexpr int kMostPanes = 8;   // surfaces of glass that are looked through
 constexpr float kVeil = 0.06f;  // share of the light that it scatters as frosted glass does: dust, scratches; without it no pane is seen
 
@@ -97,8 +105,7 @@ Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Sh
     constexpr float kAcross = 0.04f;  // mirrored at right angles
     const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant,
                 fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
-    const Vec3f dye = s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo));
-    const Vec3f through = lerp(Vec3f{1, 1, 1}, dye, 0.4f) * ((1 - fresnel) * (1 - kVeil));
+    const Vec3f through = dye_of(s) * ((1 - fresnel) * (1 - kVeil));
     Shaded out = shade_from(scene, s.position + direction * 1e-3f, direction, pixel_angle, travelled, panes - 1, sampler);
     for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine}) *light = *light * through;
     const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));

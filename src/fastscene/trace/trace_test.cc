@@ -257,6 +257,30 @@ TEST(Trace, GlassIsSeenThrough) {
     EXPECT_LT(luminance(seen), 1.5f * luminance(red));
 }
 
+// In a mirror too.
+TEST(Trace, GlassIsSeenThroughInMirrors) {
+    const auto look = [](bool pane) {
+        Room room = furnished_room();
+        Material mirror = diffuse({0.85f, 0.85f, 0.85f}), glass = diffuse({0.6f, 0.68f, 0.66f});
+        mirror.mirror = 1;
+        mirror.roughness = glass.roughness = 0.05f;
+        glass.transmission = 0.8f;
+        room.materials.push_back(mirror);
+        room.materials.push_back(glass);
+        const int last = static_cast<int>(room.materials.size()) - 1;
+        room.meshes.push_back(box({-0.5f, -0.5f, 1.2f}, {0.5f, 0.5f, 1.22f}, false, last - 1));
+        room.meshes.push_back(box({-0.6f, -0.6f, -1.4f}, {0.6f, 0.6f, -1.2f}, false, 2));   // red, behind the camera
+        if (pane) room.meshes.push_back(box({-0.9f, -0.9f, -0.9f}, {0.9f, 0.9f, -0.895f}, false, last));
+        TracedRoom traced(std::move(room));
+        traced.gather_light(quick(), {});
+        return traced.perspective({}, Pinhole::with_fov(32, 32, 60), {.color = true, .range = false, .object = true, .contacts = true}, {}).color.at(16, 16);
+    };
+    const Vec3f red = look(false), seen = look(true);
+    ASSERT_GT(red.x, 3 * red.y);
+    EXPECT_GT(seen.x, 2 * seen.y);
+    EXPECT_GT(luminance(seen), 0.4f * luminance(red));
+}
+
 // However few rays are asked for, the denoiser learns how much chance is in them.
 TEST(Trace, FewRaysAreDenoisedToo) {
     TracedRoom room(furnished_room());
