@@ -131,8 +131,11 @@ std::optional<Word> look_up(const std::string& term, Language language) {
             if (auto word = find(form, language)) return word;
     }
     if (auto word = find(term, {})) return word;
+    const auto space = term.rfind(' ');
+    const auto last = space == std::string::npos ? std::nullopt : find(term.substr(space + 1), {});
+    const bool things = last && last->kind == WordKind::object;   // "white roses" are no shade of rose
     for (const std::string& form : base_forms(term))
-        if (auto word = find(form, {}); word && word->kind != WordKind::function && word->kind != WordKind::count && word->kind != WordKind::relation) return word;
+        if (auto word = find(form, {}); word && !(things && word->kind == WordKind::color) && word->kind != WordKind::function && word->kind != WordKind::count && word->kind != WordKind::relation) return word;
     return {};
 }
 

@@ -29,6 +29,8 @@ void apply_floor_wish(Material& m, PromptObject wish) {
         if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood)
             wish.material = wish.color;
     apply_wish(m, wish, true);
+    // Checkered without a word of color: black and white.
+    if (wish.pattern == "checkered" && wish.color.empty() && wish.material != "wood") m.color_a = m.color_c = *color_named("off white"), m.color_b = *color_named("charcoal");
 }
 
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
@@ -168,9 +170,10 @@ float room_for_wishes(const PromptSpec& spec) {
 }  // namespace
 
 bool is_shell(std::string_view klass) {
-    static constexpr std::array<std::string_view, 15> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
+    static constexpr std::array<std::string_view, 16> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
                                                              "wall",   "floor",       "ceiling",  "beams",  "sloped_ceiling",
-                                                             "alcove", "wainscoting", "moulding", "column", "mezzanine"};
+                                                             "alcove", "wainscoting", "moulding", "column", "mezzanine",
+                                                             "fittings"};
     return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
 }
 
@@ -182,6 +185,50 @@ void report_unbuilt(PromptSpec& spec) {
     for (const PromptObject& wish : spec.objects)
         if (!wish.forbidden && std::find(kUnbuilt.begin(), kUnbuilt.end(), wish.klass) != kUnbuilt.end())
             for (int i = 0; i < wish.count; ++i) spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
+}
+
+// "A bedroom in lavender and white": cloth, rug, curtains and small things are of these colors, too, or beside a neutral.
+void dress_in(const std::vector<std::string>& names, Style& style) {
+    std::vector<Vec3f> colors;
+    for (const std::string& name : names)
+        if (const auto color = color_named(name)) colors.push_back(*color);
+    if (colors.empty()) return;
+    const Vec3f first = colors.front(), second = colors.size() > 1 ? colors[1] : *color_named("ivory"), light{0.72f, 0.7f, 0.66f};
+    const auto tint = [](Material& m, Vec3f color) {
+        const float ratio = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a));
+        m.color_a = m.color_c = color;
+        m.color_b = color * std::clamp(ratio, 0.6f, 1.2f);
+    };
+    tint(style.fabric2, first);
+    tint(style.fabric, second);
+    tint(style.curtain, lerp(first, light, 0.65f));
+    style.rug.color_a = lerp(second, light, 0.35f);
+    style.rug.color_b = first;
+    style.rug.color_c = lerp(first, light, 0.5f);
+    // Every other small thing; the rest keeps the room from being a uniform.
+    for (std::size_t i = 0; i < style.palette.size(); i += 2) style.palette[i] = colors[i / 2 % colors.size()];
+}
+
+// "Walnut and brass": the wood and the metal of whatever stands there.
+void apply_accents(const std::vector<std::string>& accents, Style& style) {
+    for (const std::string& name : accents)
+        if (const auto m = material_named(name)) {
+            if (m->metal > 0.5f) style.metal = *m;
+            if (m->pattern == Pattern::wood) style.wood = style.wood2 = *m;
+        }
+}
+
+// Some pieces are at home in one style: who names none, but a rocking chair, means no glass and chrome.
+void suggest_style(PromptSpec& spec) {
+    static constexpr std::array<std::pair<std::string_view, const char*>, 7> kAtHome{{{"rocking_chair", "rustic"}, {"cobweb", "rustic"}, {"barrel", "rustic"},
+                                                                                      {"gears", "industrial"}, {"pipes", "industrial"},
+                                                                                      {"hammock", "boho"}, {"suit_of_armor", "classic"}}};
+    for (const PromptObject& o : spec.objects)
+        for (const auto& [klass, style] : kAtHome)
+            if (spec.style.empty() && !o.forbidden && o.klass == klass) {
+                spec.style = style;
+                spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
+            }
 }
 
 // "A pink bathroom", "a blue study": a color of no piece is that of a wall at least; tiles have it all around.
@@ -209,14 +256,17 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
                     : has({"desk", "office_chair"}) ? "study" : "living";
         spec.assumed.push_back("room: " + room_title(spec.room));
     }
+    suggest_style(spec);
     if (spec.style.empty()) {
-        const std::vector<std::string> all = styles();
+        // What most people like; concrete, chrome and tiles from the south only when they are asked for.
+        static const std::vector<std::string> kUsual{"modern", "scandinavian", "japandi", "classic", "boho", "rustic", "mid-century"};
         static const std::vector<std::string> kCozy{"scandinavian", "rustic"}, kForChildren{"modern", "scandinavian", "boho", "mid-century"},
-            kUrban{"modern", "industrial"}, kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
+            kUrban{"modern", "industrial"}, kBright{"scandinavian", "classic", "boho", "modern"}, kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
         const std::vector<std::string>& choice = spec.mood == "cozy" ? kCozy : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
                                                 : spec.light == "neon"                                   ? kUrban
                                                 : !spec.colors.empty()                                   ? kPainted
-                                                                                                         : all;
+                                                : spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy" ? kBright
+                                                                                                         : kUsual;
         spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
@@ -250,6 +300,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     choose_paint(spec, plan, dice);
     deepen_paint(spec, plan);
     if (wet) tile_wet_room(plan, dice);
+    apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
     for (const PromptObject& wish : spec.objects) {
@@ -265,11 +316,15 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
             if (!accent && !wish.material.empty()) plan.style.accent_wall = plan.style.wall;
         }
         if (wish.klass == "floor") apply_floor_wish(plan.style.floor, wish);
+        if (wish.klass == "fittings") apply_fittings(plan.style, wish);
         if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish, true);
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }
-    if (!spec.colors.empty() && spec.everything.color.empty()) paint_in(spec.colors.front(), wet, plan);
+    if (!spec.colors.empty() && spec.everything.color.empty()) {
+        paint_in(spec.colors.front(), wet, plan);
+        dress_in(spec.colors, plan.style);
+    }
     plan.style.shelves = shelves_of(spec.room);
     report_unbuilt(spec);
     shape_plan(spec, plan, dice);

@@ -29,6 +29,8 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan);
 
 // Color, material and pattern wishes of a surface.
 void apply_wish(Material& m, const PromptObject& wish, bool boarded = false);
+// "gold taps", "black hardware": the metal of taps, handles, frames and lamps.
+void apply_fittings(Style& style, const PromptObject& wish);
 // "everything is pink": the materials of room and furniture alike.
 void cover_everything(const PromptObject& everything, Plan& plan);
 // "not brown", and no other color said: another one is chosen, and told in spec.assumed.

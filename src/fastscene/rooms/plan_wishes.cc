@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/plan_parts.h"
 
 namespace fastscene {
@@ -30,6 +31,18 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded) {
     if (wish.pattern == "floral") m.pattern = Pattern::floral, m.scale_m = 0.3f;
     if (wish.pattern == "damask") m.pattern = Pattern::damask, m.scale_m = 0.4f;
     if (wish.pattern == "checkered") m.pattern = Pattern::checker, m.scale_m = 0.3f;
+}
+
+void apply_fittings(Style& style, const PromptObject& wish) {
+    // "gold" is a color and a metal: of taps it is the metal.
+    std::optional<Material> metal = wish.material.empty() ? std::nullopt : material_named(wish.material);
+    if (!metal && is_one_of(wish.color, {"gold", "golden", "brass", "copper", "silver", "chrome"})) metal = material_named(wish.color);
+    if (!metal && !wish.color.empty()) {
+        metal = material_named("iron");
+        metal->name = wish.color + " metal";
+        if (const auto color = color_named(wish.color)) metal->color_a = metal->color_b = metal->color_c = *color;
+    }
+    if (metal) style.metal = style.tap = *metal;
 }
 
 void cover_everything(const PromptObject& everything, Plan& plan) {

@@ -161,6 +161,7 @@ Json to_json(const PromptSpec& spec) {
             {"clutter", spec.clutter},
             {"size", spec.size},
             {"colors", spec.colors},
+            {"accents", spec.accents},
             {"objects", objects},
             {"understood", understood},
             {"assumed", assumed},

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
+#include "fastscene/rooms/style.h"
 
 namespace fastscene::reading {
 namespace {
@@ -34,6 +36,12 @@ bool is_wall(const std::string& material) {
     static constexpr std::array<std::string_view, 7> kWalls{"brick", "tile", "concrete", "stone", "plaster", "wood", "marble"};
     return std::find(kWalls.begin(), kWalls.end(), material) != kWalls.end();
 }
+// Tiles of other rooms lie on the floor.
+bool has_tiled_walls(const Reading& r) {
+    const auto room = std::find_if(r.m.begin(), r.m.end(), [](const Match& m) { return m.is(WordKind::room) && !m.negated; });
+    const std::string klass = !r.spec.room.empty() ? r.spec.room : room == r.m.end() ? "" : room->word->meaning;
+    return klass.empty() || klass == "bathroom" || klass == "kitchen" || klass == "laundry";
+}
 bool is_free(const Match& m) { return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern)); }
 
 // The colors and the pattern of a material that stands as a noun: "black and white checkered tiles", "tiled in turquoise".
@@ -49,14 +57,36 @@ std::vector<std::size_t> adjectives_of_surface(const Reading& r, std::size_t i) 
     return out;
 }
 
+// "rattan furniture", "dark wood furnishings": of the pieces, whatever the material.
+bool is_furnitures(const Reading& r, std::size_t i) {
+    std::size_t k = i + 1;
+    while (k < r.m.size() && modifies(r.m[k]) && !r.m[k].words.starts_with("furni")) ++k;
+    return k < r.m.size() && r.m[k].words.starts_with("furni");
+}
+// What of a room is of an accent material; "": nothing.
+const char* shows_in(const std::string& material) {
+    if (is_one_of(material, {"rattan", "wicker", "cane"})) return "seats and low tables";
+    if (is_one_of(material, {"leather", "velvet"})) return "seats";
+    const auto m = material_named(material);
+    if (m && m->metal > 0.5f) return "lamps, frames and handles";
+    if (m && m->pattern == Pattern::wood) return "the furniture's wood";
+    return "";
+}
+
 // A material that belongs to no noun is a surface of the room: "a brick loft", "exposed brick", "marble bathroom".
 void read_surface(Reading& r, std::size_t i) {
     const std::string material = r.m[i].word->meaning;
     if (r.m[i].negated) return r.tell(i, "no " + material);
     const std::vector<std::size_t> adjectives = adjectives_of_surface(r, i);
     const bool checkered = std::any_of(adjectives.begin(), adjectives.end(), [&](std::size_t k) { return r.m[k].word->meaning == "checkered"; });
-    const bool floor = is_floor(material) || (material == "tile" && checkered);
-    if (!floor && !is_wall(material)) return r.tell_near(i, "accent material: shows in some of the furniture");
+    const bool terracotta = std::any_of(adjectives.begin(), adjectives.end(), [&](std::size_t k) { return r.m[k].word->meaning == "terracotta"; });
+    const bool floor = is_floor(material) || (material == "tile" && (checkered || terracotta || !has_tiled_walls(r)));
+    if (is_furnitures(r, i) || (!floor && !is_wall(material))) {
+        r.spec.accents.push_back(material);
+        r.m[i].settled = true;
+        const char* where = shows_in(material);
+        return *where ? r.tell(i, std::string("accent material: of ") + where) : r.tell_near(i, "accent material: nothing in the room shows it");
+    }
     PromptObject& surface = r.add_object(floor ? "floor" : "wall", r.m[i].words);
     surface.material = material;
     if (r.m[i].word->adds.starts_with("color=")) surface.color = r.m[i].word->adds.substr(6);
@@ -205,6 +235,14 @@ void read_globals(Reading& r) {
         } else if (!m.listed && m.is(WordKind::count) && m.word->meaning != "1") {
             r.tell_near(i, "of something that is not counted");
         }
+    }
+    // Whose room it is says how it looks: "grandma's kitchen", "a bachelor's flat".
+    constexpr std::string_view kStyle = "style=";
+    for (const Match& m : r.m) {
+        const auto word = m.is(WordKind::nuance) && m.word->meaning == "owner" && !m.negated && r.spec.style.empty() ? look_up(m.words) : std::nullopt;
+        if (!word || !word->adds.starts_with(kStyle)) continue;
+        r.spec.style = word->adds.substr(kStyle.size());
+        r.spec.assumed.push_back("style: " + r.spec.style + ", as " + m.words + " suggests");
     }
     // A style that only a piece has is a good guess for its room.
     for (const PromptObject& o : r.spec.objects)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -49,8 +50,9 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 12> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
-                                                                 "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding"};
+    static constexpr std::array<std::string_view, 17> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
+                                                                 "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding",
+                                                                 "string_lights",   "pipes",   "gears",       "hung_pans", "fittings"};
     const std::string& klass = m.word->meaning;
     if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
@@ -155,13 +157,15 @@ void heed_the_room(Matches& m) {
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word) continue;
         const std::string& w = m[i].words;
-        if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "faucet" || w == "tap" || w == "counter" || w == "countertop"))
+        if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "counter" || w == "countertop"))
             m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
+        // "a kitchen with green cabinets": the fronts of its units.
+        if (room == "kitchen" && is_one_of(w, {"cabinets", "cupboards"})) m[i].word = Word{WordKind::object, "kitchen_counter"};
         const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
                                                        return x.is(WordKind::object) && (x.word->meaning == "toilet" ||
                                                                                          x.word->meaning == "bathtub" || x.word->meaning == "shower");
                                                    }));
-        if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dresser", false};
+        if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dressing_table"};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {
             std::size_t k = i;
@@ -266,6 +270,15 @@ void take_added(const Word& word, PromptObject& object) {
     if (key == "pattern") object.pattern = value;
 }
 
+// "a vase of tulips", "a vase with pink roses": the vase that the flowers of match i stand in, -1: none. It is one thing.
+int holder_of(const Reading& r, std::size_t i) {
+    if (!r.m[i].is(WordKind::object) || r.m[i].word->meaning != "bouquet" || r.m[i].negated) return -1;
+    std::size_t k = i;
+    while (k > 0 && modifies(r.m[k - 1])) --k;
+    if (k < 2 || !(r.m[k - 1].is_function("of") || r.m[k - 1].is_function("with")) || !has_object(r.m[k - 2])) return -1;
+    return is_one_of(r.m[k - 2].word->meaning, {"vase", "vase_small", "bouquet"}) ? r.m[k - 2].object : -1;
+}
+
 }  // namespace
 
 void settle_double_meanings(Reading& r) {
@@ -304,6 +317,13 @@ void find_nouns(Reading& r) {
                 m.object = same->id;
                 continue;
             }
+        }
+        if (const int holder = holder_of(r, i); holder >= 0) {
+            PromptObject& held = r.spec.objects[static_cast<std::size_t>(holder)];
+            held.klass = m.word->meaning;
+            take_added(*m.word, held);
+            m.object = holder;
+            continue;
         }
         PromptObject& object = r.add_object(m.word->meaning, m.words);
         object.forbidden = m.negated;

@@ -218,6 +218,10 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
+    // "… books and rain on the window", "… a sofa and snow on the roof": the weather is there, not the books.
+    if (subject && at > 0 && (r.m[at - 1].is(WordKind::weather) || r.m[at - 1].is(WordKind::light)) && *subject + 1 < at &&
+        std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(*subject), r.m.begin() + static_cast<std::ptrdiff_t>(at), [](const Match& m) { return m.is_function("and"); }))
+        return r.tell_near(at, "where: of nothing that can be placed");
     // "a vase in the middle of the table", "… in the center of it"
     if (relation == "in the middle" && subject && r.m[at].words.ends_with(" of")) {
         const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it");

@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/style.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/test_prompts.h"
@@ -49,7 +53,7 @@ TEST(PromptWords, TyposInCompoundsAreRead) {
                                       {"a bed side lamp", "table_lamp"},
                                       {"two bed side tables", "nightstand"},
                                       {"a bookself", "bookshelf"},
-                                      {"a rockin chair", "armchair"},
+                                      {"a rockin chair", "rocking_chair"},
                                       {"a washin machine", "washing_machine"},
                                       {"a dsek", "desk"},
                                       {"a coffeetable", "coffee_table"},
@@ -383,6 +387,105 @@ TEST(PromptWords, PlacesOutsideByName) {
     EXPECT_EQ(read("a room with a view of the Eiffel Tower").outlook, "city");
     EXPECT_EQ(read("a forest outside the window").outlook, "forest");
     EXPECT_EQ(object_of(read("a forest green wall"), "wall")->color, "forest green");
+}
+
+// "Gold taps", "black hardware": the metal of what the room has, of basins and handles alike.
+TEST(PromptWords, FittingsAreOfTheMetalThatWasSaid) {
+    const Furnished f = furnished("a bathroom with gold taps and a washbasin");
+    EXPECT_TRUE(f.spec.not_placed.empty());
+    const Vec3f tap = f.room.plan.style.tap.color_a;
+    EXPECT_GT(f.room.plan.style.tap.metal, 0.5f);
+    EXPECT_GT(tap.x, 1.5f * tap.z);
+    EXPECT_LT(luminance(furnished("a kitchen with black hardware").room.plan.style.metal.color_a), 0.06f);
+}
+
+// In a kitchen cabinets are its units, whose fronts take the color; an island is like them.
+TEST(PromptWords, KitchenCabinetsAreTheUnits) {
+    const Furnished f = furnished("a kitchen with mint green cabinets and an island");
+    EXPECT_FALSE(object_of(f.spec, "cabinet"));
+    int fronts = 0;
+    for (const Placed& p : f.room.placed)
+        if (p.piece.klass == "kitchen_counter" || p.piece.klass == "kitchen_island") {
+            const Vec3f c = p.piece.materials[static_cast<std::size_t>(p.piece.main_material)].color_a;
+            EXPECT_GT(c.y, 1.1f * c.x) << p.piece.klass;
+            ++fronts;
+        }
+    EXPECT_GE(fronts, 2);
+    EXPECT_TRUE(object_of(read("a dining room with two cabinets"), "cabinet"));
+}
+
+TEST(PromptWords, AVaseOfFlowersIsOneThing) {
+    for (const char* text : {"a dining room with a vase of tulips", "a dining room with a vase with pink roses", "a dining room with tulips"}) {
+        const PromptSpec spec = read(text);
+        EXPECT_TRUE(object_of(spec, "bouquet")) << text;
+        EXPECT_FALSE(object_of(spec, "vase")) << text;
+    }
+    EXPECT_EQ(object_of(read("a kitchen with a vase with pink roses"), "bouquet")->color, "pink");
+    EXPECT_TRUE(object_of(read("a kitchen with a blue vase"), "vase"));
+}
+
+// Rain, snow and light are nowhere in the room; what was named before them is not there either.
+TEST(PromptWords, WeatherOnTheWindowIsNoPlaceOfAPiece) {
+    EXPECT_TRUE(object_of(read("a study with old books and rain on the window"), "book_stack")->relation.empty());
+    EXPECT_EQ(object_of(read("a study with books on the window sill"), "book_stack")->relation, "on");
+}
+
+// Who asks for one single bed gets no double bed beside it.
+TEST(PromptWords, ASingleBedIsTheBedOfItsRoom) {
+    for (const char* text : {"a bedroom with a single bed", "a tiny attic bedroom with a single bed and a rocking chair"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Furnished f = furnished(text, seed);
+            const auto beds = std::count_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass.starts_with("bed"); });
+            EXPECT_EQ(beds, 1) << text << ", seed " << seed;
+        }
+}
+
+// Behind clouds the evening sun lights nothing; people who live there suggest a style.
+TEST(PromptWords, WhatIsNotSaidFollowsFromWhatIs) {
+    EXPECT_EQ(furnished("a living room on a rainy evening").spec.time, "dusk");
+    EXPECT_EQ(furnished("a living room at sunset").spec.time, "evening");
+    EXPECT_EQ(read("grandma's kitchen").style, "classic");
+    EXPECT_EQ(furnished("a bedroom with a rocking chair").spec.style, "rustic");
+    EXPECT_EQ(furnished("a modern bedroom with a rocking chair").spec.style, "modern");
+    EXPECT_EQ(object_of(read("a sunroom with terracotta tiles"), "floor")->material, "tile");
+    EXPECT_EQ(object_of(read("a bathroom with blue tiles"), "wall")->material, "tile");
+}
+
+// A material of no piece is that of the furniture: its seats, its wood, its metal.
+TEST(PromptWords, AccentMaterialsShowInTheFurniture) {
+    const Furnished rattan = furnished("a sunroom with rattan furniture and plants");
+    EXPECT_TRUE(is_told(rattan.spec, "rattan", "understood"));
+    int woven = 0;
+    for (const Placed& p : rattan.room.placed)
+        if (furnishing::is_seat(p.piece.klass))
+            for (const Material& m : p.piece.materials) woven += m.pattern == Pattern::wicker;
+    EXPECT_GT(woven, 0);
+    const Furnished walnut = furnished("a modern living room with walnut furniture and brass accents");
+    EXPECT_EQ(walnut.room.plan.style.wood.color_a, material_named("walnut")->color_a);
+    EXPECT_GT(walnut.room.plan.style.metal.metal, 0.5f);
+    // A floor stays a floor.
+    EXPECT_EQ(object_of(read("a living room with an oak floor"), "floor")->material, "oak");
+}
+
+// What has a builder of ours only for those who ask stands where it belongs.
+TEST(PromptWords, RareWishesStandOrHangWhereTheyBelong) {
+    for (const auto& [text, klass, mount] :
+         {std::tuple{"a living room with a christmas tree", "christmas_tree", Mount::floor}, {"a bedroom with a rocking chair", "rocking_chair", Mount::floor},
+          {"a sunroom with a hammock", "hammock", Mount::floor}, {"a nursery with a crib and a mobile", "cot_mobile", Mount::ceiling},
+          {"a laundry room with a drying rack", "clothes_horse", Mount::floor}, {"a study with copper pipes", "pipes", Mount::wall},
+          {"a study with gears", "gears", Mount::wall}, {"a rustic dining room with cobwebs", "cobweb", Mount::ceiling},
+          {"a kitchen with copper pots", "hung_pans", Mount::wall}, {"a bedroom with a dressing table", "dressing_table", Mount::floor}}) {
+        const Furnished f = furnished(text);
+        const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& x) { return x.piece.klass == klass; });
+        ASSERT_TRUE(p != f.room.placed.end()) << text;
+        EXPECT_EQ(p->piece.mount, mount) << text;
+        if (std::string(klass) != "cobweb") continue;
+        // In the corner: two walls and the ceiling touch it.
+        const Footprint box = footprint_of(*p);
+        EXPECT_NEAR(box.y1, f.room.plan.height, 0.01f);
+        EXPECT_NEAR(std::abs(box.center.x) + extent(box, {1, 0}), f.room.plan.width / 2, 0.02f);
+        EXPECT_NEAR(std::abs(box.center.y) + extent(box, {0, 1}), f.room.plan.depth / 2, 0.02f);
+    }
 }
 
 }  // namespace

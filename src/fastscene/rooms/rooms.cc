@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
 
@@ -24,12 +25,17 @@ constexpr Daylight kDaylight[] = {
     {"morning", Sky::Time::morning, 20, {8.5f, 6.6f, 4.6f}, {0.9f, 1.35f, 2.2f}, {2.7f, 2.5f, 2.2f}, {0.50f, 0.46f, 0.38f}},
     {"day", Sky::Time::day, 38, {11.f, 10.1f, 8.8f}, {1.1f, 1.8f, 3.1f}, {3.0f, 3.3f, 3.7f}, {0.75f, 0.70f, 0.58f}},
     {"evening", Sky::Time::evening, 11, {8.f, 4.7f, 2.4f}, {0.6f, 0.8f, 1.4f}, {2.6f, 1.7f, 1.0f}, {0.35f, 0.27f, 0.20f}},
-    {"dusk", Sky::Time::dusk, 4, {}, {0.05f, 0.08f, 0.19f}, {0.36f, 0.22f, 0.18f}, {0.03f, 0.025f, 0.03f}},
+    {"dusk", Sky::Time::dusk, 4, {}, {0.022f, 0.043f, 0.115f}, {0.085f, 0.078f, 0.115f}, {0.012f, 0.0125f, 0.017f}},
     {"night", Sky::Time::night, 30, {}, {0.0007f, 0.001f, 0.0022f}, {0.003f, 0.0032f, 0.0045f}, {0.0008f, 0.0008f, 0.001f}},
 };
 
 // The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
 void assume_time(PromptSpec& spec, std::uint64_t seed) {
+    if (spec.time == "evening" && is_one_of(spec.weather, {"overcast", "rainy", "snowy"})) {
+        // Behind clouds the low sun gives no light.
+        spec.time = "dusk";
+        spec.assumed.push_back("time: dusk, as the evening is " + spec.weather);
+    }
     if (!spec.time.empty()) return;
     const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
     if (spec.light == "neon") spec.time = "night";
@@ -74,7 +80,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
         const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 * (spec.weather == "rainy" ? 0.5f : 0.75f);
-        sky.zenith = sky.horizon = Vec3f{0.95f, 1.f, 1.06f} * gray;
+        const bool late = light->time == Sky::Time::dusk || light->time == Sky::Time::night;
+        sky.zenith = sky.horizon = (late ? Vec3f{0.72f, 0.98f, 1.5f} : Vec3f{0.95f, 1.f, 1.06f}) * gray;
         sky.sun_irradiance = {};
     }
     Vec3f out{1, 0, 0};

@@ -62,6 +62,7 @@ struct PromptSpec {
     std::string outlook;                // what the windows show: garden city sea mountains forest
     std::vector<PromptObject> objects;
     std::vector<std::string> colors;    // global accents, bound to no object
+    std::vector<std::string> accents;   // materials of furniture, bound to no object: "rattan furniture", "leather and brass"
     // The report: written to panorama/prompt.json.
     std::vector<PromptWord> words;           // in the order of the prompt
     std::vector<std::string> assumed;        // "room: living room"

@@ -52,10 +52,10 @@ Material black_metal() {
     Material m = make("black metal", Pattern::plain, {0.035f, 0.035f, 0.037f}, {0.035f, 0.035f, 0.037f}, 0.05f, 0.45f);
     return m;
 }
-// Burnt unevenly, in soft mortar; in full red a wall of it would shout.
+// Burnt unevenly, in soft mortar; in full red a wall of it would shout. More yellow than blue: the light of a room and film make it pink else.
 Material red_brick() {
-    Material m = make("red brick", Pattern::brick, lerp(named("brick"), {0.2f, 0.12f, 0.09f}, 0.35f), named("stone") * 0.8f, 0.065f, 0.85f, 0.006f);
-    m.color_c = {0.1f, 0.055f, 0.045f};
+    Material m = make("red brick", Pattern::brick, {0.27f, 0.088f, 0.048f}, named("stone") * 0.8f, 0.065f, 0.85f, 0.006f);
+    m.color_c = {0.085f, 0.045f, 0.036f};
     return m;
 }
 Material brass() { return alloy("brass", {0.72f, 0.52f, 0.22f}, 0.3f); }
@@ -114,6 +114,7 @@ std::vector<Style> make_styles() {
                    timber("ebony", 0.2f), timber("mahogany", 0.22f), brass(), cloth("emerald"), cloth("navy"), hide("black"), veil("champagne", 0.2f), carpet_of(Pattern::rug, "charcoal", "gold", "ivory"),
                    palette_of({"gold", "emerald", "navy", "blush", "charcoal", "ivory"}), LampFamily::globe, LegType::tapered, SofaType::rolled, Mouldings::rich, 2, 2, 0.4f, 0.5f, 3.f, false, {10.f, 7.4f, 4.4f}});
     for (Style& s : all) {
+        s.tap = chrome();
         s.rug.scale_m = 1.2f;
         s.rug.specular = s.fabric.specular = s.fabric2.specular = s.curtain.specular = 0.02f;
     }

@@ -33,6 +33,7 @@ struct Style {
     bool beams = false;                  // visible ceiling beams
     Vec3f lamp_light{9.f, 6.6f, 4.2f};   // radiance of a lit shade, relative to daylight of about 1
     Shelves shelves = Shelves::books;    // set by the room, not by taste
+    Material tap{};                      // of basins, tubs and showers
 };
 
 // One of styles(); throws Error for another name.
