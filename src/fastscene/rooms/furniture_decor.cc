@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/furniture_kit.h"
 #include "fastscene/rooms/furniture_motifs.h"
 
 namespace fastscene::furniture {
 namespace {
 
-constexpr float kTau = 6.2831853f;
 
 Material foliage(Kit& k, Vec3f tone, float scale) {
     Material m = plain("leaf", tone * k.dice.uniform(0.85f, 1.15f), 0.45f);
@@ -40,6 +40,28 @@ float pot(Kit& k, int mat, float r, float h) {
     k.add(shapes::prism(shapes::circle(0.9f * r, 24), 0.6f * h, 0.88f * h), k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)));
     return 0.88f * h;
 }
+enum Growth { rosette, leafy_tree, swords, palm };
+// Fronds that arch from the top of a slim trunk, leaflets along both sides of each.
+void palm_crown(Kit& k, float y, float size, int green, int bark) {
+    const Vec3f crown{0.05f * size, y + 0.5f * size, 0.02f * size};
+    k.rod(bark, {0, y - 0.03f, 0}, crown, 0.032f * size, 0.024f * size, 10);
+    Mesh ribs;
+    for (int f = 0; f < 11; ++f) {
+        const float a = 2.39996f * static_cast<float>(f), t = static_cast<float>(f) / 10.f, length = size * k.dice.uniform(0.52f, 0.66f) * (1.f - 0.22f * t),
+                    lift = 0.55f + 1.1f * t, droop = 1.05f + 0.1f * t;
+        const Vec3f out = around(a), side = cross(Vec3f{0, 1, 0}, out);
+        const auto rib = [&](float v) { return crown + out * (length * v) + Vec3f{0, length * (lift * v - droop * v * v), 0}; };
+        std::vector<Vec3f> path;
+        for (int i = 0; i <= 8; ++i) path.push_back(rib(static_cast<float>(i) / 8.f));
+        shapes::append(ribs, shapes::tube(path, 0.005f * size, 5));
+        for (int i = 0; i < 12; ++i) {
+            const float v = 0.2f + 0.067f * static_cast<float>(i), leaf = length * (0.36f - 0.2f * std::abs(v - 0.45f));
+            for (const float way : {-1.f, 1.f})
+                k.add(blade(rib(v), normalize(side * way + out * 0.75f), leaf, 0.034f * size, 0.18f, 0.55f, 0.7f), green);
+        }
+    }
+    k.add(std::move(ribs), green);
+}
 void plant_of(Kit& k, int kind, float size) {
     Material clay = plain("plant pot", k.dice.chance(0.4f) ? Vec3f{0.7f, 0.68f, 0.63f} : k.accent(), 0.6f);
     if (k.style.plants > 0.8f && size > 0.6f) clay = *material_named("wicker");
@@ -50,6 +72,7 @@ void plant_of(Kit& k, int kind, float size) {
     bark_m.scale_m = 0.03f;
     bark_m.color_b = {0.08f, 0.055f, 0.04f};
     const int bark = k.material(bark_m);
+    if (kind == palm) return palm_crown(k, y, size, green, bark);
     if (kind == 0) {  // a rosette of arching fronds
         for (int i = 0; i < 22; ++i) {
             const float a = 2.39996f * static_cast<float>(i), t = static_cast<float>(i) / 22.f;
@@ -78,9 +101,64 @@ void plant_of(Kit& k, int kind, float size) {
         }
     }
 }
-void plant(Kit& k) { plant_of(k, k.dice.index(3), 1.05f); }
-void plant_tree(Kit& k) { plant_of(k, 1, 1.4f); }
+void plant(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : k.dice.index(3), 1.05f); }
+void plant_tree(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : leafy_tree, 1.4f); }
 void plant_small(Kit& k) { plant_of(k, k.dice.index(2) * 2, 0.3f); k.piece.mount = Mount::surface; }
+
+// Fresh flowers in something whose mouth is at y: a loose ball of blooms over leaves.
+void flowers(Kit& k, int bloom, float mouth_y, std::string_view kind, float size) {
+    const int stem = k.material(plain("stem", {0.07f, 0.16f, 0.05f}, 0.7f)), leaf = k.material(foliage(k, {0.08f, 0.19f, 0.06f}, 0.1f)),
+              middle = k.material(plain("flower middle", kind == "sunflower" ? Vec3f{0.07f, 0.04f, 0.02f} : Vec3f{0.6f, 0.42f, 0.06f}, 0.9f));
+    constexpr int kBlooms = 13;
+    for (int i = 0; i < kBlooms; ++i) {
+        const float t = (static_cast<float>(i) + 0.5f) / kBlooms, a = 2.39996f * static_cast<float>(i), far = 0.088f * size * std::sqrt(t) * k.dice.uniform(0.85f, 1.15f);
+        const Vec3f head = around(a) * far + Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.dice.uniform()), 0};
+        k.rod(stem, {0.2f * head.x, 0.5f * mouth_y, 0.2f * head.z}, head, 0.0028f, -1, 5);
+        k.add(blade({0.4f * head.x, mouth_y, 0.4f * head.z}, around(a + 0.9f), 0.1f * size, 0.026f * size, 1.1f, 0.7f, 0.8f), leaf);
+        const Vec3f up = normalize(head - Vec3f{0, mouth_y - 0.12f * size, 0});
+        const float r = size * k.dice.uniform(0.026f, 0.034f);
+        if (kind == "tulip") {  // a closed cup
+            const std::array<Vec2f, 5> cup{Vec2f{0.25f * r, 0}, {0.85f * r, 0.5f * r}, {0.95f * r, 1.2f * r}, {0.7f * r, 2.f * r}, {0.3f * r, 2.3f * r}};
+            Mesh m = shapes::lathe(shapes::curve(cup, 2), 10, true);
+            shapes::turn(m, {up.z, 0, -up.x}, 40.f * std::hypot(up.x, up.z));
+            k.add(std::move(m), bloom, head);
+        } else if (kind == "daisy" || kind == "sunflower") {  // petals around a middle
+            const float reach = kind == "sunflower" ? 1.9f * r : 1.3f * r;
+            const Vec3f side = normalize(cross(up, Vec3f{0.3f, 0.1f, 1.f})), other = cross(up, side);
+            for (int p = 0; p < 12; ++p) {
+                const float b = kTau * static_cast<float>(p) / 12.f;
+                const Vec3f way = side * std::cos(b) + other * std::sin(b);
+                k.add(shapes::rod(head + way * (0.3f * reach), head + way * reach + up * 0.002f, 0.006f * size, 0.003f * size, 5), bloom);
+            }
+            k.add(shapes::ball(head + up * 0.002f, {0.5f * reach, 0.3f * reach, 0.5f * reach}, 10), middle);
+        } else {  // a full bloom: petals in two rings about a bud
+            k.add(shapes::ball(head, {0.62f * r, 0.7f * r, 0.62f * r}, 10), bloom);
+            for (int p = 0; p < 9; ++p) {
+                const float b = kTau * static_cast<float>(p) / (p < 5 ? 5.f : 4.f), out = p < 5 ? 0.72f * r : 0.45f * r;
+                k.add(shapes::ball(head + around(b) * out + Vec3f{0, p < 5 ? -0.2f * r : 0.3f * r, 0}, {0.6f * r, 0.5f * r, 0.6f * r}, 8), bloom);
+            }
+        }
+    }
+}
+// What a flower is usually colored.
+Vec3f color_of_flower(Kit& k, std::string_view kind) {
+    static constexpr std::array<const char*, 5> kGarden{"crimson", "dusty pink", "lemon", "white", "lavender"};
+    if (kind == "rose") return *color_named("crimson");
+    if (kind == "sunflower") return {0.75f, 0.4f, 0.02f};
+    if (kind == "daisy" || kind == "lily") return *color_named("white");
+    if (kind == "peony") return *color_named("pink");
+    if (kind == "hydrangea") return *color_named("light blue");
+    return *color_named(kGarden[static_cast<std::size_t>(k.dice.index(5))]);
+}
+void bouquet(Kit& k) {
+    const std::string_view kind = k.request.pattern;
+    const int bloom = k.main(plain("petals", color_of_flower(k, kind), 0.6f));
+    Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f) : plain("glazed vase", k.accent(), 0.25f);
+    const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f}, {0.066f, 0.09f}, {0.055f, 0.15f}, {0.045f, 0.19f}, {0.055f, 0.215f}};
+    k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), k.material(pot));
+    flowers(k, bloom, 0.21f, kind, 1.05f);
+    k.piece.mount = Mount::surface;
+}
 
 void vase_of(Kit& k, float size, bool stems) {
     const int body = k.main(plain("glazed vase", k.accent(), 0.25f));
@@ -93,6 +171,9 @@ void vase_of(Kit& k, float size, bool stems) {
     k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
     k.piece.mount = Mount::surface;
     if (!stems) return;
+    // Dried stems, or fresh flowers where people like them.
+    const bool fresh = !is_one_of(k.style.name, {"japandi", "industrial", "modern"}) && k.dice.chance(0.45f);
+    if (fresh) return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y, k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);
     const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
               plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
     for (int i = 0; i < 7; ++i) {
@@ -153,13 +234,24 @@ void rug(Kit& k) {
         !k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f);
     const float d = std::min(s.x, s.z) * 1.15f;
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
-    const int pile = k.main(m);
+    // Who asks for wool or a fluffy rug means deep pile of one color.
+    if (k.request.material == "wool" && k.request.pattern.empty()) {
+        m = *material_named("carpet");
+        m.name = "deep pile";
+        m.color_a = *color_named("ivory");
+        m.color_b = *color_named("linen");
+        m.bump_m = 0.008f;
+        if (k.request.color) m = tinted(m, *k.request.color);
+        else if (const auto color = color_named(k.request.color_name); color && !k.request.color_name.empty()) m = tinted(m, *color);
+    }
+    const bool plain_pile = m.name == "deep pile";
+    const int pile = plain_pile ? k.piece.main_material = k.material(m) : k.main(m);
     Mesh r = round ? shapes::prism(shapes::circle(0.5f * d, 48), 0.f, 0.012f, 0.004f)
                    : shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
     // Metres from the rug's middle; y carries half its depth (negative: it is round), which the border follows.
     for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x, round ? -0.5f * d : 0.5f * s.z, r.positions[i].z};
     k.add(std::move(r), pile);
-    if (!round && (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich)) {
+    if (!round && !plain_pile && (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich)) {
         Mesh fringe;
         const int count = static_cast<int>(s.z / 0.035f);
         for (int i = 0; i < count; ++i)
@@ -466,7 +558,7 @@ void cat(Kit& k) {
     k.add(shapes::tube(tail, 0.017f, 10), fur);
 }
 
-constexpr Entry kDecor[] = {{"plant", plant}, {"plant_tree", plant_tree}, {"plant_small", plant_small}, {"vase", vase}, {"vase_small", vase_small}, {"picture", picture}, {"rug", rug}, {"curtain", curtain}, {"basket", basket},
+constexpr Entry kDecor[] = {{"plant", plant}, {"plant_tree", plant_tree}, {"plant_small", plant_small}, {"vase", vase}, {"vase_small", vase_small}, {"bouquet", bouquet}, {"picture", picture}, {"rug", rug}, {"curtain", curtain}, {"basket", basket},
                             {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
                             {"coat_rack", coat_rack}, {"cat", cat}};
 

@@ -76,7 +76,7 @@ void kitchen_counter(Kit& k) {
             if (i == sink) {
                 k.board(chrome, {cx, 0.9f, 0.03f}, {0.48f, 0.004f, 0.4f}, 0.002f);
                 k.board(dark, {cx, 0.902f, 0.03f}, {0.43f, 0.004f, 0.35f}, 0.002f);
-                tap(k, chrome, {cx, 0.9f, -0.2f}, 0.26f);
+                tap(k, k.material(k.style.tap), {cx, 0.9f, -0.2f}, 0.26f);
             } else {
                 k.top(0.9f, cx, 0.f, 0.42f * uw, 0.2f);
             }
@@ -145,7 +145,7 @@ void toilet(Kit& k) {
     k.piece.against_wall = true;
 }
 void bathtub(Kit& k) {
-    const int white = k.main(porcelain()), chrome = k.material(steel());
+    const int white = k.main(porcelain()), chrome = k.material(k.style.tap);
     const float w = 1.7f, d = 0.76f, h = 0.58f;
     // One closed skin: up the outside, over the rim, down the inside.
     const std::vector<Vec2f> unit = shapes::circle(1.f, 56);
@@ -185,7 +185,7 @@ void bathtub(Kit& k) {
     k.piece.against_wall = true;
 }
 void shower(Kit& k) {
-    const int tray = k.main(porcelain()), chrome = k.material(steel());
+    const int tray = k.main(porcelain()), chrome = k.material(k.style.tap);
     Material pane = glass();
     pane.color_a = pane.color_b = {0.75f, 0.8f, 0.79f};
     pane.transmission = 0.92f;
@@ -207,7 +207,7 @@ void shower(Kit& k) {
 void washbasin(Kit& k) {
     const Vec3f s = k.wanted({0.9f, 0.86f, 0.5f});
     const int front = k.main(kitchen_front(k)), top = k.material(worktop(k)), metal = k.material(k.style.metal), white = k.material(porcelain()),
-              chrome = k.material(steel());
+              chrome = k.material(k.style.tap);
     legs(k, metal, 0.5f * s.x - 0.06f, 0.5f * s.z - 0.06f, 0.3f, 0.04f);
     k.board(front, {0, 0.28f, -0.015f}, {s.x - 0.02f, 0.4f, s.z - 0.05f});
     fronts(k, front, metal, -0.5f * s.x + 0.015f, 0.5f * s.x - 0.015f, 0.285f, 0.675f, 0.5f * s.z - 0.04f, 2, 1);

@@ -92,5 +92,8 @@ std::span<const Entry> lamps();
 std::span<const Entry> decor();     // plants, vases, pictures, textiles, the rest
 std::span<const Entry> clutter();   // cups, trays, frames, toys, kitchen things: what stands about
 std::span<const Entry> themed();    // what a theme of the prompt brings: a sea chest, a ship, a player's computer
+std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
+
+inline constexpr float kTau = 2 * kPi;
 
 }  // namespace fastscene::furniture

@@ -129,10 +129,12 @@ void pendant_lamp(Kit& k) {
 }
 void ceiling_lamp(Kit& k) {
     const int metal = lamp_metal(k);
-    k.add(shapes::prism(shapes::circle(0.21f, 40), -0.03f, 0.f, 0.006f), metal);
+    // The plate is smaller than the glass: it throws no shadow on the ceiling.
+    k.add(shapes::prism(shapes::circle(0.14f, 40), -0.02f, 0.f, 0.004f), metal);
+    k.add(shapes::ring(0.203f, 0.007f, 40), metal, {0, -0.036f, 0});
     Material milk = plain("opal glass", {0.8f, 0.78f, 0.74f}, 0.2f);
     milk.emission = k.style.lamp_light * 0.7f;
-    const std::array<Vec2f, 6> p{Vec2f{0, -0.1f}, {0.1f, -0.095f}, {0.16f, -0.08f}, {0.19f, -0.05f}, {0.195f, -0.03f}, {0.19f, -0.025f}};
+    const std::array<Vec2f, 6> p{Vec2f{0, -0.1f}, {0.1f, -0.095f}, {0.16f, -0.08f}, {0.192f, -0.055f}, {0.2f, -0.036f}, {0.19f, -0.019f}};
     k.add(shapes::lathe(p, 40, true), k.material(milk));
     k.piece.mount = Mount::ceiling;
 }

@@ -306,8 +306,10 @@ void bed_of(Kit& k, float width) {
     Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
     quilt.name = "duvet";
     quilt.pattern = Pattern::fabric;
-    const int duvet = k.main(quilt), linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood),
-              head = cloth_head ? k.material(k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
+    const bool colored = k.request.color || !k.request.color_name.empty();   // an upholstered head is of the color that was asked for, too
+    const int duvet = k.main(quilt);
+    const int linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood),
+              head = cloth_head ? k.material(colored ? tinted(k.style.fabric2, k.piece.materials[static_cast<std::size_t>(duvet)].color_a * 0.85f) : k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) k.rod(wood, {sx * (0.5f * width - 0.07f), 0, sz * (0.5f * length - 0.09f)}, {sx * (0.5f * width - 0.08f), 0.17f, sz * (0.5f * length - 0.1f)}, 0.02f, 0.03f, 12);
     k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);

@@ -125,6 +125,42 @@ TEST(Furniture, ALeatherSofaIsLeatherAndBrown) {
     EXPECT_GT(m.color_a.x, 1.5f * m.color_a.z);
 }
 
+// Between glass and ceiling a lamp throws no shadow: its plate ends within the glass, and from below it is not seen past it.
+TEST(Furniture, ACeilingLampsPlateIsBehindItsGlass) {
+    const Piece lamp = make("ceiling_lamp");
+    float glass = 0, plate = 0;
+    for (const Mesh& m : lamp.meshes) {
+        const bool shines = luminance(lamp.materials[static_cast<std::size_t>(m.material)].emission) > 0;
+        for (const Vec3f& p : m.positions)
+            if (shines) glass = std::max(glass, std::hypot(p.x, p.z));
+            else if (p.y > -0.02f) plate = std::max(plate, std::hypot(p.x, p.z));
+    }
+    EXPECT_LT(plate, 0.85f * glass);
+}
+
+// Brick is brown-red: with as much blue as green the light of a room makes it pink.
+TEST(Style, BrickIsNotPink) {
+    const Material brick = *material_named("brick");
+    for (const Vec3f c : {brick.color_a, brick.color_c}) {
+        EXPECT_GT(c.x, 1.7f * c.y);
+        EXPECT_GT(c.y, 1.2f * c.z);
+    }
+}
+
+// Fluffy is one color of deep pile, not a woven pattern.
+TEST(Furniture, AFluffyRugHasNoPattern) {
+    for (const std::string& style : styles()) {
+        PieceRequest r;
+        r.klass = "rug", r.style = &style_named(style), r.material = "wool";
+        const Piece p = make_piece(r);
+        EXPECT_EQ(p.materials[static_cast<std::size_t>(p.main_material)].pattern, Pattern::carpet) << style;
+        r.color_name = "lavender";
+        const Piece tinted = make_piece(r);
+        const Vec3f c = tinted.materials[static_cast<std::size_t>(tinted.main_material)].color_a;
+        EXPECT_GT(c.z, c.y) << style;
+    }
+}
+
 // Whatever the style: what is asked for in rattan is woven, coarse enough to be seen, and browner than paper.
 TEST(Furniture, RattanIsSeenToBeWoven) {
     for (const std::string& style : styles())
