@@ -1,3 +1,4 @@
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout.h"
 
 #include <algorithm>
@@ -27,6 +28,21 @@ Footprint footprint_of(const Placed& p, float margin) {
     f.y1 = f.y0 + s.y;
     f.center = flat(center);
     return f;
+}
+
+std::optional<Footprint> part_above(const Placed& p, float height) {
+    Footprint whole = footprint_of(p);
+    if (whole.y1 <= height) return {};
+    Vec3f from{1e9f, 1e9f, 1e9f}, to{-1e9f, -1e9f, -1e9f};
+    for (const Mesh& m : p.piece.meshes)
+        for (const Vec3f& v : m.positions)
+            if (p.position.y + v.y > height)
+                for (std::size_t a = 0; a < 3; ++a) from[a] = std::min(from[a], v[a]), to[a] = std::max(to[a], v[a]);
+    if (!(from.x <= to.x)) return {};
+    whole.center = flat(p.position + right_of(p.yaw) * ((from.x + to.x) / 2) + front_of(p.yaw) * ((from.z + to.z) / 2));
+    whole.half = {(to.x - from.x) / 2, (to.z - from.z) / 2};
+    whole.y0 = std::max(whole.y0, height);
+    return whole;
 }
 
 bool blocks_opening(const Plan& plan, const Footprint& box) {
@@ -90,6 +106,15 @@ void Layout::find_ways() {
     for (const Placed& p : placed_) ways_.add(p);
 }
 
+bool hides(const Placed& floor, const Placed& hung) {
+    constexpr float kBefore = 0.15f;   // metres before it
+    if (hung.piece.mount != Mount::wall || floor.piece.mount != Mount::floor || floor.flat || floor.on >= 0 || floor.piece.klass == "curtain") return false;
+    Footprint before = footprint_of(hung);
+    before.half.y += kBefore / 2;
+    before.center = before.center + flat(front_of(hung.yaw)) * (kBefore / 2);
+    return overlap(before, footprint_of(floor));
+}
+
 bool Layout::fits(const Placed& placed, bool with_clearance) const {
     const Footprint box = footprint_of(placed);
     if (!clear_of_walls(plan_, placed)) return false;
@@ -105,7 +130,7 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
     for (const Placed& other : placed_) {
         if (other.flat || other.on >= 0 || other.below >= 0) continue;
         const Footprint b = footprint_of(other);
-        if (overlap(box, b)) return false;
+        if (overlap(box, b) || hides(placed, other)) return false;
         if (with_clearance && other.piece.mount == Mount::floor && overlap(room_for, b)) return false;
         // Nor may it stand in the other's way.
         if (with_clearance && other.piece.mount == Mount::floor && other.piece.against_wall && other.piece.clearance_front_m > 0) {
@@ -172,6 +197,16 @@ Vec3f as_measured(const PieceRequest& usual, Vec3f said) {
 
 }  // namespace
 
+// What the prompt says that furniture of this kind is made of, whichever it is.
+std::string Layout::accent_of(const std::string& klass) const {
+    const bool seat = is_one_of(klass, {"sofa", "loveseat", "armchair"});
+    for (const std::string& m : spec_.accents) {
+        if (is_one_of(m, {"rattan", "wicker", "cane"}) && (seat || is_one_of(klass, {"chair", "coffee_table", "side_table"}))) return m;
+        if (is_one_of(m, {"leather", "velvet"}) && seat) return m;
+    }
+    return {};
+}
+
 PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
     PieceRequest r;
     r.klass = std::move(klass);
@@ -184,14 +219,18 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
     if (r.klass == "desk")
         for (const PromptObject& o : spec_.objects)
             if (o.klass == "monitor" && !o.forbidden && o.relation != "in the next room") r.screens = std::min(kMostScreens, r.screens + o.count);
+    // An island is of the units' color.
+    if (r.klass == "kitchen_island" && (!wish || (wish->color.empty() && wish->material.empty())))
+        for (const PromptObject& o : spec_.objects)
+            if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty()) r.color = color_named(o.color), r.color_name = o.color;
     if (wish) {
-        if (!wish->color.empty()) r.color = color_named(wish->color);
-        r.color_name = wish->color;
+        if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.material = wish->material;
         r.pattern = wish->pattern;
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
         r.size_m = as_measured(r, wish->size_m);
     }
+    if (r.material.empty() && !r.model) r.material = accent_of(r.klass);
     return r;
 }
 

@@ -31,12 +31,16 @@ struct Placed {
 };
 
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
+// The box of what of a piece reaches above a height: of a bed its head alone; nothing, if all of it is lower.
+std::optional<Footprint> part_above(const Placed& placed, float height);
 // In the door's way, tall before a window, or in its sill.
 bool blocks_opening(const Plan& plan, const Footprint& box);
 // Whether a piece of wall carries it, clear of doors and windows.
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& placed);
 // On the sill of its window, between the frame and the sill's edge.
 bool stands_on_sill(const Plan& plan, const Placed& placed);
+// Whether a piece on the floor stands close before what hangs on a wall, and reaches up to it.
+bool hides(const Placed& floor, const Placed& hung);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);
 // No door and no window in this part of a wall face.
@@ -105,6 +109,8 @@ class Layout {
     // Above a door or window of this class, below the ceiling.
     std::optional<int> over_opening(const std::string& klass, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
+    // Between two walls and the ceiling.
+    std::optional<int> in_upper_corner(const PieceRequest& request, const PromptObject& from = {});
     // A pair at every window where they find room; returns how many. They end above what stands below a window.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
 
@@ -142,11 +148,14 @@ class Layout {
     void take_away(std::vector<int> pieces);
 
   private:
+    std::string accent_of(const std::string& klass) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.
     float as_asked(const Placed& placed, const PromptObject& wish) const;
     // How good a place is for the camera, whatever is seen from there.
-    float ease_of(Vec3f eye) const;
+    struct Surroundings;
+    Surroundings surroundings() const;
+    float ease_of(Vec3f eye, const Surroundings& things) const;
     // Whether a thing may stand there on its top: in the room, out of others. `self`: its own index, if it has one.
     bool free_on_top(const Placed& placed, int self = -1) const;
     // Anew, when pieces have moved or left.

@@ -165,7 +165,7 @@ class Annealer {
                 if (group_[k] == group || placed_[k].flat != p.flat) continue;
                 const Vec2f d = boxes_[k].center - box.center;
                 const float near = box.half.x + box.half.y + boxes_[k].half.x + boxes_[k].half.y;
-                if (std::abs(d.x) < near && std::abs(d.y) < near && overlap(box, boxes_[k])) return false;
+                if (std::abs(d.x) < near && std::abs(d.y) < near && (overlap(box, boxes_[k]) || hides(p, placed_[k]) || hides(placed_[k], p))) return false;
             }
         }
         return true;

@@ -211,8 +211,19 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
             if (!is_furnished())
                 if (const auto i = l_.on_floor_near({0, 0}, r, wish)) return i;
             return on_a_table_of_its_own(r, wish);
-        case Mount::wall: return l_.on_wall(r, {}, wish);
+        case Mount::wall:
+            // On a wall full of other things in a smaller size.
+            for (const float size : {1.f, 0.78f, 0.6f, 0.45f}) {
+                PieceRequest smaller = r;
+                smaller.size_factor = std::max(0.25f, size * r.size_factor);
+                if (const auto i = l_.on_wall(smaller, {}, wish)) return i;
+                if (wish.size_m != Vec3f{}) break;
+            }
+            return {};
         case Mount::ceiling:
+            if (wish.klass == "cobweb") return l_.in_upper_corner(r, wish);
+            if (const auto cot = l_.find("crib"); wish.klass == "cot_mobile" && cot)
+                if (const auto i = l_.hanging(r, flat(at(*cot).position), wish)) return l_.join(*i, *cot), i;
             for (const Vec2f p : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
                 if (const auto i = l_.hanging(r, p, wish)) return i;
             return {};

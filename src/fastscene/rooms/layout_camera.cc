@@ -49,23 +49,37 @@ std::vector<int> Layout::unseen(Vec3f eye) const {
     return out;
 }
 
-float Layout::ease_of(Vec3f eye) const {
+// What stands in the room, as it is about the camera: where a piece reaches into the heights about the eyes (a bed with its head alone, a
+// desk with its lamp), and where it only keeps the feet away.
+struct Layout::Surroundings {
+    std::vector<Footprint> tall, low;
+};
+
+Layout::Surroundings Layout::surroundings() const {
+    constexpr float kBall = 0.7f;   // about the eyes
+    Surroundings out;
+    for (const Placed& p : placed_) {
+        if (p.flat) continue;
+        const Footprint whole = footprint_of(p);
+        if (whole.y1 < kEyeHeight) out.low.push_back(whole);
+        if (whole.y0 >= kEyeHeight + kBall) continue;
+        if (const auto tall = part_above(p, kEyeHeight - kBall)) out.tall.push_back(*tall);
+    }
+    return out;
+}
+
+float Layout::ease_of(Vec3f eye, const Surroundings& things) const {
     const Vec2f at = flat(eye);
     const float walls = plan_.wall_distance(at);
     float tall = plan_.air_around(eye), low = 1.f;
-    for (const Placed& p : placed_) {
-        if (p.flat) continue;
-        const Footprint f = footprint_of(p);
-        const float far = distance_to(f, at);
-        // Heights within the ball of 0.7 m about the eyes count fully; what is lower only keeps the feet away.
-        if (f.y1 > kEyeHeight - 0.7f && f.y0 < kEyeHeight + 0.7f) tall = std::min(tall, far);
-        else if (f.y1 < kEyeHeight) low = std::min(low, far);
-    }
+    for (const Footprint& f : things.tall) tall = std::min(tall, distance_to(f, at));
+    for (const Footprint& f : things.low) low = std::min(low, distance_to(f, at));
     // Beyond 0.9 m more space from things is no gain, beyond 1.6 m from walls and doors: close by they fill half of the picture and show
     // nothing. The middle of the room shows most of it.
-    float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 0.8f * std::min(low, 0.4f) - 0.35f * length(at);
+    float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 1.2f * std::min(low, 0.45f) - 0.35f * length(at);
     // Air around the eyes comes before all that may be seen, and behind a barrier of tables nobody stands.
-    constexpr float kMustBeFree = 0.58f;
+    constexpr float kMustBeFree = 0.58f, kNoWall = 1.05f;
+    score -= 1.6f * std::max(0.f, kNoWall - walls);
     if (tall < kMustBeFree) score -= 100.f * (kMustBeFree - tall) + 10.f;
     return score;
 }
@@ -73,10 +87,11 @@ float Layout::ease_of(Vec3f eye) const {
 Vec3f Layout::camera_position() const {
     Vec3f best{0, kEyeHeight, 0};
     float best_score = -1e9f;
+    const Surroundings things = surroundings();
     for (float x = -plan_.width / 2 + 0.6f; x <= plan_.width / 2 - 0.6f; x += 0.1f)
         for (float z = -plan_.depth / 2 + 0.6f; z <= plan_.depth / 2 - 0.6f; z += 0.1f) {
             const Vec3f eye{x, kEyeHeight, z};
-            float score = ease_of(eye);
+            float score = ease_of(eye, things);
             if (score <= best_score) continue;
             if (!ways_.reaches({x, z})) score -= 50.f;
             if (score <= best_score) continue;
@@ -91,12 +106,13 @@ Vec3f Layout::viewpoint() const {
     Vec3f best = camera_position();
     const std::size_t hidden = unseen(best).size();
     if (hidden == 0) return best;
-    float best_score = ease_of(best) - kWorthSeeing * static_cast<float>(hidden);
+    const Surroundings things = surroundings();
+    float best_score = ease_of(best, things) - kWorthSeeing * static_cast<float>(hidden);
     constexpr float kStep = 0.4f;
     std::vector<std::pair<float, Vec3f>> places;
     for (float x = -plan_.width / 2 + 0.6f; x <= plan_.width / 2 - 0.6f; x += kStep)
         for (float z = -plan_.depth / 2 + 0.6f; z <= plan_.depth / 2 - 0.6f; z += kStep)
-            if (const float score = ease_of({x, kEyeHeight, z}); score > best_score) places.push_back({score, {x, kEyeHeight, z}});
+            if (const float score = ease_of({x, kEyeHeight, z}, things); score > best_score) places.push_back({score, {x, kEyeHeight, z}});
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (const auto& [ease, eye] : places) {
         if (ease <= best_score) break;

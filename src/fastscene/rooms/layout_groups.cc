@@ -41,7 +41,7 @@ void Furnisher::sleeping_place(const std::string& klass) {
 void Furnisher::reading_corner(float probability) {
     const Layout::WallWish at_wall{.window_pull = 1.2f};
     put(
-        "armchair", probability,
+        wishes_.has("rocking_chair") ? "rocking_chair" : "armchair", probability,
         [=, this](const PieceRequest& r, const PromptObject& o) {
             if (o.relation.empty() || o.relation == "in the corner")
                 if (const auto i = l_.angled_towards({0, 0}, r, o)) return i;
@@ -55,7 +55,8 @@ void Furnisher::reading_corner(float probability) {
 }
 
 void Furnisher::bedroom() {
-    sleeping_place("bed");
+    // A room for one who asked for a single bed has no other.
+    sleeping_place(!wishes_.asked("bed") && wishes_.asked("bed_single") ? "bed_single" : "bed");
     wall("wardrobe", 0.85f, {.window_pull = -1});
     wall("dresser", 0.55f, {.window_pull = -0.5f});
     working_place(0.06f);
@@ -116,6 +117,7 @@ void Furnisher::seating_group() {
         return l_.against_wall(r, {}, o);
     };
     const int chairs = wishes_.count("armchair");
+    for (int i = wishes_.count("rocking_chair"); i > 0; --i) put("rocking_chair", 0, chair);
     for (int i = 0; i < (chairs > 0 ? chairs : 2); ++i) put("armchair", i == 0 ? 0.8f : 0.5f, chair);
     if (!small && wishes_.has("loveseat")) wall("loveseat", 1);
 }

@@ -106,6 +106,7 @@ class Furnisher {
     void finish();
     // ---- layout_reveal.cc: what was asked for is seen
     void reveal();
+    void uncover(Vec3f eye);
 
     // ---- layout_asked.cc: what was asked for
     // Places what was asked for at this piece.

@@ -88,11 +88,28 @@ void Layout::take_away(std::vector<int> pieces) {
 
 namespace furnishing {
 
+// What was asked for on the floor is no background of a plant that nobody asked for.
+void Furnisher::uncover(Vec3f eye) {
+    constexpr float kShown = 0.5f;   // of a piece
+    const Sight sight(l_.plan(), l_.placed());
+    std::set<int> hiders;
+    for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
+        const Placed& p = at(i);
+        if (p.wish.klass.empty() || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
+        const Sight::View view = sight.look(i, eye);
+        for (std::size_t k = 0; view.share < kShown && k < view.hiders.size() && k < 2; ++k)
+            if (const int h = view.hiders[k]; at(h).wish.klass.empty() && is_one_of(klass_of(h), {"plant", "plant_tree", "floor_lamp", "basket", "pouf", "ladder_shelf", "stool"}))
+                hiders.insert(h);
+    }
+    l_.take_away({hiders.begin(), hiders.end()});
+}
+
 void Furnisher::reveal() {
     if (l_.plan().joined) return;  // seen through its doorway alone
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds; ++round) {
         const Vec3f eye = l_.viewpoint();
+        if (round == 0) uncover(eye);
         const std::vector<int> unseen = l_.unseen(eye);
         if (unseen.empty()) return;
         for (const int i : unseen)

@@ -142,6 +142,9 @@ Sight::View Sight::look(int piece, Vec3f eye) const {
     }
     view.pixels = std::min(kMany, seen * points.area() / static_cast<float>(n));
     std::vector<std::pair<float, int>> order;
+    float covered = 0;
+    for (const auto& [by, size] : hidden) covered += size;
+    view.share = seen > 0 ? seen / (seen + covered) : 0;
     for (const auto& [by, size] : hidden)
         if (by >= 0) order.push_back({-size, by});
     std::sort(order.begin(), order.end());

@@ -15,6 +15,7 @@ class Sight {
 
     struct View {
         float pixels = 0;         // of a panorama of 512 x 256, about; what is large is counted no further than kMany
+        float share = 0;          // of what faces the eye, how much is seen: 0 … 1
         std::vector<int> hiders;  // the pieces before it, what hides most first
     };
     static constexpr float kMany = 60.f;

@@ -134,10 +134,14 @@ std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, 
 
 std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptObject& from) {
     const int first = placed_.empty() ? 0 : dice_.index(static_cast<int>(placed_.size()));
-    for (std::size_t k = 0; k < placed_.size(); ++k) {
+    // What was asked for stands on a wardrobe only when nothing lower has room.
+    constexpr float kInReach = 1.5f;
+    for (std::size_t k = 0; k < 2 * placed_.size(); ++k) {
         const int i = static_cast<int>((static_cast<std::size_t>(first) + k) % placed_.size());
         const Placed& p = placed_[static_cast<std::size_t>(i)];
         if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
+        const bool low = p.piece.surfaces.front().center.y < kInReach, second = k >= placed_.size();
+        if (second == low) continue;
         if (request.klass != "cat" && request.klass != "cushion" && furnishing::is_seat(p.piece.klass)) continue;
         // Three bowls in a row are a shop.
         const auto alike =
@@ -186,7 +190,8 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             p.position = face.point(u, y) + face.inward * 0.002f;
             const Footprint box = footprint_of(p, 0.03f);
             bool free = plan_.holds(footprint_of(p));
-            for (const Placed& other : placed_) free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f));
+            for (const Placed& other : placed_)
+                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f)) && !hides(other, p);
             if (!free) continue;
             float score =
                 wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (face.wall == 2 ? 0.4f : 0.f);
@@ -234,6 +239,26 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
         if (!other.flat && overlap(footprint_of(p, 0.05f), footprint_of(other))) return {};
     if (!leaves_way(p)) return {};
     return keep(p, from);
+}
+
+std::optional<int> Layout::in_upper_corner(const PieceRequest& request, const PromptObject& from) {
+    Placed p;
+    p.piece = make_piece(request);
+    p.overhead = true;
+    const Vec3f half = p.piece.size_m * 0.5f;
+    const int first = dice_.index(4);
+    for (int k = 0; k < 4; ++k) {
+        // Its own walls are at -x and -z: a quarter turn for each corner.
+        const int corner = (first + k) % 4;
+        p.yaw = kPi / 2 * static_cast<float>(corner);
+        const Vec3f out = right_of(p.yaw) * -1.f - front_of(p.yaw);
+        const float gap = 0.004f, across = corner % 2 == 0 ? half.x : half.z, along = corner % 2 == 0 ? half.z : half.x;
+        p.position = {(out.x < 0 ? -1.f : 1.f) * (plan_.width / 2 - across - gap), plan_.height, (out.z < 0 ? -1.f : 1.f) * (plan_.depth / 2 - along - gap)};
+        const Footprint box = footprint_of(p);
+        if (!plan_.holds(box)) continue;
+        if (std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); })) return keep(p, from);
+    }
+    return {};
 }
 
 int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {

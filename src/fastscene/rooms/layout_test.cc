@@ -292,6 +292,36 @@ TEST(Layout, PicturesHangAtEyeHeight) {
     }
 }
 
+// Nobody hangs a picture behind a shelf, or stands a shelf before a picture.
+TEST(Layout, NothingTallStandsBeforeAPicture) {
+    constexpr float kBefore = 0.12f;
+    for (const std::string& style : styles())
+        for (const std::uint64_t seed : {1u, 2u}) {
+            const LaidOut f = laid_out("a cluttered " + style + " living room with three pictures", seed);
+            for (const Placed& p : f.placed) {
+                if (p.piece.klass != "picture" || p.on >= 0) continue;
+                Footprint before = footprint_of(p);
+                before.half.y += kBefore / 2;
+                before.center = before.center + flat(front_of(p.yaw)) * (kBefore / 2);
+                for (const Placed& q : f.placed) {
+                    const bool tall = q.piece.mount == Mount::floor && !q.flat && q.on < 0 && q.piece.klass != "curtain" && footprint_of(q).y1 > before.y0 + 0.3f;
+                    EXPECT_FALSE(tall && overlap(before, footprint_of(q))) << style << ", seed " << seed << ": " << q.piece.klass;
+                }
+            }
+        }
+}
+
+// What is low beside what is high is not as high: one may stand beside a bed, whatever its head.
+TEST(Layout, OnlyTheHeadOfABedIsHigh) {
+    const LaidOut f = laid_out("a rustic bedroom with a single bed", 1);
+    const auto bed = std::find_if(f.placed.begin(), f.placed.end(), [](const Placed& p) { return p.piece.klass == "bed_single"; });
+    ASSERT_TRUE(bed != f.placed.end());
+    const auto head = part_above(*bed, 0.8f);
+    ASSERT_TRUE(head);
+    EXPECT_LT(head->half.y, 0.3f * bed->piece.size_m.z);
+    EXPECT_FALSE(part_above(*bed, 2.5f));
+}
+
 TEST(Layout, NothingHangsBeforeAWindow) {
     for (const std::string& room : room_types())
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
@@ -369,10 +399,11 @@ TEST(Layout, AWayLeadsFromTheDoorToTheCameraEvenInACrowd) {
             EXPECT_TRUE(ways.reaches({f.camera.x, f.camera.z})) << text << ", seed " << seed;
             float nearest = std::min(f.plan.width / 2 - std::abs(f.camera.x), f.plan.depth / 2 - std::abs(f.camera.z));
             for (const Placed& p : f.placed) {
-                const Footprint box = footprint_of(p);
-                if (!p.flat)
-                    nearest = std::min(
-                        nearest, std::hypot(distance_to(box, {f.camera.x, f.camera.z}), std::max({0.f, box.y0 - f.camera.y, f.camera.y - box.y1})));
+                // Of a bed its head alone is as high as the eyes.
+                const auto box = part_above(p, f.camera.y - 0.45f);
+                if (!p.flat && box)
+                    nearest = std::min(nearest, std::hypot(distance_to(*box, {f.camera.x, f.camera.z}),
+                                                           std::max({0.f, box->y0 - f.camera.y, f.camera.y - box->y1})));
             }
             EXPECT_GE(nearest, 0.45f) << text << ", seed " << seed;
         }

@@ -44,6 +44,8 @@ Ways::Ways(const Plan& plan)
     open_ = leads_to_a_view(cells_);
 }
 
+constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
+
 Vec2f Ways::center(int i, int j) const {
     return {(static_cast<float>(i) + 0.5f) * kCell - plan_->width / 2, (static_cast<float>(j) + 0.5f) * kCell - plan_->depth / 2};
 }
@@ -57,7 +59,9 @@ int Ways::cell_near(Vec2f p) const {
 void Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     if (placed.flat) return;
     const Footprint box = footprint_of(placed);
-    const bool feet = placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.klass != "curtain";
+    // One steps over a toy.
+    const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
+    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.klass != "curtain";
     const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
     if (!feet && !eyes) return;
     for (int j = 0; j < rows_; ++j)

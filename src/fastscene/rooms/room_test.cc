@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fastscene/base/random.h"
+#include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
@@ -286,6 +287,20 @@ TEST(Room, AColorOfNoPieceIsOnTheWalls) {
             });
             EXPECT_TRUE(there) << text << ' ' << seed;
         }
+}
+
+// Two colors of a room are not on one wall alone: cloth and rug wear them.
+TEST(Room, ColorsOfTheRoomAreInItsCloth) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        PromptSpec spec = understand_prompt("a bedroom in lavender and white", false);
+        fastscene::Run run;
+        run.seed = seed;
+        const FurnishedRoom room = furnish_room(spec, run);
+        const auto near = [](Vec3f a, Vec3f b) { return length(a - b) < 0.05f; };
+        EXPECT_TRUE(near(room.plan.style.fabric2.color_a, *color_named("lavender")));
+        EXPECT_TRUE(near(room.plan.style.fabric.color_a, *color_named("white")));
+        EXPECT_TRUE(near(room.plan.style.rug.color_b, *color_named("lavender")));
+    }
 }
 
 TEST(Room, BathroomShelvesHoldNoBooks) {

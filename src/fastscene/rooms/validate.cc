@@ -116,9 +116,13 @@ class Checker {
         std::string what = "a wall";
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             if (placed_[i].flat) continue;
-            const Footprint box = footprint_of(placed_[i]);
-            const float far = std::hypot(distance_to(box, flat(camera)), std::max({0.f, box.y0 - camera.y, camera.y - box.y1}));
-            if (far < nearest) nearest = far, what = name(i);
+            const auto apart = [&](const Footprint& box) {
+                return std::hypot(distance_to(box, flat(camera)), std::max({0.f, box.y0 - camera.y, camera.y - box.y1}));
+            };
+            if (apart(footprint_of(placed_[i])) >= nearest) continue;
+            // Of a bed the head alone is as high as that.
+            const auto high = part_above(placed_[i], camera.y - kEyeAir);
+            if (const float far = high ? apart(*high) : nearest; far < nearest) nearest = far, what = name(i);
         }
         if (!(nearest >= kEyeAir)) add("camera", what + " is " + std::to_string(nearest).substr(0, 4) + " m from the camera");
     }
