@@ -75,7 +75,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f : 0.3f;
     sky.seed = dice.next_u32();
     sky.snow = spec.weather == "snowy";
-    sky.seen = light->sun_elevation_deg > 5 && light->time != Sky::Time::night ? 0.13f : 1.f;
+    // At dusk the room is exposed for its lamps: what is outside is deep blue.
+    sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.35f : 0.13f;
     sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
