@@ -51,8 +51,10 @@ int Kit::main(Material m) {
         }
     const std::array<std::pair<std::string_view, Pattern>, 9> patterns{{{"striped", Pattern::stripes}, {"stripes", Pattern::stripes}, {"floral", Pattern::floral}, {"damask", Pattern::damask}, {"checkered", Pattern::checker},
                                                                        {"knitted", Pattern::knit}, {"tiled", Pattern::tile}, {"marble", Pattern::marble}, {"wicker", Pattern::wicker}}};
+    bool patterned = false;
     for (const auto& [name, pattern] : patterns)
         if (request.pattern == name) {
+            patterned = true;
             m.pattern = pattern;
             m.scale_m = pattern == Pattern::floral || pattern == Pattern::damask ? 0.18f : pattern == Pattern::knit ? 0.012f : 0.05f;
             m.color_b = lerp(m.color_a, style.palette[0], 0.8f);
@@ -61,7 +63,7 @@ int Kit::main(Material m) {
     if (color) {
         const Material old = m;
         m = tinted(m, *color);
-        if (!request.pattern.empty() && request.pattern != "plain") m.color_b = lerp(*color, {0.8f, 0.78f, 0.72f}, 0.75f);
+        if (patterned) m.color_b = lerp(*color, {0.8f, 0.78f, 0.72f}, 0.75f);
         if (old.metal < 0.5f && luminance(m.color_b) < 0.01f) m.color_b = *color * 0.7f;
         m.name = (request.color_name.empty() ? "colored" : request.color_name) + " " + old.name;
     }

@@ -147,6 +147,23 @@ TEST(Style, BrickIsNotPink) {
     }
 }
 
+// A corner sofa reaches out on one side, and is of one cloth with its seat.
+TEST(Furniture, ACornerSofaHasItsLongSeat) {
+    for (const std::string& style : styles()) {
+        PieceRequest r;
+        r.klass = "sofa", r.style = &style_named(style);
+        const Piece straight = make_piece(r);
+        r.pattern = "corner";
+        r.color_name = "gray";
+        const Piece corner = make_piece(r);
+        EXPECT_GT(corner.size_m.z, straight.size_m.z + 0.5f) << style;
+        check_piece(corner);
+        const Material& m = corner.materials[static_cast<std::size_t>(corner.main_material)];
+        EXPECT_GT(luminance(m.color_b), 0.4f * luminance(m.color_a)) << style;
+        EXPECT_LT(luminance(m.color_b), 1.3f * luminance(m.color_a)) << style;
+    }
+}
+
 // Fluffy is one color of deep pile, not a woven pattern.
 TEST(Furniture, AFluffyRugHasNoPattern) {
     for (const std::string& style : styles()) {

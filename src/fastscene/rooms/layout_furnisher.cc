@@ -71,6 +71,14 @@ std::optional<int> Furnisher::main_at_wall(const std::string& klass, Layout::Wal
 std::optional<int> Furnisher::at_wall(const PieceRequest& r, Layout::WallWish w, const PromptObject& o) {
     w.spare = spare_for(o.klass.empty() ? r.klass : o.klass);
     if (const auto i = l_.against_wall(r, w, o)) return i;
+    if (r.pattern == "corner") {
+        PieceRequest straight = r;
+        straight.pattern.clear();
+        if (const auto i = l_.against_wall(straight, w, o)) {
+            l_.spec().assumed.push_back("shape of the " + o.words + ": straight, there is no room for its corner");
+            return i;
+        }
+    }
     // Better below a window than not at all, when it was asked for.
     if (o.klass.empty() || !w.clear_of_windows) return {};
     w.clear_of_windows = false;

@@ -182,7 +182,8 @@ void Furnisher::eating_place(int seats) {
     } else if (is_furnished() && !wishes_.asked("chair") && !wishes_.forbids("chair") && chairs_there() == 0) {
         l_.around(table, l_.request("chair"), seats);
     }
-    top(table, chance(0.6f) ? "vase" : "bowl", 0.9f);
+    const bool flowers = wishes_.asked("bouquet");   // they stand there
+    top(table, !flowers && chance(0.6f) ? "vase" : "bowl", 0.9f);
     later([=, this] {
         if (chance(clutter_)) top(table, "candle", 0.7f);
     });
