@@ -76,7 +76,7 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.seed = dice.next_u32();
     sky.snow = spec.weather == "snowy";
     // At dusk the room is exposed for its lamps: what is outside is deep blue.
-    sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.35f : 0.13f;
+    sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.22f : 0.13f;
     sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
