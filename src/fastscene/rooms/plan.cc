@@ -202,9 +202,13 @@ void dress_in(const std::vector<std::string>& names, Style& style) {
     tint(style.fabric2, first);
     tint(style.fabric, second);
     tint(style.curtain, lerp(first, light, 0.65f));
+    // White on white shows nothing: in rooms of neutrals alone rugs, pictures and small things stay as the style has them.
+    const auto neutral = [](Vec3f c) { return std::max({c.x, c.y, c.z}) - std::min({c.x, c.y, c.z}) < 0.12f; };
+    std::erase_if(colors, neutral);
+    if (colors.empty()) return;
     style.rug.color_a = lerp(second, light, 0.35f);
-    style.rug.color_b = first;
-    style.rug.color_c = lerp(first, light, 0.5f);
+    style.rug.color_b = colors.front();
+    style.rug.color_c = lerp(colors.front(), light, 0.5f);
     // Every other small thing; the rest keeps the room from being a uniform.
     for (std::size_t i = 0; i < style.palette.size(); i += 2) style.palette[i] = colors[i / 2 % colors.size()];
 }

@@ -301,6 +301,11 @@ TEST(Room, ColorsOfTheRoomAreInItsCloth) {
         EXPECT_TRUE(near(room.plan.style.fabric.color_a, *color_named("white")));
         EXPECT_TRUE(near(room.plan.style.rug.color_b, *color_named("lavender")));
     }
+    // Pictures of a white room are not white.
+    PromptSpec white = understand_prompt("a modern white living room", false);
+    fastscene::Run run;
+    const std::vector<Vec3f> palette = furnish_room(white, run).plan.style.palette;
+    EXPECT_TRUE(std::equal(palette.begin(), palette.end(), style_named("modern").palette.begin(), [](Vec3f a, Vec3f b) { return a == b; }));
 }
 
 TEST(Room, BathroomShelvesHoldNoBooks) {
