@@ -362,6 +362,17 @@ void cobweb(Kit& k) {
             shapes::append(arcs, shapes::tube(path, 0.0013f, 4));
         }
     }
+    // Next to the corner it is so old that dust has made a film of it, torn at its edge.
+    Material film = plain("dusty web", {0.5f, 0.49f, 0.46f}, 0.95f);
+    film.transmission = 0.5f;
+    const std::uint32_t seed = k.seed();
+    k.add(shapes::slab(24, 4, 0.001f,
+                       [&](float u, float v) {
+                           const float at = u * static_cast<float>(ends.size() - 1), far = (0.5f + 0.14f * shapes::wobble({u * 11, 0, 0}, seed)) * (0.04f + 0.96f * v);
+                           const auto i = std::min(static_cast<std::size_t>(at), ends.size() - 2);
+                           return lerp(ends[i], ends[i + 1], at - static_cast<float>(i)) * (far * (1.f - 0.05f * std::sin(kPi * (at - std::floor(at)))));
+                       }),
+          k.material(film));
     // A few that hang down, with dust on them.
     for (int i = 0; i < 5; ++i) {
         const Vec3f from = ends[static_cast<std::size_t>(k.dice.index(static_cast<int>(ends.size())))] * k.dice.uniform(0.5f, 0.95f);
