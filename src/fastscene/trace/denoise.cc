@@ -18,8 +18,8 @@ constexpr float kOffPlane = 0.12f;            // how far off a pixel's plane, by
 
 bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
-// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together; and a
-// pixel that is surer of its error than they are is believed, or one lucky ray would stay a speck.
+// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together how far a ray strays;
+// and a pixel that is surer of its error than they are is believed, or one lucky ray would stay a speck.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     constexpr int kReach = 2;
     ImageF out(variance.width, variance.height);
@@ -33,10 +33,10 @@ ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
                         if (guides.wraps) qx = wrap_column(qx, variance.width);
                         else if (qx < 0 || qx >= variance.width) continue;
                         if (!is_surface(guides.normal.at(qx, qy))) continue;
-                        sum += variance.at(qx, qy);
+                        sum += variance.at(qx, qy) * guides.rays_of(qx, qy);
                         ++count;
                     }
-                out.at(x, y) = std::max(variance.at(x, y), count > 0 ? sum / count : 0.f);
+                out.at(x, y) = std::max(variance.at(x, y), count > 0 ? sum / (count * guides.rays_of(x, y)) : 0.f);
             }
     });
     return out;
@@ -74,7 +74,8 @@ struct Level {
                 if (guides.wraps) qx = wrap_column(qx, width);
                 else if (qx < 0 || qx >= width) continue;
                 const float spline = kSpline[static_cast<std::size_t>(i + 2)] * kSpline[static_cast<std::size_t>(j + 2)];
-                const float w = i == 0 && j == 0 ? spline : spline * agreement(position, normal, bright, own, qx, qy);
+                const float agrees = i == 0 && j == 0 ? 1.f : agreement(position, normal, bright, own, qx, qy);
+                const float w = spline * agrees * guides.rays_of(qx, qy);   // a mean of all rays, not of pixels
                 sum += light.value.at(qx, qy) * w;
                 weights += w;
                 squares += w * w * light.variance.at(qx, qy);

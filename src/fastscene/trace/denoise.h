@@ -18,6 +18,8 @@ struct NoisyLight {
 struct Guides {
     ImageColor position, normal;     // of the first hit; a normal of zero: nothing, neither changed nor used
     bool wraps = false;              // the last column is the first one's neighbour
+    ImageF rays = {};                // how many a pixel's light is the mean of; empty: all of equally many
+    float rays_of(int x, int y) const { return rays.empty() ? 1.f : rays.at(x, y); }
 };
 
 // How much a pixel shows the surface at `position`: 1 = the same plane, 0 = another. `normal` of length 1.

@@ -50,6 +50,19 @@ TEST(Denoise, ASpeckThatKnowsItselfGoes) {
     EXPECT_LT(wall.light.value.at(30, 12).x, 1.6f);
 }
 
+// Four rays that missed the lamp agree with each other; the pixels around had a hundred rays and know how far one strays.
+TEST(Denoise, AFewRaysThatAgreeAreNotBelieved) {
+    Wall wall;
+    wall.guides.rays = ImageF(kWidth, kHeight, 100.f);
+    wall.guides.rays.at(30, 12) = 4;
+    wall.light.value.at(30, 12) = {0.2f, 0.2f, 0.2f};
+    wall.light.variance.at(30, 12) = 0;
+    const Vec3f beside = wall.light.value.at(31, 12);
+    denoise(wall.light, wall.guides, 4);
+    EXPECT_GT(wall.light.value.at(30, 12).x, 0.9f);
+    EXPECT_NEAR(wall.light.value.at(31, 12).x, 1.f, 0.5f * std::abs(beside.x - 1) + 0.03f);
+}
+
 TEST(Denoise, AShadowsEdgeStaysWhereItIs) {
     Wall wall(3.f);   // a step of twenty standard errors
     denoise(wall.light, wall.guides, 4);

@@ -14,7 +14,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kVeryNoisy = 0.06f;   // relative standard error of a pixel's light
+constexpr float kNoisy = 0.03f;       // relative standard error of a pixel's light
 constexpr int kLeastRound = 3;        // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.
@@ -128,6 +128,7 @@ struct NoisyPicture {
         const ImageColor black(eye.width, eye.height);
         radiance = diffuse = shine = rest_color = guides.position = guides.normal = black;
         for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
+        guides.rays = own_share;
         guides.wraps = eye.panorama;
     }
     void set(int x, int y, const PixelSum& p) {
@@ -143,6 +144,7 @@ struct NoisyPicture {
         }
         guides.position.at(x, y) = p.own.position;
         guides.normal.at(x, y) = p.own.normal;
+        guides.rays.at(x, y) = static_cast<float>(p.own.count);
         if (p.second.count == 0) return;
         const SurfaceSum& other = p.second;
         const float of_other = 1 / static_cast<float>(other.count);
@@ -198,14 +200,16 @@ struct NoisyPicture {
     }
 };
 
-// Whether a pixel needs another round of rays. With a denoiser to come textures need a few more, and very noisy light; outlines most.
+// Whether a pixel needs another round of rays. With a denoiser to come an even texture needs a few more, an outline some, and most are for
+// light that is noisy itself, as in the shade beside things: of what a few rays say of it the denoiser makes ragged edges.
 bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
     if (pixel.taken >= samples) return false;
     const float error = pixel.shown.of_srgb_mean();
     if (!parts.denoise) return error > parts.noise;
-    if (pixel.taken >= samples / 2 || !(error > parts.noise)) return false;
-    if (pixel.mixed()) return pixel.taken < samples / 4 || error > 2 * parts.noise;
-    return pixel.taken < samples / 4 && (pixel.own.texture.of_srgb_mean() > parts.noise || pixel.own.noisy(kVeryNoisy));
+    if (!(error > parts.noise)) return false;
+    if (pixel.own.noisy(kNoisy)) return pixel.taken < samples / 2;
+    if (pixel.mixed()) return pixel.taken < samples / 4 || (pixel.taken < samples / 2 && error > 2 * parts.noise);
+    return pixel.taken < samples / 4 && pixel.own.texture.of_srgb_mean() > parts.noise;
 }
 
 }  // namespace
