@@ -62,9 +62,10 @@ class IrradianceCache {
         float trust = 0;
         bool seen = true;   // by somebody who steps about the eyes
     };
-    // A bit of surface that the sun lights, as a lamp for the rest of the room.
+    // A cell that the sun lights, as a lamp for the rest of the room. It shines from the very places that lie in the sun: a cell's center may lie
+    // behind an edge, or in the shade.
     struct SunPatch {
-        Vec3f position, normal;
+        std::uint32_t first, count;   // of sun_places_
         Vec3f leaving;      // radiant exitance
         float area;
         float useful;       // the share of the room that sees it
@@ -88,8 +89,8 @@ class IrradianceCache {
     void doubt_edges();
 
     // The steps of gather(), in order.
-    void light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed);
-    void find_sun_patches(const SceneBvh& bvh, std::uint64_t seed);
+    std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed);
+    void find_sun_patches(const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed);
     void gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
     struct Pass;
     void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress, Pass& pass);
@@ -107,6 +108,7 @@ class IrradianceCache {
     std::vector<Slot> slots_;                      // open addressing
     std::uint32_t mask_ = 0;
     std::vector<SunPatch> sun_patches_;
+    std::vector<Place> sun_places_;
     std::vector<float> sun_powers_;                // cumulative, by patch
 };
 

@@ -21,13 +21,24 @@ constexpr int kMaxSamples = 12;      // places kept in a cell
 constexpr float kEven = 0.12f;       // of a cell: how far off their plane the places of an even one may lie
 enum : std::uint8_t { kBuried, kCrevice };
 
+// The middle of piece `i` of `n`.
+float middle(int i, int n) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(n); }
+
+// How many middles of nu x nv pieces of a parallelogram lie in one of its two triangles. More than half: those on the diagonal are in both.
+int points_within(int nu, int nv) {
+    int count = 0;
+    for (int ui = 0; ui < nu; ++ui)
+        for (int vi = 0; vi < nv; ++vi) count += middle(ui, nu) + middle(vi, nv) <= 1.f;
+    return std::max(1, count);
+}
+
 }  // namespace
 
 // Spreads points over every triangle, half a cell apart or closer, and sorts them into cells.
 void IrradianceCache::build(const Room& room) {
     struct Entry {
         std::uint64_t key;
-        std::uint32_t order;  // random: which points a full cell keeps
+        std::uint32_t order;  // random: within a cell
         Place sample;
         float area;
         int material;
@@ -51,11 +62,10 @@ void IrradianceCache::build(const Room& room) {
             const Vec3f flat = normalize(cross(ab, ac));
             const auto pieces = [&](Vec3f edge) { return std::max(1, static_cast<int>(std::ceil(length(edge) / step))); };
             const int nu = pieces(ab), nv = pieces(ac);
-            const int points = nu == 1 && nv == 1 ? 1 : std::max(1, nu * nv / 2);
-            area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points);
+            area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points_within(nu, nv));
             for (int ui = 0; ui < nu; ++ui)
                 for (int vi = 0; vi < nv; ++vi) {
-                    float u = (static_cast<float>(ui) + 0.5f) / static_cast<float>(nu), v = (static_cast<float>(vi) + 0.5f) / static_cast<float>(nv);
+                    float u = middle(ui, nu), v = middle(vi, nv);
                     if (u + v > 1.f) {
                         if (nu > 1 || nv > 1) continue;
                         u = v = 1.f / 3;
@@ -85,17 +95,25 @@ void IrradianceCache::build(const Room& room) {
         Vec3f center{}, normal{};
         keys_.push_back(entries[i].key);
         first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
-        int kept = 0;
         float whole = 0;
-        const Vec3f color = reflectances_[static_cast<std::size_t>(entries[i].material)];
-        for (; end < entries.size() && entries[end].key == entries[i].key; ++end) {
-            whole += entries[end].area;
-            if (kept < kMaxSamples) {
-                samples_.push_back(entries[end].sample);
-                center += entries[end].sample.position;
-                normal += entries[end].sample.normal;
-                ++kept;
+        for (; end < entries.size() && entries[end].key == entries[i].key; ++end) whole += entries[end].area;
+        const std::size_t kept = std::min<std::size_t>(kMaxSamples, end - i);
+        Vec3f color{};
+        float passed = entries[i].area;
+        std::size_t at = i;
+        for (std::size_t k = 0; k < kept; ++k) {
+            // A cell of a hundred slivers along a rounded edge and of the board behind them is mostly board: places are drawn by their area, evenly
+            // along its sum. Rims alone have none.
+            if (whole > 0) {
+                const float wanted = whole * (static_cast<float>(k) + 0.5f) / static_cast<float>(kept);
+                while (passed < wanted && at + 1 < end) passed += entries[++at].area;
+            } else {
+                at = i + k;
             }
+            samples_.push_back(entries[at].sample);
+            center += entries[at].sample.position;
+            normal += entries[at].sample.normal;
+            color += reflectances_[static_cast<std::size_t>(entries[at].material)] / static_cast<float>(kept);
         }
         cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole,
                           room.materials[static_cast<std::size_t>(entries[i].material)].transmission, 0.f});

@@ -18,19 +18,29 @@ namespace {
 
 // A sunlit cell close by is asked too rarely and answers too loudly: within so many cells the bounce finds it instead.
 constexpr float kNearSun = 8;
+constexpr float kShort = 0.9999f;   // of the way to a place that shines: not into its own surface
 
 }  // namespace
 
 // Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room that see it:
 // the outer side of a curtain is bright and lights nothing.
-void IrradianceCache::find_sun_patches(const SceneBvh& bvh, std::uint64_t seed) {
+void IrradianceCache::find_sun_patches(const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed) {
     constexpr int kPlaces = 24;
-    for (const Cell& cell : cells_) {
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const Cell& cell = cells_[c];
         const Vec3f back = cell.sun * cell.albedo;
         if (!(luminance(back) * cell.area > 0)) continue;
-        const float lift = 0.02f * cell_m_;
-        sun_patches_.push_back({cell.center + cell.normal * lift, cell.normal, back * (1.f - cell.transmission), cell.area, 0.f});
-        if (cell.transmission > 0) sun_patches_.push_back({cell.center - cell.normal * lift, -cell.normal, back * cell.transmission, cell.area, 0.f});
+        const auto add = [&](float side, Vec3f leaving) {
+            const auto first = static_cast<std::uint32_t>(sun_places_.size());
+            for (int s = 0; s < kSunSamples; ++s) {
+                const Place& at = place(c, s);
+                const Vec3f normal = at.normal * side;
+                if (sunny[c] >> s & 1u) sun_places_.push_back({at.position + normal * distance_epsilon(at.position), normal});
+            }
+            sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, leaving, cell.area, 0.f});
+        };
+        add(1, back * (1.f - cell.transmission));
+        if (cell.transmission > 0) add(-1, back * cell.transmission);
     }
     parallel_for(static_cast<std::int64_t>(sun_patches_.size()), 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -39,10 +49,11 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, std::uint64_t seed) 
             float seen = 0;
             for (int k = 0; k < kPlaces; ++k) {
                 const Cell& place = cells_[static_cast<std::size_t>(random.index(static_cast<int>(cells_.size())))];
-                const Vec3f from = place.center + place.normal * (0.05f * cell_m_), to = patch.position - from;
+                const Place& shining = sun_places_[patch.first + static_cast<std::uint32_t>(k) % patch.count];
+                const Vec3f from = place.center + place.normal * (0.05f * cell_m_), to = shining.position - from;
                 const float far = length(to);
-                if (!(dot(to, patch.normal) < 0 && dot(to, place.normal) > 0)) continue;
-                seen += bvh.blocked(from, to / far, 0.f, far - 0.3f * cell_m_) ? 0.f : 1.f;
+                if (!(dot(to, shining.normal) < 0 && dot(to, place.normal) > 0)) continue;
+                seen += bvh.blocked(from, to / far, 0.f, far * kShort) ? 0.f : 1.f;
             }
             // Never quite zero: a few places may see it that were not asked.
             patch.useful = 0.02f + seen / kPlaces;
@@ -55,15 +66,20 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, std::uint64_t seed) 
 // What arrives from one sunlit patch, drawn by its power and usefulness.
 Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which) const {
     if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
-    const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), which * sun_powers_.back());
-    const auto found = static_cast<std::size_t>(at_or_after - sun_powers_.begin());
-    const SunPatch& patch = sun_patches_[std::min(found, sun_patches_.size() - 1)];
-    const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = patch.position - from;
+    const float drawn = which * sun_powers_.back();
+    const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), drawn);
+    const auto found = std::min(static_cast<std::size_t>(at_or_after - sun_powers_.begin()), sun_patches_.size() - 1);
+    const SunPatch& patch = sun_patches_[found];
+    // What is left of the number that drew the patch draws the place.
+    const float below = found > 0 ? sun_powers_[found - 1] : 0.f, share = (drawn - below) / std::max(1e-30f, sun_powers_[found] - below);
+    const auto which_place = std::min(patch.count - 1, static_cast<std::uint32_t>(std::max(0.f, share) * static_cast<float>(patch.count)));
+    const Place& shining = sun_places_[patch.first + which_place];
+    const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = shining.position - from;
     const float d2 = dot(to, to), far = std::sqrt(d2);
     if (!(far > kNearSun * cell_m_)) return {};
     const Vec3f direction = to / far;
-    const float here = dot(at.normal, direction), there = -dot(patch.normal, direction);
-    if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far - 0.3f * cell_m_)) return {};
+    const float here = dot(at.normal, direction), there = -dot(shining.normal, direction);
+    if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
     const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
     return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
 }

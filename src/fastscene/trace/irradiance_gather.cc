@@ -68,19 +68,24 @@ std::uint64_t IrradianceCache::random_key(std::size_t cell, std::uint64_t pass, 
     return seed ^ mix64(keys_[cell] ^ mix64(pass));
 }
 
-// The sun first: what it lights is bright and small, and lights the rest of the room.
-void IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed) {
-    constexpr int kSunSamples = 16;
+// The sun first: what it lights is bright and small, and lights the rest of the room. Tells which of a cell's first kSunSamples places it reaches, a
+// bit each.
+std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed) {
+    std::vector<std::uint16_t> sunny(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
             Random random(random_key(c, 100, seed));
-            Vec3f sun{};
-            for (int s = 0; s < kSunSamples; ++s)
-                sun += lights.sun(room, bvh, place(c, s).position, place(c, s).normal, {random.uniform(), random.uniform()});
-            cells_[c].sun = sun / static_cast<float>(kSunSamples);
+            Vec3f sum{};
+            for (int s = 0; s < kSunSamples; ++s) {
+                const Vec3f sun = lights.sun(room, bvh, place(c, s).position, place(c, s).normal, {random.uniform(), random.uniform()});
+                if (luminance(sun) > 0) sunny[c] = static_cast<std::uint16_t>(sunny[c] | 1u << s);
+                sum += sun;
+            }
+            cells_[c].sun = sum / static_cast<float>(kSunSamples);
         }
     });
+    return sunny;
 }
 
 // Then lamps, windows and the first bounce of the sun, each asked directly.
@@ -211,8 +216,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     const Lights lights(room);
     // Gathering is three quarters of the work: progress counts cells over all passes.
     Progress progress(run, "light", (static_cast<std::int64_t>(cache.cells_.size()) / 1024 + 1) * (kPasses + 1));
-    cache.light_by_sun(room, bvh, lights, run.seed);
-    cache.find_sun_patches(bvh, run.seed);
+    cache.find_sun_patches(bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
     cache.doubt_edges();

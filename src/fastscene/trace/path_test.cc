@@ -156,5 +156,50 @@ TEST(Path, CachedPicturesAgree) {
     EXPECT_NEAR(cached / paths, 1.0, 0.05);
 }
 
+// A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut into `cut` x `cut` squares.
+Room shingled_room(int cut) {
+    Room room;
+    room.min_corner = kLow, room.max_corner = kHigh;
+    room.materials = {diffuse({0.6f, 0.6f, 0.6f}), diffuse({0, 0, 0})};
+    room.sky.sun_dir = {0, -1, 0};
+    room.sky.sun_irradiance = {10, 10, 10};
+    room.meshes = {box_mesh({kLow.x, kLow.y - 3, kLow.z - 0.2f}, {kHigh.x, kHigh.y, kLow.z}, 0, -1, false),
+                   box_mesh({-1.5f, -0.5f, 1}, {1.5f, 1, 1.1f}, 0, -1, false),   // which only they light
+                   // Black all around, but for the sky: places that see nothing are taken for the outside of the room.
+                   box_mesh({kLow.x, kHigh.y, kLow.z}, {kHigh.x, kHigh.y + 0.2f, kHigh.z}, 1, -1, false),
+                   box_mesh({kLow.x - 0.2f, kLow.y, kLow.z}, {kLow.x, kHigh.y, kHigh.z}, 1, -1, false),
+                   box_mesh({kHigh.x, kLow.y, kLow.z}, {kHigh.x + 0.2f, kHigh.y, kHigh.z}, 1, -1, false)};
+    Mesh shingles;
+    const float side = 0.03f / static_cast<float>(cut);
+    const Vec3f normal = normalize(Vec3f{0, -0.6f, 1}), across{1, 0, 0}, up = cross(normal, across);
+    for (float x = -1.5f; x < 1.5f; x += 0.06f)
+        for (int i = 0; i < cut; ++i)
+            for (int k = 0; k < cut; ++k) {
+                const Vec3f at = Vec3f{x, 0.2f, kLow.z + 0.01f} + across * (side * static_cast<float>(i)) + up * (side * static_cast<float>(k));
+                for (const Vec3f p : {at, at + across * side, at + up * side, at + up * side, at + across * side, at + across * side + up * side}) {
+                    shingles.triangles.push_back(static_cast<std::uint32_t>(shingles.positions.size()));
+                    shingles.positions.push_back(p);
+                    shingles.normals.push_back(normal);
+                    shingles.coords.push_back(p);
+                }
+            }
+    room.meshes.push_back(std::move(shingles));
+    return room;
+}
+
+// What lies in a cell counts by its area: slivers along a sunlit edge do not make their whole cell sunny.
+TEST(Path, LightDoesNotDependOnHowSurfacesAreCut) {
+    const auto light_of_board = [](int cut) {
+        TracedRoom traced(shingled_room(cut));
+        traced.gather_light({.cell_m = 0.06f, .cell_samples = 256, .pixel_samples = 16}, {});
+        const ImageColor image = traced.panorama({}, {64, 32}, {.color = true, .range = false, .pixel_samples = 16, .radiance = true}, {}).color;
+        double sum = 0;
+        for (int y = 14; y < 20; ++y)
+            for (int x = 26; x < 38; ++x) sum += static_cast<double>(luminance(image.at(x, y)));
+        return sum;
+    };
+    EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);   // 1.44 where places count alike
+}
+
 }  // namespace
 }  // namespace fastscene
