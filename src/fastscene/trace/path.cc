@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMaxBounces = 48;
 constexpr int kSureBounces = 3;   // no path ends before by chance
+constexpr float kWideSun = 0.2f;  // glossy surfaces mirror the sun to the rest of the room as if they were so rough: a sharp glint is met by few paths
 
 // What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
 struct Arrival {
@@ -53,8 +54,8 @@ struct Local {
     }
 };
 
-// The direct light of one lamp or window, and of the sun.
-Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, Sampler& sampler) {
+// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface.
+Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, bool first, Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
     const Vec3f normal = behind ? -s.normal : s.normal;
     Vec3f sum{};
@@ -71,6 +72,7 @@ Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choi
     const Vec3f facing = behind ? normal : s.bumped;
     const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc);
     if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse * local.relief) * sun * (1.f / kPi);
+    if (luminance(sun) > 0 && !behind) sum += sun_glint(scene.room.sky, s, local.r, local.direction, sun, first ? kSharpestSun : kWideSun);
     return sum;
 }
 
@@ -108,7 +110,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
             next.choice = scene.lights.choice_at(s.position, next.normal);
-            sum += throughput * asked_light(scene, local, next.choice, side, sampler) *
+            sum += throughput * asked_light(scene, local, next.choice, side, bounce == 0, sampler) *
                    (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();

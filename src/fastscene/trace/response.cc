@@ -71,6 +71,12 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
     return a2 / (kPi * k * k) * c / (4 * o);
 }
 
+Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha) {
+    const float cosine = dot(surface.bumped, sky.sun_dir);
+    if (!(response.alpha > 0 && cosine > 0)) return {};
+    return response.shine * sun * (ggx_density(surface.bumped, std::max(response.alpha, least_alpha), direction, sky.sun_dir) / cosine);
+}
+
 Vec3f cosine_direction(Vec3f n, Vec2f u) {
     Vec3f s, t;
     make_frame(n, s, t);

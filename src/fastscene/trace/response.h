@@ -21,6 +21,10 @@ Vec3f mean_reflectance(const Material& material, Vec3f albedo);
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u);
 // Density per solid angle of the direction that mirroring `direction` in such a half vector gives.
 float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out);
+// The radiance towards -direction of the sun in a glossy surface, whose disc no ray meets by chance; `sun`: its irradiance there. Surfaces smoother
+// than `least_alpha` spread it as if they were that rough, so that no pixel sparkles; a perfect mirror shows none.
+inline constexpr float kSharpestSun = 0.1f;   // least_alpha of what a camera sees
+Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha);
 // Cosine-weighted direction about n; u in [0, 1)^2.
 Vec3f cosine_direction(Vec3f n, Vec2f u);
 

@@ -147,6 +147,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     if (max_component(r.shine) > 0) {
         out.shine = r.shine;
         out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler);
+        if (luminance(front_sun) > 0) out.mirrored += sun_glint(scene.room.sky, s, r, direction, front_sun, kSharpestSun);
     }
     out.radiance = lamp_as_seen(scene.room.look, m.emission) + out.light + out.sun + out.mirrored;
     if (panes > 0 && is_clear(m)) return seen_through(scene, s, out, direction, pixel_angle, travelled + hit.distance, panes, sampler);
