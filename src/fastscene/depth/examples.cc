@@ -124,13 +124,13 @@ std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
     return out;
 }
 
-DepthExample load_example(const DepthFiles& files, EquirectSize size) {
+DepthExample load_example(const DepthFiles& files, EquirectSize size, bool with_surfaces) {
     const ImageRgb8 color = load_rgb8(files.color);
     if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
     const ImageF range = load_float(files.range);
     if (range.width != 2 * range.height) throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
     DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked_range(range, size)};
-    if (!files.pieces.empty()) out.surfaces = load_surfaces(files, size);
+    if (with_surfaces && !files.pieces.empty()) out.surfaces = load_surfaces(files, size);
     if (std::none_of(out.range.pixels.begin(), out.range.pixels.end(), [](float r) { return r > 0.f && r < kFarthestTaught_m; }))
         throw Error("{}: expected ranges in metres, above 0 and below {}, found none: are they in another unit?", files.range.string(), kFarthestTaught_m);
     return out;
@@ -144,7 +144,7 @@ std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bo
         progress.advance();
         if (one.held_out != held_out) continue;
         try {
-            out.push_back(load_example(one, size));
+            out.push_back(load_example(one, size, !held_out));
         } catch (const Error& e) {
             run.warn(fmt::format("left out: {}", e.what()));
         }

@@ -28,9 +28,9 @@ std::vector<DepthFiles> find_depth_files(const std::filesystem::path& folder);
 
 // At the network's size: color averaged over areas, range and surfaces picked. Throws Error naming the file when a picture is no panorama, or the two
 // do not belong together.
-DepthExample load_example(const DepthFiles& files, EquirectSize size);
+DepthExample load_example(const DepthFiles& files, EquirectSize size, bool with_surfaces = false);
 
-// All that `held_out` says, loaded once: at 256 x 128 a thousand are 230 MB. A pair that cannot be read is told and left out.
+// All that `held_out` says, those to train on with their surfaces, loaded once: at 256 x 128 a thousand are 230 MB. A pair that cannot be read is told and left out.
 std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size, const Run& run);
 
 // Mean range by latitude, metres, from the top; a row nobody knows takes its neighbour's.

@@ -70,7 +70,7 @@ TEST(Examples, SurfacesOfOurRooms) {
     Json json = read_json(shard / "00000000.json");
     json["normal"] = "00000000.normal.png", json["instance"] = "00000000.instance.png";
     write_json(shard / "00000000.json", json);
-    const DepthExample example = load_example(find_depth_files(folder).at(0), {64, 32});
+    const DepthExample example = load_example(find_depth_files(folder).at(0), {64, 32}, true);
     EXPECT_EQ(example.surfaces.at(3, 9), surface_id(0, 1));
     EXPECT_EQ(example.surfaces.at(40, 9), surface_id(300, 0));
 }

@@ -20,7 +20,7 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 }
 
 ShotParts panorama_parts(const TraceParams& trace) {
-    // Where 16 rays do not agree (reflections, soft shadows, outlines), up to four times as many are sent.
+    // With the denoiser, a quarter of pixel_samples where light is even, twice as many where they do not agree (soft shadows, reflections, outlines).
     return {.color = true, .range = true, .object = true, .pixel_samples = 4 * trace.pixel_samples, .contacts = true, .denoise = !trace.keep_noise,
             .noise = 0.012f};
 }

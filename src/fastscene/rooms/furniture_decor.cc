@@ -10,7 +10,6 @@
 namespace fastscene::furniture {
 namespace {
 
-
 Material foliage(Kit& k, Vec3f tone, float scale) {
     Material m = plain("leaf", tone * k.dice.uniform(0.85f, 1.15f), 0.45f);
     m.pattern = Pattern::leaf;
@@ -229,13 +228,13 @@ void rug(Kit& k) {
     static constexpr std::array<std::uint32_t, 12> kWoven{8, 9, 19, 20, 4, 6, 7, 11, 2, 3, 5, 10};
     const int first = k.style.mouldings == Mouldings::rich ? 4 : k.style.name == "scandinavian" ? 8 : 0, range = first == 0 ? 12 : 4;
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
-    // Round where nothing else is asked for, in some rooms that like it.
+    // Round as asked, or where nothing else is, in some rooms that like it.
     const bool round =
-        !k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f);
-    const float d = std::min(s.x, s.z) * 1.15f;
+        k.request.pattern == "round" || (!k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f));
+    const float d = std::min(s.x, s.z) * (k.request.size_m.x ? 1.f : 1.15f);
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     // Who asks for wool or a fluffy rug means deep pile of one color.
-    if (k.request.material == "wool" && k.request.pattern.empty()) {
+    if (k.request.material == "wool" && (k.request.pattern.empty() || round)) {
         m = *material_named("carpet");
         m.name = "deep pile";
         m.color_a = *color_named("ivory");

@@ -164,6 +164,18 @@ TEST(Furniture, ACornerSofaHasItsLongSeat) {
     }
 }
 
+// A rug that was asked for as round is, whatever room it is laid out for.
+TEST(Furniture, ARoundRugIsRound) {
+    for (const std::string& style : styles()) {
+        PieceRequest r;
+        r.klass = "rug", r.style = &style_named(style), r.pattern = "round", r.size_m = {2.6f, 0, 1.9f};
+        const Piece p = make_piece(r);
+        EXPECT_NEAR(p.size_m.x, p.size_m.z, 0.02f) << style;
+        for (const Mesh& m : p.meshes)
+            for (const Vec3f& v : m.positions) EXPECT_LT(std::hypot(v.x, v.z), 0.51f * p.size_m.x) << style;
+    }
+}
+
 // Fluffy is one color of deep pile, not a woven pattern.
 TEST(Furniture, AFluffyRugHasNoPattern) {
     for (const std::string& style : styles()) {

@@ -28,6 +28,16 @@ void spike(Mesh& into, Vec3f base, Vec3f tip, float wide) {
     shapes::append(into, m);
 }
 
+// The outline of a star with five points, one of them up.
+std::vector<Vec2f> star(float outer, float inner) {
+    std::vector<Vec2f> outline;
+    for (int i = 0; i < 10; ++i) {
+        const float a = kTau * static_cast<float>(i) / 10.f, r = i % 2 == 0 ? outer : inner;
+        outline.push_back({r * std::sin(a), -r * std::cos(a)});
+    }
+    return outline;
+}
+
 // A fir on a stand: tiers of twigs that hang outward, baubles, small lights, a star, presents below.
 void christmas_tree(Kit& k) {
     const float high = (k.request.size_m.y > 0.6f ? k.request.size_m.y : 1.85f * k.request.size_factor), wide = 0.3f * high, bare = 0.14f * high;
@@ -80,12 +90,7 @@ void christmas_tree(Kit& k) {
     }
     // The star: five points, front and back.
     const int gold = k.material(*material_named("brass"));
-    std::vector<Vec2f> star;
-    for (int i = 0; i < 10; ++i) {
-        const float a = 0.62832f * static_cast<float>(i), r = i % 2 == 0 ? 0.085f : 0.036f;
-        star.push_back({r * std::sin(a), -r * std::cos(a)});
-    }
-    Mesh points = shapes::prism(star, -0.012f, 0.012f, 0.003f);
+    Mesh points = shapes::prism(star(0.085f, 0.036f), -0.012f, 0.012f, 0.003f);
     shapes::turn(points, {1, 0, 0}, 90);
     k.add(std::move(points), gold, {0, high - 0.075f, 0});
     // Presents, tied with ribbons.
@@ -186,12 +191,7 @@ void cot_mobile(Kit& k) {
         k.rod(thread, at, end, 0.0015f, -1, 6);
         const int felt = felts[static_cast<std::size_t>(i) % 4];
         if (i % 3 == 0) {  // a star
-            std::vector<Vec2f> star;
-            for (int j = 0; j < 10; ++j) {
-                const float b = 0.62832f * static_cast<float>(j), r = j % 2 == 0 ? 0.062f : 0.03f;
-                star.push_back({r * std::sin(b), -r * std::cos(b)});
-            }
-            Mesh m = shapes::prism(star, -0.012f, 0.012f, 0.005f);
+            Mesh m = shapes::prism(star(0.062f, 0.03f), -0.012f, 0.012f, 0.005f);
             shapes::turn(m, {1, 0, 0}, 90);
             shapes::turn(m, {0, 1, 0}, 40.f * static_cast<float>(i));
             k.add(std::move(m), felt, at - Vec3f{0, 0.05f, 0});

@@ -1,4 +1,3 @@
-#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout.h"
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
 

@@ -44,8 +44,6 @@ Ways::Ways(const Plan& plan)
     open_ = leads_to_a_view(cells_);
 }
 
-constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
-
 Vec2f Ways::center(int i, int j) const {
     return {(static_cast<float>(i) + 0.5f) * kCell - plan_->width / 2, (static_cast<float>(j) + 0.5f) * kCell - plan_->depth / 2};
 }
@@ -60,6 +58,7 @@ void Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     if (placed.flat) return;
     const Footprint box = footprint_of(placed);
     // One steps over a toy.
+    constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
     const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.klass != "curtain";
     const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;

@@ -127,6 +127,16 @@ void mark_negated(Matches& m) {
     }
 }
 
+// "A round marble table": whether an adjective of noun i says that it is round; told as understood then.
+bool take_round(Matches& m, std::size_t i) {
+    for (std::size_t k = i; k-- > 0 && (is_adjective(m[k]) || m[k].is(WordKind::nuance) || m[k].is(WordKind::style));)
+        if (is_one_of(m[k].words, {"round", "circular"})) {
+            m[k].word = Word{WordKind::nuance, "round"};
+            return true;
+        }
+    return false;
+}
+
 // "A table" is the table one expects in that room.
 void name_tables(Matches& m) {
     std::string room, meaning;
@@ -138,9 +148,7 @@ void name_tables(Matches& m) {
         if (!m[i].word ||
             (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo"))
             continue;
-        bool round = false;  // "a round marble table"
-        for (std::size_t k = i; k-- > 0 && (is_adjective(m[k]) || m[k].is(WordKind::nuance) || m[k].is(WordKind::style)) && !round;)
-            if (m[k].words == "round" || m[k].words == "circular") round = true, m[k].word = Word{WordKind::nuance, "round"};
+        const bool round = take_round(m, i);
         bool chairs = false;  // who names chairs with it means to eat at it
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
             chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
@@ -172,6 +180,8 @@ void heed_the_room(Matches& m) {
             while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style))) --k;
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
+        if (m[i].is(WordKind::object) && m[i].word->meaning == "rug" && m[i].word->adds.empty() && take_round(m, i))
+            m[i].word = Word{WordKind::object, "rug", m[i].word->exact, "pattern=round"};
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {

@@ -414,6 +414,17 @@ TEST(PromptWords, KitchenCabinetsAreTheUnits) {
     EXPECT_TRUE(object_of(read("a dining room with two cabinets"), "cabinet"));
 }
 
+TEST(PromptWords, ARoundRugIsRound) {
+    for (const char* text : {"a living room with a round rug", "a bedroom with a round blue rug", "a study with a circular wool rug"}) {
+        const Furnished f = furnished(text);
+        const auto rug = std::find_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "rug"; });
+        ASSERT_TRUE(rug != f.room.placed.end()) << text;
+        EXPECT_NEAR(rug->piece.size_m.x, rug->piece.size_m.z, 0.02f) << text;
+    }
+    EXPECT_EQ(object_of(read("a bedroom with a round blue rug"), "rug")->color, "blue");
+    EXPECT_TRUE(object_of(read("a bedroom with a blue rug"), "rug")->pattern.empty());
+}
+
 TEST(PromptWords, AVaseOfFlowersIsOneThing) {
     for (const char* text : {"a dining room with a vase of tulips", "a dining room with a vase with pink roses", "a dining room with tulips"}) {
         const PromptSpec spec = read(text);

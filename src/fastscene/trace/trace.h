@@ -44,7 +44,7 @@ struct ShotParts {
     bool paths = false;      // plain path tracing: no cache, nothing shared between pixels; for measurements
     bool radiance = false;   // `color` holds the pixel's mean radiance, undeveloped
     bool contacts = false;   // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
-    bool denoise = false;    // average over neighbours what chance leaves in the light (denoise.h); takes samples / 8 to samples / 2 rays
+    bool denoise = false;    // average over neighbours what chance leaves in the light (denoise.h); takes samples / 16 to samples / 2 rays
     float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
 };
 
