@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/furniture_kit.h"
 
 namespace fastscene::furniture {
@@ -222,14 +223,15 @@ void washbasin(Kit& k) {
     k.piece.against_wall = true;
 }
 void mirror(Kit& k) {
-    const Vec3f s = k.wanted({0.7f, 0.9f, 0.03f});
+    Vec3f s = k.wanted({0.7f, 0.9f, 0.03f});
+    if (k.request.pattern == "round") s.x = s.y = std::min(s.x, s.y);
+    const bool rounded = is_one_of(k.request.pattern, {"round", "oval"}) || k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper;
     const int frame = k.main(k.style.mouldings == Mouldings::rich || k.style.metal.metal > 0.5f ? k.style.metal : k.style.wood);
     Material m = plain("mirror", {0.85f, 0.85f, 0.85f}, 0.05f);
     m.mirror = 1.f;
     const int silver = k.material(m);
     const float f = k.style.mouldings == Mouldings::rich ? 0.06f : 0.025f;
-    const auto o = shapes::rounded_rectangle(
-        s.x - f, s.y - f, k.style.lamp == LampFamily::globe || k.style.lamp == LampFamily::paper ? 0.49f * std::min(s.x, s.y) : 0.8f * f, 10);
+    const auto o = shapes::rounded_rectangle(s.x - f, s.y - f, rounded ? 0.5f * (std::min(s.x, s.y) - f) - 1e-4f : 0.8f * f, 10);
     Mesh pane = shapes::prism(o, 0.004f, 0.012f, 0.002f);
     shapes::turn(pane, {1, 0, 0}, 90);
     k.add(std::move(pane), silver, {0, 0.5f * s.y, 0});

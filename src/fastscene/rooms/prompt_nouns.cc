@@ -180,8 +180,8 @@ void heed_the_room(Matches& m) {
             while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style))) --k;
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
-        if (m[i].is(WordKind::object) && m[i].word->meaning == "rug" && m[i].word->adds.empty() && take_round(m, i))
-            m[i].word = Word{WordKind::object, "rug", m[i].word->exact, "pattern=round"};
+        if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
+            m[i].word->adds = "pattern=round";
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {

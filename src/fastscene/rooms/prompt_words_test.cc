@@ -414,7 +414,7 @@ TEST(PromptWords, KitchenCabinetsAreTheUnits) {
     EXPECT_TRUE(object_of(read("a dining room with two cabinets"), "cabinet"));
 }
 
-TEST(PromptWords, ARoundRugIsRound) {
+TEST(PromptWords, RoundRugsAndMirrorsAreRound) {
     for (const char* text : {"a living room with a round rug", "a bedroom with a round blue rug", "a study with a circular wool rug"}) {
         const Furnished f = furnished(text);
         const auto rug = std::find_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "rug"; });
@@ -422,6 +422,12 @@ TEST(PromptWords, ARoundRugIsRound) {
         EXPECT_NEAR(rug->piece.size_m.x, rug->piece.size_m.z, 0.02f) << text;
     }
     EXPECT_EQ(object_of(read("a bedroom with a round blue rug"), "rug")->color, "blue");
+    for (const char* text : {"a modern bathroom with a round mirror", "a rustic bedroom with a round brass mirror"}) {
+        const Furnished f = furnished(text);
+        const auto mirror = std::find_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) { return p.piece.klass == "mirror"; });
+        ASSERT_TRUE(mirror != f.room.placed.end()) << text;
+        EXPECT_NEAR(mirror->piece.size_m.x, mirror->piece.size_m.y, 0.02f) << text;
+    }
     EXPECT_TRUE(object_of(read("a bedroom with a blue rug"), "rug")->pattern.empty());
 }
 
