@@ -126,7 +126,7 @@ TEST(Tables, SayTheSameInEveryForm) {
     const Json results = results_of(suite_of_two(), {record("ours", 4, 30.0), record("other|x^2 ~\\", 6, 31.0)});
     const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results), scenes = scenes_csv(results);
     EXPECT_TRUE(is_in(markdown, "| ours | **4.00** | –<sup>a</sup> | 30.00 |")) << markdown;
-    EXPECT_TRUE(is_in(markdown, "| other\\|x^2 ~\\ | 6.00 | –<sup>a</sup> | **31.00** |")) << markdown;
+    EXPECT_TRUE(is_in(markdown, "| other\\|x^2 \\~\\\\ | 6.00 | –<sup>a</sup> | **31.00** |")) << markdown;
     EXPECT_TRUE(is_in(markdown, "| Them & us_1 (published) | 3.90 |")) << "published figures are never the best: " << markdown;
     EXPECT_TRUE(is_in(markdown, "- <sup>a</sup> clip_l14: fetch clip-vit-large-patch14")) << markdown;
     EXPECT_TRUE(is_in(latex, "Them \\& us\\_1 & 3.90 & -- & -- \\\\")) << latex;
@@ -134,6 +134,21 @@ TEST(Tables, SayTheSameInEveryForm) {
     EXPECT_TRUE(is_in(latex, "other|x\\textasciicircum{}2 \\textasciitilde{}\\textbackslash{} & 6.00")) << latex;
     EXPECT_TRUE(is_in(csv, "\"ours\",\"\",ours,1,1,,4,,1,,,,30,,1\n")) << csv;
     EXPECT_TRUE(is_in(scenes, "\"ours\",\"\",\"a\",0,clip_l14,,\"fetch clip-vit-large-patch14;")) << scenes;
+}
+
+// What a name holds is text in every form.
+TEST(Tables, NamesStartNothing) {
+    const std::string name = "[*] a_b _c_ `d` <i>e</i> \"f\", #1 50% $g$ {h}\nj|k";
+    const Json results = results_of(suite_of_two(), {record(name, 4, 30.0), record("*", 5, 30.0)});
+    const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results), html = report_html(results, fs::temp_directory_path());
+    EXPECT_TRUE(is_in(markdown, "| \\[\\*] a_b \\_c\\_ \\`d\\` \\<i>e\\</i> \"f\", #1 50% $g$ {h} j\\|k | 4.00 |") || is_in(markdown, "j\\|k | **4.00** |")) << markdown;
+    EXPECT_FALSE(is_in(markdown, " <i>")) << markdown;
+    EXPECT_TRUE(is_in(latex, "\n{}[*] a\\_b \\_c\\_ `d` <i>e</i> \"f\", \\#1 50\\% \\$g\\$ \\{h\\} j|k & \\textbf{4.00}")) << latex;
+    EXPECT_TRUE(is_in(latex, "\n{}* & 5.00")) << latex;
+    for (std::size_t at = 0; (at = latex.find("\\\\\n", at)) != std::string::npos; ++at)
+        EXPECT_FALSE(latex.substr(at + 3, 1) == "[" || latex.substr(at + 3, 1) == "*") << "an argument of the row above: " << latex;
+    EXPECT_TRUE(is_in(csv, "\"[*] a_b _c_ `d` <i>e</i> \"\"f\"\", #1 50% $g$ {h}\nj|k\",\"\",ours")) << csv;
+    EXPECT_FALSE(is_in(html, "<i>"));
 }
 
 TEST(Tables, SayTheDeviationBetweenScenesInEveryForm) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/cells.h"
 
@@ -21,20 +23,32 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
     return text;
 }
-std::string markdown_escaped(const std::string& text) { return replaced(replaced(text, "|", "\\|"), "\n", " "); }
+// What a name holds is shown and starts nothing: no emphasis, code, tag, link or new cell. An underscore within a word starts none.
+std::string markdown_escaped(const std::string& text) {
+    const auto in_word = [&](std::size_t at) { return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || static_cast<unsigned char>(text[at]) >= 0x80); };
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool acts = std::string_view("|*`<[\\~").find(c) != std::string_view::npos || (c == '_' && !(i > 0 && in_word(i - 1) && in_word(i + 1)));
+        if (acts) out += '\\';
+        out += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return out;
+}
 std::string csv_quoted(const std::string& text) { return "\"" + replaced(text, "\"", "\"\"") + "\""; }
 std::string latex_escaped(const std::string& text) {
-    std::string out;
+    // A row follows the \\ of the row above, which takes [2pt] and * for its own.
+    std::string out = text.starts_with('[') || text.starts_with('*') ? "{}" : "";
     for (const char c : text) {
         if (c == '\\') out += "\\textbackslash{}";
         else if (c == '^') out += "\\textasciicircum{}";
         else if (c == '~') out += "\\textasciitilde{}";
         else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) out += std::string("\\") + c;
-        else out += c;
+        else out += c == '\n' || c == '\r' ? ' ' : c;
     }
     return out;
 }
-std::string one_line(const std::string& text) { return replaced(text, "\n", " "); }
+std::string one_line(const std::string& text) { return replaced(replaced(text, "\n", " "), "\r", " "); }
 
 std::string full(const Json& cell, const char* key) {
     if (!cell.contains(key)) return "";
@@ -92,7 +106,7 @@ std::string joined(const Json& note) {
 std::string table_markdown(const Json& results) {
     const Footnotes footnotes(results);
     const bool with_scenes = scene_counts_differ(results);
-    std::string out = fmt::format("# {}\n\n", results.at("title").get<std::string>()), line = with_scenes ? "| | scenes |" : "| |",
+    std::string out = fmt::format("# {}\n\n", markdown_escaped(results.at("title"))), line = with_scenes ? "| | scenes |" : "| |",
                 rule = with_scenes ? "|---|--:|" : "|---|";
     for (const Json& column : results.at("columns")) {
         line += fmt::format(" {}{} |", markdown_escaped(with_unit(column)), arrow(column, " ↑", " ↓"));

@@ -22,7 +22,10 @@ double number_of(std::string_view text, const std::filesystem::path& path, int l
     return value;
 }
 
-void check_model(const SvrModel& model, const std::filesystem::path& path) {
+// `count`: support vectors that the file says it has. A regression without some of them gives a score too, and a wrong one.
+void check_model(const SvrModel& model, double count, const std::filesystem::path& path) {
+    if (count != static_cast<double>(model.weights.size()))
+        throw Error("{}: expected {} support vectors as its head says, found {} (cut off?)", path.string(), count, model.weights.size());
     if (model.features < 1 || model.weights.empty() || model.vectors.size() != model.weights.size() * static_cast<std::size_t>(model.features))
         throw Error("{}: expected support vectors of equal length with a weight each, found {} weights and {} numbers", path.string(),
                     model.weights.size(), model.vectors.size());
@@ -102,6 +105,7 @@ SvrModel load_libsvm_model(const std::filesystem::path& path) {
     std::string line, kind, kernel;
     int number = 0;
     bool vectors = false;
+    std::optional<double> rho, count;
     while (std::getline(lines, line)) {
         ++number;
         if (line.empty() || line == "\r") continue;
@@ -116,11 +120,15 @@ SvrModel load_libsvm_model(const std::filesystem::path& path) {
         if (key == "svm_type") kind = value;
         if (key == "kernel_type") kernel = value;
         if (key == "gamma") model.gamma = number_of(value, path, number);
-        if (key == "rho") model.rho = number_of(value, path, number);
+        if (key == "rho") rho = number_of(value, path, number);
+        if (key == "total_sv") count = number_of(value, path, number);
     }
     if (kind != "epsilon_svr" || kernel != "rbf")
         throw Error("{}: expected a libsvm model with svm_type epsilon_svr and kernel_type rbf, found \"{}\" and \"{}\"", path.string(), kind, kernel);
-    check_model(model, path);
+    for (const auto& [key, found] : {std::pair{"rho", &rho}, std::pair{"total_sv", &count}})
+        if (!*found) throw Error("{}: expected a line \"{}\" before the support vectors, found none", path.string(), key);
+    model.rho = *rho;
+    check_model(model, *count, path);
     return model;
 }
 
@@ -177,7 +185,7 @@ SvrModel load_opencv_svr(const std::filesystem::path& path) {
         model.weights.push_back((*alpha)[i]);
         model.vectors.insert(model.vectors.end(), v.begin(), v.end());
     }
-    check_model(model, path);
+    check_model(model, yaml_number(text, "sv_total:", path), path);
     return model;
 }
 
@@ -187,7 +195,11 @@ FeatureRanges load_opencv_ranges(const std::filesystem::path& path) {
     const auto data = at == std::string::npos ? std::nullopt : yaml_list(text, "data: [", at, path);
     if (!data || data->empty() || data->size() % 2) throw Error("{}: expected a matrix \"range\" of two rows, found none", path.string());
     const auto half = static_cast<std::ptrdiff_t>(data->size() / 2);
-    return {{data->begin(), data->begin() + half}, {data->begin() + half, data->end()}};
+    FeatureRanges ranges{{data->begin(), data->begin() + half}, {data->begin() + half, data->end()}};
+    for (std::size_t i = 0; i < ranges.low.size(); ++i)
+        if (!(ranges.high[i] > ranges.low[i]))
+            throw Error("{}: expected low < high of feature {}, found {} and {}", path.string(), i + 1, ranges.low[i], ranges.high[i]);
+    return ranges;
 }
 
 }  // namespace fastscene

@@ -53,7 +53,7 @@ std::vector<double> brisque_features(const ImageRgb8& image, BrisqueVariant vari
     if (is_constant(image)) throw Error("BRISQUE: expected a picture with structure, found one constant color ({} x {})", image.width, image.height);
     std::vector<double> out = variant == BrisqueVariant::opencv ? opencv_brisque_features(image) : authors_features(image);
     if (!std::all_of(out.begin(), out.end(), [](double v) { return std::isfinite(v); }))
-        throw Error("BRISQUE: expected a picture with structure, found one so even that its statistics are not defined ({} x {})", image.width,
+        throw Error("BRISQUE: expected a picture with structure, found one too even, too regular or too small for its statistics ({} x {})", image.width,
                     image.height);
     return out;
 }

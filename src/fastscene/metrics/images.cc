@@ -38,6 +38,7 @@ std::optional<PictureInfo> head_of(const fs::path& picture) try {
 
 // Known from the files' heads: better said before the first picture than after an hour.
 void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
+    if (!fs::exists(reference)) throw Error("--reference {}: expected a picture or a folder, found none", reference.string());
     for (const fs::path& picture : pictures) {
         const fs::path partner = partner_of(picture, reference);
         if (!fs::exists(partner))
@@ -253,8 +254,12 @@ std::string image_table(const Json& report) {
         if (count == rows.size()) continue;
         const auto infinite = std::count_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_string(); });
         const auto undefined = std::count_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_null(); });
+        const auto first = std::find_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_null(); });
         out += fmt::format("\n{}: the mean is over {} of {} pictures", name, count.get<int>(), rows.size());
-        if (undefined) out += fmt::format("; not defined for {}", undefined);
+        if (undefined) {
+            const std::string picture = first->at("name"), why = report.at("undefined").at(picture).at(name);
+            out += fmt::format("; not defined for {} ({}{})", undefined, undefined > 1 ? picture + ": " : "", why);
+        }
         if (infinite) out += fmt::format("; infinite for {}", infinite);
     }
     if (const Json& left_out = report.at("left_out"); !left_out.empty()) {

@@ -118,7 +118,7 @@ TEST_F(Images, TheMeanSaysOfHowManyPictures) {
     EXPECT_EQ(report["count"], 4);
     EXPECT_EQ(report["mean_of"]["niqe"], 1);
     EXPECT_EQ(report["mean"]["niqe"], report["pictures"][3]["niqe"]);
-    EXPECT_NE(image_table(report).find("niqe: the mean is over 1 of 4 pictures; not defined for 3"), std::string::npos) << image_table(report);
+    EXPECT_NE(image_table(report).find("niqe: the mean is over 1 of 4 pictures; not defined for 3 (a.png: NIQE: expected"), std::string::npos) << image_table(report);
     const Json likeness = measure_images({root_ / "ours/b.png", root_ / "true/b.png", "", root_, {"psnr"}}, {});
     EXPECT_NE(image_table(likeness).find("over 0 of 1 pictures; infinite for 1"), std::string::npos);
 }
@@ -171,8 +171,8 @@ TEST_F(Images, ReferencesThatNothingIsComparedWithAreCounted) {
     EXPECT_NE(heard.notes.find("2 of its pictures have no picture of the same name"), std::string::npos) << heard.notes;
 }
 
-// ViT-B/32 in OpenAI's form, but small: one layer each, heads of 64, pictures of 64 pixels.
-void write_tiny_clip(const fs::path& file, float size = 0.3f) {
+// CLIP in OpenAI's form, but small: one layer each, heads of 64, pictures of `patches` x `patches` patches of `patch` x `patch` pixels.
+void write_tiny_clip(const fs::path& file, float size = 0.3f, std::int64_t patch = 32, std::int64_t patches = 2) {
     Weights out;
     Random random(3, "tiny clip");
     const auto add = [&](const std::string& name, std::vector<std::int64_t> shape) {
@@ -200,9 +200,9 @@ void write_tiny_clip(const fs::path& file, float size = 0.3f) {
     add("token_embedding.weight", {49408, w});
     add("positional_embedding", {77, w});
     add("text_projection", {w, common});
-    add("visual.conv1.weight", {w, 3, 32, 32});
+    add("visual.conv1.weight", {w, 3, patch, patch});
     add("visual.class_embedding", {w});
-    add("visual.positional_embedding", {5, w});
+    add("visual.positional_embedding", {patches * patches + 1, w});
     add("visual.proj", {w, common});
     save_safetensors(file, out);
 }
@@ -222,6 +222,21 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     EXPECT_NE(cosine(words, caption), 1);
     EXPECT_EQ(report["models"]["clip_s"], report["models"]["clip_b32"]);
     EXPECT_EQ(report["models"]["clip_s"][0]["file"], (root_ / "ViT-B-32.pt").string());
+}
+
+TEST_F(Images, AScoreIsNamedAfterTheNetworkThatGaveIt) {
+    write_tiny_tokenizer(root_);
+    const auto why = [&](const std::string& measure) {
+        return measure_images({root_ / "ours/a.png", "", "a room", root_, {measure}}, {})["missing"].value(measure, std::string());
+    };
+    write_tiny_clip(root_ / "ViT-L-14.pt");
+    EXPECT_NE(why("clip_l14").find("ViT-L-14.pt: expected the CLIP of patches of 14 pixels, found one of 32 pixels"), std::string::npos) << why("clip_l14");
+    write_tiny_clip(root_ / "ViT-B-32.pt", 0.3f, 14);
+    for (const char* measure : {"clip_b32", "clip_s"}) EXPECT_NE(why(measure).find("expected the CLIP of patches of 32 pixels, found one of 14"), std::string::npos) << why(measure);
+    write_tiny_clip(root_ / "ViT-L-14.pt", 0.3f, 14, 24);
+    EXPECT_NE(why("clip_l14").find("expected the CLIP of pictures of 224 pixels, found one of 336 pixels"), std::string::npos) << why("clip_l14");
+    write_tiny_clip(root_ / "ViT-L-14.pt", 0.3f, 14, 16);
+    EXPECT_EQ(why("clip_l14"), "");
 }
 
 TEST_F(Images, ANetworkThatGivesNoNumberIsNoScore) {

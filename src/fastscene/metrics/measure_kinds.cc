@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kSsimWindow = 11;
+constexpr int kClipSide = 224;
 
 // What `models pull` brings, by its own list.
 std::string pulled_files(const std::string& model) {
@@ -72,6 +73,14 @@ PictureMeasure clip_measure(const std::shared_ptr<const ClipMeasure>& clip, cons
         const double fit = cosine(seen, words);
         return hessel ? 2.5 * std::max(fit, 0.0) : 100 * fit;
     };
+}
+
+// A score is named after its network; a file that is called so may hold another.
+void check_clip(const MeasureKind& kind, const fs::path& place, const ClipMeasure& clip) {
+    const int patch = kind.name == "clip_l14" ? 14 : 32;
+    if (clip.patch() != patch) throw Error("{}: expected the CLIP of patches of {} pixels, found one of {} pixels", place.string(), patch, clip.patch());
+    if (clip.picture_side() > kClipSide)
+        throw Error("{}: expected the CLIP of pictures of {} pixels, found one of {} pixels", place.string(), kClipSide, clip.picture_side());
 }
 
 }  // namespace
@@ -137,6 +146,7 @@ ReadyMeasure ready_measure(const MeasureKind& kind, const Files& files, const st
         return {kind.name, [model = load_brisque_model(files[0], files[1])](Subject& s) { return brisque(s.picture, model); }, files};
     std::shared_ptr<const ClipMeasure>& clip = clips[files[0]];
     if (!clip) clip = std::make_shared<const ClipMeasure>(files[0]);
+    check_clip(kind, files[0], *clip);
     return {kind.name, clip_measure(clip, prompt, kind.name == "clip_s"), clip->files()};
 }
 

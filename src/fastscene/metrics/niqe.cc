@@ -85,10 +85,14 @@ std::vector<double> matrix(const std::map<std::string, MatMatrix>& file, const s
 
 NiqeModel load_niqe_model(const std::filesystem::path& path) {
     constexpr std::size_t n = kNiqeFeatures;
-    if (read_file(path).starts_with("MATLAB")) {
+    const std::string bytes = read_file(path);
+    if (bytes.starts_with("MATLAB")) {
         const auto file = load_mat_file(path);
         return {matrix(file, "mu_prisparam", 1, path), matrix(file, "cov_prisparam", kNiqeFeatures, path)};
     }
+    if (const std::size_t begin = bytes.find_first_not_of(" \t\r\n"); begin == std::string::npos || bytes[begin] != '{')
+        throw Error("{}: expected NIQE's parameters (the authors' .mat, or a .json of niqe-fit), found {}", path.string(),
+                    bytes.empty() ? "an empty file" : bytes.starts_with("<") ? "a web page: was the download refused?" : "something else");
     const Json json = read_json(path);
     const auto count = [&](const char* key) { return json.contains(key) && json.at(key).is_number_unsigned() ? json.at(key).get<std::size_t>() : 0; };
     return {numbers(json, "mean", n, path), numbers(json, "covariance", n * n, path), count("blocks"), count("pictures")};
@@ -123,7 +127,7 @@ double niqe(const ImageRgb8& image, const NiqeModel& model, NiqeGray gray) {
     const NiqeBlocks blocks = niqe_blocks(gray == NiqeGray::luma ? matlab_luma(image) : matlab_gray(image));
     const auto whole = std::count_if(blocks.features.begin(), blocks.features.end(), all_finite);
     if (whole < 2)
-        throw Error("NIQE: expected at least two blocks of {0} x {0} pixels with some structure, found {1} in a picture of {2} x {3}", kNiqeBlock, whole,
+        throw Error("NIQE: expected at least two blocks of {0} x {0} pixels with structure that is not all regular, found {1} in a picture of {2} x {3}", kNiqeBlock, whole,
                     image.width, image.height);
     const NiqeModel own = gaussian_of(blocks.features);
     std::vector<double> difference(kNiqeFeatures), covariance(own.covariance.size());

@@ -164,12 +164,31 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
     for (std::size_t at; (at = zeros.find("0.5")) != std::string::npos;) zeros.replace(at, 3, "0.");
     write_file(dir / "model.yml",
                "%YAML:1.0\n---\nopencv_ml_svm:\n   svmType: EPS_SVR\n   kernel:\n      type: RBF\n      gamma: 0.05\n   var_count: 36\n"
-               "   support_vectors:\n      - " +
+               "   sv_total: 2\n   support_vectors:\n      - " +
                    list + " ]\n      - " + zeros + " ]\n   decision_functions:\n      -\n         rho: -1.5\n         alpha: [ -2., 3. ]\n");
     write_file(dir / "range.yml", "%YAML:1.0\n---\nrange: !!opencv-matrix\n   rows: 2\n   cols: 36\n   dt: f\n   data: [ " + low + high + " ]\n");
     const BrisqueModel yaml = load_brisque_model(dir / "model.yml", dir / "range.yml");
     EXPECT_EQ(yaml.variant, BrisqueVariant::opencv);
     EXPECT_NEAR(yaml.regression.value(brisque_scaled(middle, yaml)), text.regression.value(brisque_scaled(middle, text)), 1e-12);
+
+    const auto refuses = [&](const char* file, const std::string& from, const std::string& to, const std::string& why) {
+        const std::string whole = read_file(dir / file);
+        std::string damaged = whole;
+        damaged.replace(damaged.find(from), from.size(), to);
+        write_file(dir / file, damaged);
+        try {
+            std::string(file).ends_with("yml") ? load_brisque_model(dir / "model.yml", dir / "range.yml") : load_brisque_model(dir / "allmodel", dir / "allrange");
+            ADD_FAILURE() << file << ": " << from << " -> " << to;
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find((dir / file).string() + ": " + why), std::string::npos) << e.what();
+        }
+        write_file(dir / file, whole);
+    };
+    refuses("allmodel", zero + " 36:0\n", "", "expected 2 support vectors as its head says, found 1");  // cut off between two lines
+    refuses("allmodel", "rho -1.5\n", "", "expected a line \"rho\"");
+    refuses("allmodel", "total_sv 2\n", "", "expected a line \"total_sv\"");
+    refuses("model.yml", "alpha: [ -2., 3. ]", "alpha: [ -2. ]", "expected 2 support vectors as its head says, found 1");
+    refuses("range.yml", "4. ]", "0. ]", "expected low < high of feature 36");
 
     write_file(dir / "allmodel", "svm_type c_svc\nkernel_type rbf\nSV\n");
     EXPECT_THROW(load_brisque_model(dir / "allmodel", dir / "allrange"), Error);

@@ -5,6 +5,7 @@
 #include <torch/script.h>
 
 #include <map>
+#include <limits>
 #include <regex>
 
 #include "fastscene/base/error.h"
@@ -267,6 +268,13 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
         std::string::npos);
     EXPECT_NE(message_of([&] { const LpipsMeasure other("alex", root / "alex.safetensors", root / "alex.safetensors"); }).find("alex.safetensors"),
               std::string::npos);
+    for (const float dead : {0.f, std::numeric_limits<float>::quiet_NaN()}) {  // all pictures are equal to it: no perfect score
+        Named tensors;
+        for (const auto& [key, tensor] : backbone.seen()) tensors[key] = at::full_like(tensor, dead);
+        save_safetensors(root / "dead.safetensors", weights_of(tensors));
+        const std::string why = message_of([&] { const LpipsMeasure other("alex", root / "dead.safetensors", root / "alex.safetensors"); });
+        EXPECT_NE(why.find("dead.safetensors: expected a network that"), std::string::npos) << why;
+    }
 }
 
 }  // namespace

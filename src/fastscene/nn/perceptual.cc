@@ -3,9 +3,11 @@
 #include <c10/core/InferenceMode.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
+#include "fastscene/base/random.h"
 #include "fastscene/nn/clip_image.h"
 #include "fastscene/nn/clip_openai.h"
 #include "fastscene/nn/file_weights.h"
@@ -30,6 +32,14 @@ Tensor tensor_of(const ImageRgb8& image) {  // [3, H, W], 0..255
     return bytes.permute({2, 0, 1}).to(at::kFloat).contiguous();
 }
 
+ImageRgb8 noise(int side) {
+    Random random(1, "lpips");
+    const auto level = [&] { return static_cast<std::uint8_t>(random.index(256)); };
+    ImageRgb8 out(side, side);
+    for (Rgb8& p : out.pixels) p = {level(), level(), level()};
+    return out;
+}
+
 std::vector<float> unit_features(const Tensor& features) {
     const Tensor row = (features / features.norm()).to(at::kFloat).flatten().contiguous();
     return {row.data_ptr<float>(), row.data_ptr<float>() + row.numel()};
@@ -44,7 +54,10 @@ struct LpipsMeasure::Parts {
 
 LpipsMeasure::LpipsMeasure(const std::string& net, const fs::path& backbone, const fs::path& heads)
     : parts_(new Parts{net == "vgg" ? nn::LpipsNet::vgg : nn::LpipsNet::alex, FileWeights(backbone, at::kFloat), FileWeights(heads, at::kFloat)}) {
-    distance(ImageRgb8(kLeastSide, kLeastSide), ImageRgb8(kLeastSide, kLeastSide));  // every tensor is there and has its shape
+    // Every tensor is there and has its shape, and the network sees: one of zeros finds all pictures equal, which reads as a perfect score.
+    const double seen = distance(ImageRgb8(kLeastSide, kLeastSide), noise(kLeastSide));
+    if (!(seen > 0) || !std::isfinite(seen))
+        throw Error("{}: expected a network that with {} tells black from noise, found a distance of {} (weights of zeros, or damaged?)", backbone.string(), heads.string(), seen);
 }
 LpipsMeasure::~LpipsMeasure() = default;
 
@@ -101,6 +114,8 @@ ClipMeasure::ClipMeasure(const fs::path& place) : parts_(std::make_unique<Parts>
     of_picture(ImageRgb8(8, 8));
 }
 const std::vector<fs::path>& ClipMeasure::files() const { return parts_->files; }
+int ClipMeasure::patch() const { return static_cast<int>(parts_->config.vision.patch); }
+int ClipMeasure::picture_side() const { return static_cast<int>(parts_->config.vision.image_size); }
 ClipMeasure::~ClipMeasure() = default;
 
 std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const {

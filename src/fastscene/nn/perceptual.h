@@ -13,7 +13,8 @@ namespace fastscene {
 class LpipsMeasure {
   public:
     // backbone: torchvision's alexnet or vgg16 (.pth, .safetensors; features.N.weight); heads: the authors' lin0 … lin4 (alex.pth, vgg.pth).
-    // `net`: "alex" or "vgg". Throws Error naming the file, the tensor, expected and found.
+    // `net`: "alex" or "vgg". Throws Error naming the file, the tensor, expected and found;
+    // so when the network tells nothing apart.
     LpipsMeasure(const std::string& net, const std::filesystem::path& backbone, const std::filesystem::path& heads);
     ~LpipsMeasure();
     // 0 = equal. Sizes must be equal, sides at least 32 (Error).
@@ -33,6 +34,9 @@ class ClipMeasure {
     ~ClipMeasure();
     // The files that its numbers come from.
     const std::vector<std::filesystem::path>& files() const;
+    // Which network it is: pixels of a patch's side (32: ViT-B/32, 14: ViT-L/14), and of the picture that it is shown (224; 336 in ViT-L/14@336px).
+    int patch() const;
+    int picture_side() const;
     // Unit vectors in the common space.
     std::vector<float> of_picture(const ImageRgb8& image) const;
     std::vector<float> of_text(const std::string& text) const;
