@@ -35,7 +35,7 @@ std::vector<Job> jobs_of(const Suite& suite, const fs::path& out, std::string_vi
         for (const SuiteScene& scene : suite.scenes) {
             if (!scene.run.empty() && scene.variant != variant.name) continue;
             for (const std::uint64_t seed : scene.seeds) {
-                Job job{&variant, &scene, seed, fs::path(slug_of(variant.name)) / fmt::format("{}-{}", scene.name, seed), 1};
+                Job job{&variant, &scene, seed, fs::path(folder_name_of(variant.name)) / fmt::format("{}-{}", scene.name, seed), 1};
                 if (finished_stage(job.folder(out), last_stage)) job.weight = 0.3;
                 jobs.push_back(std::move(job));
             }

@@ -73,7 +73,7 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
     const fs::path given = other.splats.empty() ? peer.folder / scene.name : other.splats;
     Json record{{"variant", peer.name}, {"kind", "peer"}, {"scene", scene.name}, {"seed", 0}, {"prompt", scene.source.prompt}, {"folder", given.string()}};
     try {
-        const fs::path work = inputs.out / "measured" / "peers" / slug_of(peer.name) / scene.name;
+        const fs::path work = inputs.out / "measured" / "peers" / folder_name_of(peer.name) / scene.name;
         const std::optional<OwnRun> own = inputs.own_run(scene);
         if (own) record["cameras"] = own->folder.root.generic_string();
         const MeasureInputs measure{.suite = &inputs.suite,
@@ -112,9 +112,9 @@ void check_peer(const SuitePeer& peer, const Suite& suite) {
 
 void check_peers(const std::vector<SuitePeer>& peers, const Suite& suite) {
     std::set<std::string> rows;
-    for (const SuiteVariant& variant : suite.variants) rows.insert(slug_of(variant.name));
+    for (const SuiteVariant& variant : suite.variants) rows.insert(folder_name_of(variant.name));
     for (const SuitePeer& peer : peers) {
-        if (!rows.insert(slug_of(peer.name)).second)
+        if (!rows.insert(folder_name_of(peer.name)).second)
             throw UsageError("--peer {}: expected a name of its own, found another row of this name", peer.name);
         check_peer(peer, suite);
     }

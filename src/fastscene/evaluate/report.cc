@@ -80,7 +80,7 @@ std::string notes_html(const Json& results, const Footnotes& footnotes) {
 
 std::string list_html(const Json& items) {
     std::string out;
-    for (const Json& item : items) out += "<li>" + html_escaped(item.get<std::string>()) + "</li>\n";
+    for (const Json& item : items) out += "<li>" + with_code(item) + "</li>\n";
     return out.empty() ? "" : "<ul class=\"notes\">\n" + out + "</ul>\n";
 }
 

@@ -93,6 +93,31 @@ TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
         << "two seeds against one";
 }
 
+TEST(Rows, AVariantsOwnRowComesFirstAndItsCurvesLast) {
+    const auto sample = [](const std::string& group, const Json& more) {
+        Json out{{"group", group}, {"values", {{"niqe", 3.0}}}, {"notes", Json::object()}};
+        out.update(more);
+        return out;
+    };
+    std::vector<Json> records{record("a", 1, 30.0), record("b", 1, 30.0)};
+    for (Json& r : records)
+        r["samples"] = {sample("x +0.33", {{"series", "along x"}, {"at", 0.33}}), sample("within 0.3 m", {{"series", ""}, {"at", 0.3}}), sample("", Json::object())};
+    std::vector<std::string> titles;
+    const Json rows = table_rows(suite_of_two(), records);
+    for (const Json& row : rows)
+        if (row["kind"] != "published") titles.push_back(row_title(row));
+    EXPECT_EQ(titles, (std::vector<std::string>{"a", "a, within 0.3 m", "a, x +0.33", "b", "b, within 0.3 m", "b, x +0.33"}));
+}
+
+TEST(Rows, AQuotedFigureHasNoDeviation) {
+    const Suite suite = read_suite("measures = [\"holes\"]\n[[scene]]\nname = \"a\"\nprompt = \"a\"\nseeds = [0, 1]\n", "two", "two.toml");
+    std::vector<Json> records{record("ours", 4, 30.0, 0), record("ours", 5, 30.0, 1)};
+    for (int i = 0; i < 2; ++i) records[static_cast<std::size_t>(i)]["samples"][0]["values"] = {{"holes_paper", 64.3}, {"holes", 12.0 + i}};
+    const Json cells = table_rows(suite, records)[0]["cells"];
+    EXPECT_FALSE(cells["holes_paper"].contains("sd")) << cells;
+    EXPECT_TRUE(cells["holes"].contains("sd")) << cells;
+}
+
 TEST(Rows, OneFigureForAllScenesHasNoDeviation) {
     const Suite suite =
         read_suite("measures = [\"stills\"]\ncolumns = [\"minutes\"]\n[[scene]]\nprompt = \"a\"\n[[scene]]\nprompt = \"b\"\n", "two", "two.toml");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/evaluate/columns.h"
 #include "fastscene/evaluate/measures.h"
 
 namespace fastscene {
@@ -70,7 +71,7 @@ Row& row_of(std::vector<Row>& rows, const RowKey& key) {
 void add_sample(Row& row, const Json& sample, const std::string& scene) {
     for (const auto& [column, value] : sample.at("values").items()) {
         Cell& cell = row.cells[column];
-        cell.shared |= sample.value("shared", false);
+        cell.shared |= sample.value("shared", false) || column_of(column).quoted;
         if (!value.is_number()) {
             cell.infinite.push_back(scene);
             continue;
@@ -144,8 +145,16 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
                                            [&](const std::string& c) { return row.cells.contains(c) && !row.cells.at(c).values.empty(); });
         return row.key.group.empty() && has_groups && !has_shown;
     });
+    // A variant's own row stands before those of its parts, and its curves' points come last.
+    const auto place_of = [&](const Row& row) {
+        const auto first = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && (r.key.kind == "peer") == (row.key.kind == "peer"); });
+        return std::pair(first - rows.begin(), row.key.group.empty() ? 0 : row.curve.contains("series") && !row.curve.at("series").get<std::string>().empty() ? 2 : 1);
+    };
+    std::vector<std::pair<decltype(place_of(rows[0])), Row>> placed;
+    for (const Row& row : rows) placed.emplace_back(place_of(row), row);
+    std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     Json out = published_rows(suite);
-    for (const Row& row : rows) {
+    for (const auto& [place, row] : placed) {
         const int of = scenes_asked(suite, row.key);
         Json cells = Json::object();
         for (const std::string& column : suite.columns) {

@@ -97,6 +97,8 @@ class Reader {
             top_.fail("diffusion360", fmt::format("expected a folder, found none at {}", painter.string()));
         for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
         if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
+        for (const SuiteVariant& variant : suite_.variants) row_names_.push_back(variant.name);
+        settle_forced_quality();
         for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
         if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt, a panorama or a run");
         check_rooms();
@@ -152,6 +154,7 @@ class Reader {
         if (h.radii_m.empty()) table.fail("radii", "expected at least one radius in metres, found none");
         for (const double r : h.radii_m)
             if (!(r >= 0.01 && r <= 10)) table.fail("radii", fmt::format("expected metres from 0.01 to 10, found {}", r));
+            else if (std::count(h.radii_m.begin(), h.radii_m.end(), r) > 1) table.fail("radii", fmt::format("expected each once, found {} twice", r));
     }
 
     void read_scene(const toml::table& found) {
@@ -160,7 +163,7 @@ class Reader {
         if (table.has("run")) read_run(table, scene);
         else read_source(table, scene);
         const fs::path file = scene.run.empty() ? scene.source.picture.stem() : scene.run.filename();
-        scene.name = slug_of(table.text("name", file.empty() ? scene.source.prompt : file.string()));
+        scene.name = folder_name_of(table.text("name", file.empty() ? scene.source.prompt : file.string()));
         if (!names_.insert(scene.name).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
         suite_.scenes.push_back(std::move(scene));
     }
@@ -204,21 +207,36 @@ class Reader {
         if (const std::string last = last_stage_of(suite_); !finished_stage(scene.run, last))
             table.fail("run", fmt::format("expected a run finished as far as {}, found one that is not: {}", last, scene.run.string()));
         if (table.has("prompt")) scene.source.prompt = table.text("prompt");
-        scene.variant = table.text("variant", suite_.variants.size() == 1 ? suite_.variants[0].name : "");
-        std::vector<std::string> rows;
-        for (const SuiteVariant& variant : suite_.variants) rows.push_back(variant.name);
-        if (scene.variant.empty()) table.fail_missing("variant", fmt::format("the row that the run belongs to, one of {}", fmt::join(rows, ", ")));
-        if (std::find(rows.begin(), rows.end(), scene.variant) == rows.end())
-            table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, rows)));
+        scene.variant = table.text("variant", row_names_.size() == 1 ? row_names_[0] : "");
+        if (scene.variant.empty()) table.fail_missing("variant", fmt::format("the row that the run belongs to, one of {}", fmt::join(row_names_, ", ")));
+        if (std::find(row_names_.begin(), row_names_.end(), scene.variant) == row_names_.end())
+            table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, row_names_)));
     }
 
     std::string quality_of(const TomlTable& table) const {
-        if (!forced_quality_.empty()) return forced_quality_;
-        const std::string quality = table.text("quality", top_.text("quality", "standard"));
+        const TomlTable& where = table.has("quality") ? table : top_;  // whose line it is that is wrong
+        const std::string quality = where.text("quality", "standard");
         const std::vector<std::string> known = qualities();
         if (std::find(known.begin(), known.end(), quality) == known.end())
-            table.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
-        return quality;
+            where.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
+        return forced_quality_.empty() ? quality : forced_quality_;
+    }
+    // Rows that name presets of their own lose what they are called by when --quality takes their place. One that then is another row again is left out;
+    // of the others the table says it.
+    void settle_forced_quality() {
+        std::vector<std::string> left_out, changed;
+        for (const std::string& name : replaced_) {
+            const auto row = std::find_if(suite_.variants.begin(), suite_.variants.end(), [&](const SuiteVariant& v) { return v.name == name; });
+            const bool again = std::any_of(suite_.variants.begin(), suite_.variants.end(), [&](const SuiteVariant& v) {
+                return &v != &*row && v.bounds == row->bounds && json_of_params(v.params) == json_of_params(row->params) &&
+                       std::find(replaced_.begin(), replaced_.end(), v.name) == replaced_.end();
+            });
+            (again ? left_out : changed).push_back(name);
+            if (again) suite_.variants.erase(row);
+        }
+        if (!left_out.empty()) suite_.notes.push_back(fmt::format("Made with --quality {}, so without the rows of other presets: {}.", forced_quality_, fmt::join(left_out, "; ")));
+        if (!changed.empty())
+            suite_.notes.push_back(fmt::format("Made with --quality {}, which is not the preset that these rows name: {}.", forced_quality_, fmt::join(changed, "; ")));
     }
     SceneParams params_of(const TomlTable& table, const toml::table* own) const {
         SceneParams params = params_of_quality(quality_of(table));
@@ -231,8 +249,9 @@ class Reader {
     void read_variant(const toml::table& found) {
         const TomlTable table(found, file_.string(), "[[variant]]", {"name", "quality", "settings", "bounds"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
-        if (!rows_.insert(slug_of(table.text("name"))).second)
+        if (!rows_.insert(folder_name_of(table.text("name"))).second)
             table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
+        if (table.has("quality") && quality_of(table) != table.text("quality")) replaced_.push_back(table.text("name"));
         suite_.variants.push_back(
             {table.text("name"), quality_of(table), params_of(table, table.table("settings")), table.flag("bounds", suite_.held_out.bounds)});
     }
@@ -249,7 +268,7 @@ class Reader {
         const TomlTable table(found, file_.string(), "[[peer]]", {"name", "folder"});
         if (table.text("name").empty()) table.fail_missing("name", "the row's name");
         if (table.text("folder").empty()) table.fail_missing("folder", "the folder of its pictures or splats");
-        if (!rows_.insert(slug_of(table.text("name"))).second)
+        if (!rows_.insert(folder_name_of(table.text("name"))).second)
             table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
         suite_.peers.push_back({table.text("name"), path_of(table.text("folder"))});
     }
@@ -261,10 +280,30 @@ class Reader {
     fs::path file_;
     std::string forced_quality_;
     std::set<std::string> names_, rows_;
+    std::vector<std::string> row_names_;  // of the file's variants
+    std::vector<std::string> replaced_;   // of those whose own preset --quality takes the place of
     Suite suite_;
 };
 
 }  // namespace
+
+std::string folder_name_of(std::string_view text) {
+    constexpr std::size_t kLongest = 60;
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+    std::string out;
+    for (const char c : text) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (!is_ascii(c) || (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9')) out += lower;
+        else if (!out.empty() && out.back() != '-') out += '-';
+    }
+    if (out.size() > kLongest) {
+        std::size_t end = kLongest;
+        while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xc0) == 0x80) --end;  // no letter is cut in two
+        out.resize(end);
+    }
+    while (out.ends_with('-')) out.pop_back();
+    return out.empty() ? "scene" : out;
+}
 
 bool Suite::has(std::string_view measure) const { return std::find(measures.begin(), measures.end(), measure) != measures.end(); }
 

@@ -65,6 +65,10 @@ struct Suite {
 // "stills", "source", "held-out", "holes".
 const std::vector<std::string>& measure_names();
 
+// A name as scenes, rows and peers have it on disk: as slug_of makes it, but letters of other alphabets stay: "Rote Küche" -> "rote-küche".
+// At most 60 bytes of UTF-8.
+std::string folder_name_of(std::string_view text);
+
 // The stage that all measures of the suite can do with: "depth" where only holes are measured, else "splat".
 std::string last_stage_of(const Suite& suite);
 

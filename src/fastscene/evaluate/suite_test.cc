@@ -67,6 +67,36 @@ TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
     EXPECT_TRUE(suite.variants[1].bounds);
     EXPECT_FALSE(suite.variants[0].bounds);
     EXPECT_EQ(read(text, "draft").variants[1].params.panorama.width, params_of_quality("draft").panorama.width) << "--quality wins";
+    EXPECT_TRUE(read(text, "standard").notes.empty());
+    ASSERT_EQ(read(text, "draft").notes.size(), 1u) << "and the table says so";
+    EXPECT_NE(read(text, "draft").notes[0].find("not the preset that these rows name: b"), std::string::npos) << read(text, "draft").notes[0];
+}
+
+TEST(Suite, RowsThatArePresetsAreNotMadeTwiceUnderOtherNames) {
+    const SuiteText shipped = find_suite("resolutions");
+    for (const std::string& quality : qualities()) {
+        const Suite suite = read_suite(shipped.text, shipped.name, shipped.file, quality);
+        ASSERT_EQ(suite.variants.size(), 1u) << quality;
+        EXPECT_NE(suite.variants[0].name.find(quality), std::string::npos) << suite.variants[0].name << " is not made with " << quality;
+        EXPECT_NE(suite.notes.back().find("without the rows of other presets"), std::string::npos) << suite.notes.back();
+    }
+    EXPECT_EQ(read_suite(shipped.text, shipped.name, shipped.file).variants.size(), 3u);
+}
+
+TEST(Suite, NamesOfEveryAlphabetAreNames) {
+    EXPECT_EQ(folder_name_of("Rote Küche"), "rote-küche");
+    EXPECT_EQ(folder_name_of(" ../../etc/passwd "), "etc-passwd");
+    EXPECT_EQ(folder_name_of("..."), "scene");
+    for (const char* plain : {"A cozy bedroom, 3 chairs!", "x", "", "--a--"}) EXPECT_EQ(folder_name_of(plain), slug_of(plain));
+    std::string letters;
+    for (int i = 0; i < 99; ++i) letters += "寝";
+    for (std::size_t before = 0; before < 4; ++before) {
+        const std::string name = folder_name_of(std::string(before, 'x') + letters);
+        EXPECT_LE(name.size(), 60u);
+        EXPECT_EQ((name.size() - before) % 3, 0u) << "no letter is cut in two: " << name;
+    }
+    const Suite suite = read(kHead + "[[scene]]\nname = \"部屋\"\nprompt = \"a\"\n[[scene]]\nname = \"寝室\"\nprompt = \"a\"\n");
+    EXPECT_EQ(suite.scenes[1].name, "寝室");
 }
 
 TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
@@ -99,6 +129,8 @@ TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
     expect(kHead + kScene + "[[peer]]\nname = \"P\"\nfolder = \"p\"\n[[peer]]\nname = \"p\"\nfolder = \"q\"\n",
            {"mine.toml:9: [[peer]]: name", "twice"});
     expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
+    expect(kHead + "quality = \"drat\"\n[[variant]]\nname = \"a\"\n" + kScene, {"mine.toml:3: quality: unknown \"drat\""});  // its own line, not the row's
+    expect(kHead + kScene + "[held-out]\nradii = [0.3, 0.6, 0.3]\n", {"[held-out]", "radii", "0.3 twice"});
     expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
 }
 
