@@ -43,13 +43,13 @@ class ConfigFields {
         if (v && !v->is_boolean()) throw wrong(key, "true or false", *v);
         return v ? v->get<bool>() : fallback;
     }
-    std::vector<std::int64_t> list(const char* key) const {
+    std::vector<std::int64_t> list(const char* key, std::int64_t least = 1) const {
         const Json* v = find(key);
         if (!v || !v->is_array() || v->empty()) throw wrong(key, "a list of whole numbers", v ? *v : Json());
         std::vector<std::int64_t> out;
         for (const Json& item : *v) {
-            if (!item.is_number_integer() || item.get<std::int64_t>() < 1 || item.get<std::int64_t>() > 1 << 16)
-                throw wrong(key, "whole numbers from 1", item);
+            if (!item.is_number_integer() || item.get<std::int64_t>() < least || item.get<std::int64_t>() > 1 << 16)
+                throw wrong(key, "whole numbers from " + std::to_string(least), item);
             out.push_back(item.get<std::int64_t>());
         }
         return out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/config_fields.h"
@@ -22,6 +23,22 @@ double interpolated(const std::vector<double>& table, double at) {
     const double clamped = std::clamp(at, 0.0, static_cast<double>(table.size() - 1));
     const auto below = std::min(static_cast<std::size_t>(clamped), table.size() - 2);
     return table[below] + (table[below + 1] - table[below]) * (clamped - static_cast<double>(below));
+}
+
+// Where in the table a sigma stands, by its logarithm; the inverse of `interpolated` as far as tables rise.
+double place_of(const std::vector<double>& table, double sigma) {
+    const auto above = std::upper_bound(table.begin(), table.end(), sigma);
+    const auto below = std::clamp<std::ptrdiff_t>(above - table.begin() - 1, 0, static_cast<std::ptrdiff_t>(table.size()) - 2);
+    const double from = std::log(table[static_cast<std::size_t>(below)]), to = std::log(table[static_cast<std::size_t>(below) + 1]);
+    return static_cast<double>(below) + std::clamp((std::log(sigma) - from) / (to - from), 0.0, 1.0);
+}
+// Sigmas that fall from the table's last to its first, evenly in their seventh root.
+std::vector<double> karras_sigmas(const std::vector<double>& table, int count) {
+    constexpr double rho = 7;
+    const double most = std::pow(table.back(), 1 / rho), least = std::pow(table.front(), 1 / rho);
+    std::vector<double> out;
+    for (int i = 0; i < count; ++i) out.push_back(std::pow(most + (least - most) * (count > 1 ? static_cast<double>(i) / (count - 1) : 0), rho));
+    return out;
 }
 
 double rounded_even(double v) { return std::nearbyint(v); }
@@ -61,6 +78,7 @@ class EulerAncestral final : public Scheduler {
     EulerAncestral(const ScheduleConfig& config, int steps) {
         config_ = config;
         alphas_ = alphas_cumprod(config);
+        if (config.zero_snr) alphas_[-1] = std::pow(2.0, -24);  // an infinite sigma cannot be stepped from
         timesteps_ = spaced(config, steps, true, false);
         if (config.spacing == Spacing::linspace)
             for (double& t : timesteps_) t = static_cast<float>(t);
@@ -119,21 +137,31 @@ class Ddim final : public Scheduler {
     double alpha(double t) const { return alphas_.data_ptr<float>()[static_cast<std::int64_t>(t)]; }
 };
 
-// UniPC (Zhao et al. 2023), predicting the clean latent, with B(h) = e^h - 1: a predictor of order 1 to `solver_order`, and from the second
+// UniPC (Zhao et al. 2023), predicting the clean latent: a predictor of order 1 to `solver_order`, and from the second
 // step on a corrector that uses the new output before predicting on.
 class UniPc final : public Scheduler {
   public:
     UniPc(const ScheduleConfig& config, int steps) {
         config_ = config;
         alphas_ = alphas_cumprod(config);
-        timesteps_ = spaced(config, steps, false, true);
         const std::vector<double> table = all_sigmas(alphas_);
+        if (config.karras_sigmas) {
+            for (const double sigma : karras_sigmas(table, steps)) {
+                sigmas_.push_back(static_cast<float>(sigma));
+                timesteps_.push_back(rounded_even(place_of(table, sigma)));
+            }
+            sigmas_.push_back(sigmas_.back());  // which already has the least noise: the last step stays where it is
+            return;
+        }
+        timesteps_ = spaced(config, steps, false, true);
         for (const double t : timesteps_) sigmas_.push_back(static_cast<float>(interpolated(table, t)));
         sigmas_.push_back(static_cast<float>(table[0]));  // the last step ends at t = 0, where a little noise is left
     }
     Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor&) override {
         const Tensor clean = this->clean(output, i, x);
-        const Tensor from = last_.defined() && i > 0 ? corrected(clean, i) : x;
+        const auto& rests = config_.uncorrected;
+        const bool corrects = last_.defined() && i > 0 && std::find(rests.begin(), rests.end(), i - 1) == rests.end();
+        const Tensor from = corrects ? corrected(clean, i) : x;
         cleans_.push_back(clean);
         if (static_cast<int>(cleans_.size()) > config_.solver_order) cleans_.erase(cleans_.begin());
         order_ = config_.lower_order_final ? std::min(config_.solver_order, steps() - i) : config_.solver_order;
@@ -158,7 +186,8 @@ class UniPc final : public Scheduler {
     // From step `a` to `b`. With `target`, the clean latent found at b, this is the corrector.
     Tensor moved(const Tensor& x, int a, int b, const Tensor& target, int order) const {
         const Mix to = mix_of(sigmas_[static_cast<std::size_t>(b)]), from = mix_of(sigmas_[static_cast<std::size_t>(a)]);
-        const double h = lambda(b) - lambda(a), growth = std::expm1(-h);
+        const double h = lambda(b) - lambda(a), growth = std::expm1(-h), bending = config_.step_as_b ? -h : growth;
+        if (h == 0) return x;
         const Tensor& newest = cleans_.back();
         std::vector<double> ratios;
         std::vector<Tensor> slopes;
@@ -169,22 +198,21 @@ class UniPc final : public Scheduler {
         ratios.push_back(1);
         Tensor bend = at::zeros_like(x);
         if (target.defined()) {
-            const std::vector<double> rho = order == 1 ? std::vector{0.5} : weights(ratios, h, order);
+            const std::vector<double> rho = order == 1 ? std::vector{0.5} : weights(ratios, h, bending, order);
             for (std::size_t k = 0; k < slopes.size(); ++k) bend = bend + rho[k] * slopes[k];
             bend = bend + rho.back() * (target - newest);
         } else {
-            const std::vector<double> rho = order == 2 ? std::vector{0.5} : weights(ratios, h, order - 1);
+            const std::vector<double> rho = order == 2 ? std::vector{0.5} : weights(ratios, h, bending, order - 1);
             for (std::size_t k = 0; k < slopes.size(); ++k) bend = bend + rho[k] * slopes[k];
         }
-        return to.noise / from.noise * x - to.signal * growth * newest - to.signal * growth * bend;
+        return to.noise / from.noise * x - to.signal * growth * newest - to.signal * bending * bend;
     }
 
     // Solves sum_k rho_k r_k^i = phi_i for i < n.
-    static std::vector<double> weights(const std::vector<double>& ratios, double h, int n) {
+    static std::vector<double> weights(const std::vector<double>& ratios, double h, double b, int n) {
         const auto size = static_cast<std::size_t>(n);
         std::vector<std::vector<double>> m(size, std::vector<double>(size + 1));
-        const double b = std::expm1(-h);
-        double phi = b / -h - 1, factorial = 1;
+        double phi = std::expm1(-h) / -h - 1, factorial = 1;
         for (std::size_t i = 0; i < size; ++i) {
             for (std::size_t k = 0; k < size; ++k) m[i][k] = std::pow(ratios[k], static_cast<double>(i));
             m[i][size] = phi * factorial / b;
@@ -209,6 +237,46 @@ class UniPc final : public Scheduler {
 
 }  // namespace
 
+namespace {
+
+std::vector<double> trained_betas_of(const ConfigFields& f, int steps) {
+    const Json* trained = f.find("trained_betas");
+    if (!trained) return {};
+    const auto expected = [&] { return fmt::format("null or a list of {} numbers between 0 and 1 (\"num_train_timesteps\")", steps); };
+    if (!trained->is_array() || trained->size() != static_cast<std::size_t>(steps))
+        throw f.wrong("trained_betas", expected(), trained->is_array() ? Json(fmt::format("{} entries", trained->size())) : *trained);
+    std::vector<double> out;
+    for (const Json& beta : *trained) {
+        if (!beta.is_number() || !(beta.get<double>() > 0 && beta.get<double>() < 1)) throw f.wrong("trained_betas", expected(), beta);
+        out.push_back(beta.get<double>());
+    }
+    return out;
+}
+
+void read_unipc(const ConfigFields& f, ScheduleConfig& c) {
+    if (!f.flag("predict_x0", true)) throw f.wrong("predict_x0", "true", false);
+    c.karras_sigmas = f.flag("use_karras_sigmas", false);
+    c.step_as_b = f.text("solver_type", "bh2") == "bh1";  // other samplers' kinds stand for bh2
+    if (const Json* rests = f.find("disable_corrector"); rests && !(rests->is_array() && rests->empty())) c.uncorrected = f.list("disable_corrector", 0);
+}
+
+// Nichol and Dhariwal's: the signal falls as a squared cosine.
+Tensor cosine_betas(int steps) {
+    const auto signal = [&](int i) { return std::pow(std::cos((static_cast<double>(i) / steps + 0.008) / 1.008 * std::numbers::pi / 2), 2); };
+    std::vector<float> out;
+    for (int i = 0; i < steps; ++i) out.push_back(static_cast<float>(std::min(1 - signal(i + 1) / signal(i), 0.999)));
+    return at::tensor(out);
+}
+
+Tensor betas_of(const ScheduleConfig& c) {
+    if (!c.trained_betas.empty()) return at::tensor(std::vector<float>(c.trained_betas.begin(), c.trained_betas.end()));
+    if (c.betas == Betas::cosine) return cosine_betas(c.train_steps);
+    return c.betas == Betas::scaled_linear ? at::linspace(std::sqrt(c.beta_start), std::sqrt(c.beta_end), c.train_steps, at::kFloat).square()
+                                           : at::linspace(c.beta_start, c.beta_end, c.train_steps, at::kFloat);
+}
+
+}  // namespace
+
 ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampler sampler) {
     const ConfigFields f(json, where);
     ScheduleConfig c;
@@ -218,40 +286,43 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
     if (c.train_steps < 2 || !(c.beta_start > 0 && c.beta_start < c.beta_end && c.beta_end < 1))
         throw Error("{}: expected at least 2 steps and 0 < beta_start < beta_end < 1, found {} steps, {} and {}", where, c.train_steps, c.beta_start, c.beta_end);
     const std::string betas = f.text("beta_schedule", "linear");
-    if (betas != "linear" && betas != "scaled_linear") throw f.wrong("beta_schedule", "\"linear\" or \"scaled_linear\"", betas);
-    c.scaled_linear = betas == "scaled_linear";
-    if (const Json* trained = f.find("trained_betas")) throw f.wrong("trained_betas", "absent", *trained);
-    if (f.flag("rescale_betas_zero_snr", false)) throw f.wrong("rescale_betas_zero_snr", "false", true);
+    if (betas != "linear" && betas != "scaled_linear" && betas != "squaredcos_cap_v2")
+        throw f.wrong("beta_schedule", "\"linear\", \"scaled_linear\" or \"squaredcos_cap_v2\"", betas);
+    c.betas = betas == "linear" ? Betas::linear : betas == "scaled_linear" ? Betas::scaled_linear : Betas::cosine;
+    c.trained_betas = trained_betas_of(f, c.train_steps);
     const std::string prediction = f.text("prediction_type", "epsilon");
     if (prediction != "epsilon" && prediction != "v_prediction") throw f.wrong("prediction_type", "\"epsilon\" or \"v_prediction\"", prediction);
     c.prediction = prediction == "epsilon" ? Prediction::noise : Prediction::velocity;
+    c.zero_snr = f.flag("rescale_betas_zero_snr", false);
+    if (c.zero_snr && sampler == Sampler::unipc)
+        throw f.wrong("rescale_betas_zero_snr", "false for --panorama-sampler unipc (euler-ancestral and ddim know it)", true);
+    if (c.zero_snr && c.prediction == Prediction::noise)  // noise says nothing about a latent that is nothing but noise
+        throw f.wrong("prediction_type", "\"v_prediction\" where \"rescale_betas_zero_snr\" is true", prediction);
 
-    // A value that is the default of the class that wrote the file is not passed on to another class.
-    const std::string written_by = f.text("_class_name", "");
-    const std::string own = sampler == Sampler::ddim    ? "DDIMScheduler"
-                            : sampler == Sampler::unipc ? "UniPCMultistepScheduler"
-                                                        : "EulerAncestralDiscreteScheduler";
-    const bool leading_class = written_by == "PNDMScheduler" || written_by == "DDIMScheduler";
-    std::string spacing = f.text("timestep_spacing", "");
-    if (written_by != own && !written_by.empty() && spacing == (leading_class ? "leading" : "linspace")) spacing.clear();
-    if (spacing.empty()) spacing = sampler == Sampler::ddim ? "leading" : "linspace";
+    const std::string spacing = f.text("timestep_spacing", sampler == Sampler::ddim ? "leading" : "linspace");
     if (spacing != "linspace" && spacing != "leading" && spacing != "trailing")
         throw f.wrong("timestep_spacing", "\"linspace\", \"leading\" or \"trailing\"", spacing);
     c.spacing = spacing == "linspace" ? Spacing::linspace : spacing == "leading" ? Spacing::leading : Spacing::trailing;
 
     c.steps_offset = static_cast<int>(f.whole("steps_offset", 0));
+    if (c.steps_offset >= c.train_steps) throw f.wrong("steps_offset", fmt::format("less than the {} steps of the schedule", c.train_steps), c.steps_offset);
     c.alpha_to_one = f.flag("set_alpha_to_one", true);
-    c.clip_sample = f.flag("clip_sample", sampler == Sampler::ddim && written_by == own);
+    // Cutting off is DDIM's default for pictures. Latents are not cut off unless a file of DDIM's own leaves it at that, or says so.
+    c.clip_sample = f.flag("clip_sample", f.text("_class_name", "") == "DDIMScheduler");
     c.clip_range = f.number("clip_sample_range", 1);
     c.solver_order = static_cast<int>(std::clamp<std::int64_t>(f.whole("solver_order", 2), 1, 3));
     c.lower_order_final = f.flag("lower_order_final", true);
+    if (sampler != Sampler::euler_ancestral && f.flag("thresholding", false)) throw f.wrong("thresholding", "false (it is for pictures, not for latents)", true);
+    if (sampler == Sampler::unipc) read_unipc(f, c);
     return c;
 }
 
 Tensor alphas_cumprod(const ScheduleConfig& c) {
-    const Tensor betas = c.scaled_linear ? at::linspace(std::sqrt(c.beta_start), std::sqrt(c.beta_end), c.train_steps, at::kFloat).square()
-                                         : at::linspace(c.beta_start, c.beta_end, c.train_steps, at::kFloat);
-    return at::cumprod(1 - betas, 0);
+    const Tensor products = at::cumprod(1 - betas_of(c), 0);
+    if (!c.zero_snr) return products;
+    // The roots shifted so that the last is 0 and stretched so that the first stays.
+    const Tensor roots = products.sqrt(), first = roots[0], last = roots[-1];
+    return ((roots - last) * (first / (first - last))).square();
 }
 
 namespace {
@@ -270,8 +341,10 @@ std::unique_ptr<Scheduler> scheduler_of(Sampler sampler, const ScheduleConfig& c
 bool goes_down(const Scheduler& scheduler, const ScheduleConfig& config) {
     const std::vector<double>& t = scheduler.timesteps();
     const std::vector<float>& sigma = scheduler.sigmas();
-    return t.front() <= config.train_steps - 1 && t.back() >= 0 && std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() &&
-           std::adjacent_find(sigma.begin(), sigma.end(), std::less_equal<>()) == sigma.end();
+    if (t.front() > config.train_steps - 1 || t.back() < 0) return false;
+    if (config.karras_sigmas)  // sigmas are what is spaced: time steps, rounded, may repeat, and the last sigma does
+        return std::adjacent_find(t.begin(), t.end(), std::less<>()) == t.end() && std::adjacent_find(sigma.begin(), sigma.end() - 1, std::less_equal<>()) == sigma.end() - 1;
+    return std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() && std::adjacent_find(sigma.begin(), sigma.end(), std::less_equal<>()) == sigma.end();
 }
 
 }  // namespace

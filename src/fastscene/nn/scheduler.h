@@ -1,5 +1,6 @@
-// Samplers: how predicted noise becomes the next, less noisy latent. The noise schedule of Stable Diffusion (1000 steps, betas whose roots
-// rise evenly) and three solvers, with the meaning of diffusers 0.26: what Diffusion360 was made with. Private to nn/ (torch).
+// Samplers: how predicted noise becomes the next, less noisy latent. The noise schedules that configurations name (Stable Diffusion's has 1000
+// steps, betas whose roots rise evenly) and three solvers, with the meaning of diffusers 0.26: what Diffusion360 was made with. Private to nn/
+// (torch).
 #pragma once
 
 #include <ATen/ATen.h>
@@ -14,27 +15,33 @@ namespace fastscene::nn {
 
 enum class Prediction { noise, velocity };  // "epsilon" and "v_prediction"
 enum class Spacing { linspace, leading, trailing };
+enum class Betas { linear, scaled_linear, cosine };  // scaled: their roots rise evenly; cosine: Nichol and Dhariwal 2021
 
 struct ScheduleConfig {
     int train_steps = 1000;
     double beta_start = 0.00085, beta_end = 0.012;
-    bool scaled_linear = true;  // else linear
+    Betas betas = Betas::scaled_linear;
+    std::vector<double> trained_betas;  // in place of all of these, when given
+    bool zero_snr = false;      // rescaled so that the last step is all noise (Lin et al. 2023)
     Prediction prediction = Prediction::noise;
     Spacing spacing = Spacing::linspace;
     int steps_offset = 0;
     bool alpha_to_one = true;   // DDIM: what follows the last step is no noise at all
     bool clip_sample = false;   // DDIM
     double clip_range = 1;
-    int solver_order = 2;       // UniPC
+    int solver_order = 2;       // UniPC, and what follows
     bool lower_order_final = true;
+    bool karras_sigmas = false;  // spaced evenly in sigma^(1/7) (Karras et al. 2022), whatever `spacing` says
+    bool step_as_b = false;      // B(h) = h ("bh1"), else e^h - 1 ("bh2")
+    std::vector<std::int64_t> uncorrected;  // steps after which the corrector rests
 };
-// Reads scheduler_config.json. Kinds of schedule that Stable Diffusion 1 and 2 do not use throw Error.
+// Reads scheduler_config.json, whichever sampler it was written for. What a sampler does not know of another one's file is passed over; kinds
+// of schedule that are not known here throw Error.
 //   euler-ancestral, unipc: spacing as in the file, else linspace; ddim: as in the file, else leading.
-// (Made from another sampler's file, a spacing that equals that sampler's own default does not count: diffusers drops it.)
 enum class Sampler { euler_ancestral, ddim, unipc };
 ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampler sampler);
 
-// Products of 1 - beta, [train_steps] float.
+// Products of 1 - beta, [train_steps] float. At zero_snr the last is 0.
 at::Tensor alphas_cumprod(const ScheduleConfig& config);
 
 class Scheduler {
