@@ -10,6 +10,10 @@ set -euo pipefail
 fail() { echo "collect.sh: $*" >&2; exit 1; }
 [ $# -ge 4 ] || { sed -n '2,8s/^# //p' "$0" >&2; exit 2; }
 system=$1 from=$2 scene=$3 dir=$4 minutes=${5:-} wanted=${PICTURES:-30}
+whole='^[1-9][0-9]{0,5}$' number='^[0-9]+([.][0-9]+)?$'
+[[ $wanted =~ $whole ]] || fail "PICTURES=$wanted: expected a whole number from 1"
+[[ -z $minutes || $minutes =~ $number ]] || fail "MINUTES: expected a number of minutes, found $minutes"
+case $scene in '' | . | .. | */*) fail "SCENE: expected the name of a scene, found \"$scene\"" ;; esac
 [ -e "$from" ] || fail "$from: expected what $system left, found nothing"
 mkdir -p "$dir"
 
@@ -33,6 +37,7 @@ from_folder() {
 }
 from_video() {
   command -v ffmpeg >/dev/null || fail "a video needs ffmpeg: apt-get install ffmpeg"
+  case $1 in *.mp4 | *.avi | *.mov | *.webm | *.mkv) ;; *) fail "$1: expected a video (.mp4 .avi .mov .webm .mkv)" ;; esac
   local frames; frames=$(mktemp -d)
   ffmpeg -nostdin -loglevel error -i "$1" "$frames/%05d.png" || { rm -rf "$frames"; fail "$1: ffmpeg cannot read it"; }
   from_folder "$frames"; rm -rf "$frames"

@@ -1,4 +1,5 @@
 # A suite from its file to its report: made, gone on with, with other systems' pictures, and with everything that can be wrong in it.
+collect=$(realpath "$(dirname "$0")/../../bench/peers/collect.sh")
 . "$(dirname "$0")/lib.sh"
 unset FASTSCENE_WEIGHTS; export XDG_CACHE_HOME=$work/cache
 
@@ -69,7 +70,11 @@ echo 70 >peer/minutes.txt
 cp eval/scenes/ours/bedroom-3/splat/scene.ply third/bedroom.ply
 cp eval/measured/ours/bedroom-3/source/splats/sphere.png sphere/bedroom/source.png
 echo 12.5 >sphere/bedroom/minutes.txt
-expect 0 "$fastscene" evaluate small.toml -o eval --peer "Some system=peer" --peer "Third=third" --peer "Sphere=sphere"
+mkdir -p broken/bedroom
+cp peer/bedroom/a.png broken/bedroom/b.png
+echo junk >broken/bedroom/a.png
+expect 0 "$fastscene" evaluate small.toml -o eval --peer "Some system=peer" --peer "Third=third" --peer "Sphere=sphere" --peer "Broken=broken"
+grep -q 'a.png: not there, or cannot be read' eval/report.html || fail "a broken picture of another system is not named in the page"
 grep -q '^| Some system .*70.0<sup>.*</sup> |$' eval/table.md || fail "the peer's minutes are not in the table"
 grep -q '^| Sphere .* 12.5 |$' eval/table.md || fail "the scene's own minutes are not in the table"
 grep -q 'minutes: one figure for all its scenes' eval/table.md || fail "one figure for all scenes, unsaid"
@@ -86,6 +91,31 @@ expect 2 "$fastscene" evaluate small.toml -o nothing --peer nobody
 says "NAME=DIR"
 expect 2 "$fastscene" evaluate small.toml -o nothing --peer "ours=peer"
 says "expected a name of its own"
+
+# What other systems leave, brought into that form; a name with a space, more pictures than are wanted, and what is none of it.
+mkdir -p "left behind/run/output_rendering" left/images/frames left/splats
+for i in $(seq 0 40); do cp peer/bedroom/a.png "left behind/run/output_rendering/rendering_$i.png"; done
+cp peer/bedroom/a.png "left behind/run/output_rendering/rendering_noise_0.png"
+cp peer/bedroom/a.png "left/images/frames/view 1.jpg"
+cp third/bedroom.ply left/splats/splat.ply
+expect 0 "$collect" text2room "left behind" bedroom "all peers/text2room" 70.5
+[ "$(ls "all peers/text2room/bedroom" | grep -c png)" = 30 ] || fail "30 pictures of 41 were wanted"
+[ "$(cat "all peers/text2room/bedroom/minutes.txt")" = 70.5 ] || fail "minutes.txt"
+expect 0 "$collect" scenescape left bedroom "all peers/scenescape"
+has "all peers/scenescape/bedroom/000.jpg"
+expect 0 "$collect" worldgen left/splats bedroom "all peers/worldgen"
+cmp third/bedroom.ply "all peers/worldgen/bedroom.ply" || fail "other splats"
+expect 0 "$collect" sphere sphere/bedroom/source.png bedroom "all peers/perf"
+has "all peers/perf/bedroom/source.png"
+printf 'ply\nformat ascii 1.0\nelement vertex 0\nend_header\n' >mesh.ply
+expect 1 "$collect" splats mesh.ply bedroom none && says "expected Gaussian splats"
+expect 1 "$collect" text2room left bedroom none && says "output_rendering"
+expect 1 "$collect" text2room "left behind" bedroom none many && says "expected a number of minutes"
+expect 1 "$collect" text2room "left behind" ../bedroom none && says "expected the name of a scene"
+expect 1 env PICTURES=0 "$collect" text2room "left behind" bedroom none && says "PICTURES=0"
+expect 1 "$collect" video small.toml bedroom none && says "expected a video"
+expect 1 "$collect" nobody left bedroom none && says "hunyuanworld"
+expect 2 "$collect" text2room
 
 # A finished run as a scene: read only, and measured as it was.
 contents eval/scenes >before

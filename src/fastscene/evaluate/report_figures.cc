@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fastscene/base/base64.h"
+#include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/evaluate/charts.h"
@@ -24,10 +25,12 @@ std::string picture_data(const fs::path& out, const fs::path& picture, int width
     const std::string key =
         Hash().add(file.string()).add(fs::file_size(file)).add(fs::last_write_time(file).time_since_epoch().count()).add(width).hex();
     const fs::path small = kept / (key + ".jpg");
-    if (!fs::exists(small)) {
-        make_directories(kept);
-        save_jpeg(small, thumbnail(load_rgb8(file), width), kJpegQuality);
-    }
+    if (!fs::exists(small)) try {
+            make_directories(kept);
+            save_jpeg(small, thumbnail(load_rgb8(file), width), kJpegQuality);
+        } catch (const Error&) {
+            return "";  // another system's picture may be broken: its scores say so, and the page stays
+        }
     return "data:image/jpeg;base64," + base64(read_file(small));
 }
 
@@ -47,12 +50,12 @@ std::string figures_html(const Json& figures, const fs::path& out) {
                 html += "<div></div>\n";
                 continue;
             }
-            html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label,
-                                picture_data(out, picture.at("file").get<std::string>(),
-                                             wide                ? kSphereWidth
-                                             : stills || columns ? kStillWidth
-                                                                 : kPairWidth),
-                                label.empty() ? "" : "<span>" + label + "</span>");
+            const std::string file = picture.at("file"), data = picture_data(out, file, wide ? kSphereWidth : stills || columns ? kStillWidth : kPairWidth);
+            if (data.empty()) {
+                html += fmt::format("<div class=\"gone\">{}: not there, or cannot be read</div>\n", html_escaped(fs::path(file).filename().string()));
+                continue;
+            }
+            html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label, data, label.empty() ? "" : "<span>" + label + "</span>");
         }
         html += "</div></figure>\n";
     }

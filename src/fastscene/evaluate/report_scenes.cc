@@ -114,8 +114,8 @@ std::string panoramas_html(const RoomResults& room, const fs::path& out) {
         const std::string quality = text_of(*record, "quality");
         if (!record->contains("panorama") || std::find(shown.begin(), shown.end(), quality) != shown.end()) continue;
         shown.push_back(quality);
-        html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality),
-                            picture_data(out, text_of(*record, "panorama"), 1060));
+        if (const std::string data = picture_data(out, text_of(*record, "panorama"), 1060); !data.empty())
+            html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality), data);
     }
     return html;
 }

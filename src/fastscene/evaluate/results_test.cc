@@ -204,6 +204,23 @@ TEST(Tables, ReadWhatEarlierVersionsWrote) {
     EXPECT_TRUE(is_in(report_html(results, fs::temp_directory_path()), "fetch it"));
 }
 
+TEST(Report, StandsWithBrokenPictures) {
+    const fs::path out = fs::temp_directory_path() / "fastscene_report_broken_test";
+    fs::remove_all(out);
+    fs::create_directories(out);
+    write_file(out / "broken & co.png", "no picture");
+    save_png(out / "whole.png", ImageRgb8(40, 20, Rgb8{10, 200, 30}));
+    Json r = record("peer", 4, 30.0, 0, "peer");
+    r["panorama"] = "gone.png";
+    Json pictures = Json::array();
+    for (const char* file : {"broken & co.png", "gone.png", "whole.png"}) pictures.push_back({{"label", ""}, {"file", file}});
+    r["figures"] = {{{"caption", ""}, {"wide", false}, {"pictures", pictures}}};
+    const std::string html = report_html(results_of(suite_of_two(), {r}), out);
+    for (const char* file : {"broken &amp; co.png", "gone.png"}) EXPECT_TRUE(is_in(html, std::string(file) + ": not there, or cannot be read")) << html;
+    EXPECT_FALSE(is_in(html, "src=\"\"")) << html;
+    EXPECT_TRUE(is_in(html, "src=\"data:image/jpeg")) << html;
+}
+
 TEST(Report, StandsAlone) {
     const fs::path out = fs::temp_directory_path() / "fastscene_report_test";
     fs::remove_all(out);
