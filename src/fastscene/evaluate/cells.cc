@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace fastscene {
 namespace {
@@ -15,7 +16,11 @@ void append(std::string& list, const std::string& item) { list += (list.empty() 
 // a … z, aa, ab …
 std::string mark_of(std::size_t i) { return (i < 26 ? "" : mark_of(i / 26 - 1)) + static_cast<char>('a' + i % 26); }
 
-bool has_number(const Json& cell) { return cell.contains("value") && cell.at("value").is_number(); }
+// "inf": equal to what it should be, and so better than any number.
+double value_of(const Json& cell) {
+    const Json& value = cell.at("value");
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
+}
 
 bool same_scenes(const Json& a, const Json& b) {
     return a.contains("scenes") && b.contains("scenes") ? a.at("scenes") == b.at("scenes") : a.value("count", 0) == b.value("count", 0);
@@ -74,7 +79,7 @@ bool is_best(const Json& results, const Json& row, const Json& column) {
     const std::string better = column.at("better");
     const int digits = column.at("digits");
     const auto counts = [&](const Json& r) {
-        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && has_number(cell_at(r, column));
+        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && cell_at(r, column).contains("value");
     };
     if (better == "neither" || !counts(row)) return false;
     const Json& own = cell_at(row, column);
@@ -83,7 +88,7 @@ bool is_best(const Json& results, const Json& row, const Json& column) {
         if (&other == &row || !counts(other)) continue;
         const Json& cell = cell_at(other, column);
         if (!same_scenes(own, cell) || cell_text(own, digits) == cell_text(cell, digits)) return false;
-        const double difference = cell.at("value").get<double>() - own.at("value").get<double>();
+        const double difference = value_of(cell) - value_of(own);
         if (better == "higher" ? difference > 0 : difference < 0) return false;
         ++rivals;
     }

@@ -93,6 +93,14 @@ TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
         << "two seeds against one";
 }
 
+TEST(Tables, EqualIsBetterThanAnyNumber) {
+    const std::string markdown = table_markdown(results_of(suite_of_two(), {record("ours", 4, 30.0), record("same", 5, "inf", 0, "peer")}));
+    EXPECT_TRUE(is_in(markdown, " | 30.00 |")) << markdown;
+    EXPECT_TRUE(is_in(markdown, " | **inf**")) << markdown;
+    const std::string both = table_markdown(results_of(suite_of_two(), {record("ours", 4, "inf"), record("same", 5, "inf", 0, "peer")}));
+    EXPECT_FALSE(is_in(both, "**inf**")) << "neither is the best: " << both;
+}
+
 TEST(Rows, AVariantsOwnRowComesFirstAndItsCurvesLast) {
     const auto sample = [](const std::string& group, const Json& more) {
         Json out{{"group", group}, {"values", {{"niqe", 3.0}}}, {"notes", Json::object()}};
