@@ -1,5 +1,6 @@
 // What painting a panorama costs, with random weights of Stable Diffusion 1.5's sizes: CPU seconds and memory of its parts, the denoiser by
-// kinds of layers against the machine's matrix product, and the seam over many small models.
+// kinds of layers against the machine's matrix product, and the seam over many small models. --write makes a folder of such weights, so that
+// the program's own commands can be timed at the published sizes where the official files are not at hand.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <fmt/format.h>
@@ -17,11 +18,16 @@
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/nn/circular.h"
+#include "fastscene/nn/clip.h"
 #include "fastscene/nn/hashed.h"
 #include "fastscene/nn/panorama_loops.h"
 #include "fastscene/nn/precision.h"
+#include "fastscene/nn/rrdbnet.h"
 #include "fastscene/nn/runtime.h"
+#include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/sd_model.h"
+#include "fastscene/nn/tiny_tokenizer.h"
+#include "fastscene/nn/weights_torch.h"
 
 namespace {
 
@@ -52,6 +58,67 @@ const Json kUnet = {{"block_out_channels", {320, 640, 1280, 1280}}, {"layers_per
 const Json kVae = {{"block_out_channels", {128, 256, 512, 512}}, {"layers_per_block", 2}, {"latent_channels", 4}, {"norm_num_groups", 32}, {"sample_size", 512},
                    {"down_block_types", {"DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D"}},
                    {"up_block_types", {"UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D"}}};
+
+void save_half(const HashedWeights& weights, const std::filesystem::path& file, const std::string& inside = "") {
+    make_directories(file.parent_path());
+    Weights out;
+    for (const auto& [key, tensor] : weights.seen()) out.tensors[inside + key] = nn::weight_of(tensor.to(at::kHalf));
+    save_safetensors(file, out);
+}
+
+// A folder as Diffusion360's are: sd-base/, sr-base/ (a link to it), sr-control/, RealESRGAN_x2plus.pth. Each network is asked for its weights
+// by one small look; its words are the tests' own, since CLIP's are not ours to give.
+void write_models(const std::filesystem::path& folder) {
+    constexpr const char* kModel = "diffusion_pytorch_model.safetensors";
+    const auto base = folder / "sd-base";
+    const auto configured = [](const std::filesystem::path& part, Json config, const char* name) {
+        make_directories(part);
+        config["_class_name"] = name;
+        write_json(part / "config.json", config);
+        return config;
+    };
+    {
+        HashedWeights weights;
+        const Json config = configured(base / "unet", kUnet, "UNet2DConditionModel");
+        nn::unet(Scope(weights), nn::unet_config(config, "unet"), at::zeros({1, 4, 8, 8}), 1, at::zeros({1, 2, 768}));
+        save_half(weights, base / "unet" / kModel);
+    }
+    {
+        HashedWeights weights;
+        const nn::VaeConfig config = nn::vae_config(configured(base / "vae", kVae, "AutoencoderKL"), "vae");
+        nn::vae_decode(Scope(weights), config, at::zeros({1, 4, 2, 2}));
+        nn::vae_encode(Scope(weights), config, at::zeros({1, 3, 16, 16}));
+        save_half(weights, base / "vae" / kModel);
+    }
+    {
+        HashedWeights weights;
+        const Json config = configured(base / "text_encoder",
+                                       {{"hidden_size", 768}, {"intermediate_size", 3072}, {"num_hidden_layers", 12}, {"num_attention_heads", 12}, {"hidden_act", "quick_gelu"}},
+                                       "CLIPTextModel");
+        nn::clip_text(Scope(weights), nn::clip_text_tower(config, "text"), at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
+        save_half(weights, base / "text_encoder/model.safetensors");
+    }
+    make_directories(base / "tokenizer");
+    write_tiny_tokenizer(base / "tokenizer");
+    make_directories(base / "scheduler");
+    write_json(base / "scheduler/scheduler_config.json",
+               {{"_class_name", "PNDMScheduler"}, {"beta_start", 0.00085}, {"beta_end", 0.012}, {"beta_schedule", "scaled_linear"}, {"num_train_timesteps", 1000},
+                {"set_alpha_to_one", false}, {"steps_offset", 1}, {"prediction_type", "epsilon"}});
+    std::filesystem::create_directory_symlink("sd-base", folder / "sr-base");
+    {
+        HashedWeights weights;
+        Json how = kUnet;
+        how.erase("up_block_types");
+        how["conditioning_channels"] = 3;
+        how["conditioning_embedding_out_channels"] = {16, 32, 96, 256};
+        const Json config = configured(folder / "sr-control", how, "ControlNetModel");
+        nn::controlnet(Scope(weights), nn::controlnet_config(config, "control"), at::zeros({1, 4, 8, 8}), 1, at::zeros({1, 2, 768}), at::zeros({1, 3, 64, 64}));
+        save_half(weights, folder / "sr-control" / kModel);
+    }
+    HashedWeights weights;
+    nn::rrdbnet(Scope(weights), {64, 23, 32, 2}, at::zeros({1, 3, 8, 8}));
+    save_half(weights, folder / "RealESRGAN_x2plus.pth", "params_ema.");
+}
 
 // Time since the last output of any layer goes to the kind of the layer that speaks now; work too, where its shapes tell it.
 class Kinds {
@@ -198,17 +265,22 @@ Json seam(int runs) {
 
 int main(int argc, char** argv) try {
     int width = 1024, steps = 2, threads = 1, runs = 0;
-    std::string type = "float";
+    std::string type = "float", folder;
     CLI::App app{"Cost of painting a panorama; the seam"};
     app.add_option("--width", width, "Pixels")->check(CLI::Range(256, 4096));
     app.add_option("--steps", steps, "Steps that are timed")->check(CLI::Range(1, 100));
     app.add_option("--threads", threads, "Worker threads")->check(CLI::Range(1, 1024));
     app.add_option("--type", type, "float or bf16")->check(CLI::IsMember({"float", "bf16"}));
     app.add_option("--seam", runs, "Instead: measure the seam over so many small random models")->check(CLI::Range(1, 10000));
+    app.add_option("--write", folder, "Instead: a new folder of random weights of the published sizes, for --weights");
     CLI11_PARSE(app, argc, argv);
     set_threads(threads);
     const c10::InferenceMode inference;
     use_our_threads();
+    if (!folder.empty()) {
+        write_models(folder);
+        return 0;
+    }
     fmt::print("{}\n", (runs > 0 ? seam(runs) : cost(width, steps, nn::type_of_precision(type, at::kCPU))).dump(2));
     return 0;
 } catch (const std::exception& e) {
