@@ -110,7 +110,7 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
 }
 
 bool is_soft(std::string_view klass) {
-    static constexpr std::array<std::string_view, 5> kSoft{"rug", "cushion", "curtain", "teddy_bear", "cat"};
+    static constexpr std::array<std::string_view, 6> kSoft{"rug", "cushion", "throw", "curtain", "teddy_bear", "cat"};
     return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
 }
 

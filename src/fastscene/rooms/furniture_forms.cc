@@ -135,7 +135,7 @@ void wing_chair(Kit& k) {
     Mesh cushion = shapes::pillow({0.42f, 0.3f, 0.13f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -18);
     k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.46f, z0 + 0.36f});
-    k.top(0.465f, 0, 0.2f, 0.22f, 0.14f);
+    k.top(0.465f, 0, 0.2f, 0.24f, 0.16f);
     k.piece.clearance_front_m = 0.5f;
 }
 
@@ -156,6 +156,7 @@ void sling_chair(Kit& k) {
         if (t < 1.f) return Vec3f{x, 0.415f - 0.13f * t - 0.035f * std::sin(kPi * t), 0.34f - 0.58f * t};
         return Vec3f{x, 0.285f + 0.56f * (t - 1.f), -0.24f - 0.15f * (t - 1.f) - 0.03f * std::sin(kPi * (t - 1.f))};
     }), hide);
+    k.top(0.36f, 0, 0.1f, 0.24f, 0.16f);
     k.piece.clearance_front_m = 0.5f;
 }
 
@@ -197,6 +198,7 @@ void rattan_chair(Kit& k) {
     Mesh cushion = shapes::pillow({0.4f, 0.38f, 0.14f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -20);
     k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.5f, -0.16f});
+    k.top(0.505f, 0, 0.12f, 0.22f, 0.14f);
     k.piece.clearance_front_m = 0.5f;
 }
 

@@ -59,6 +59,7 @@ int Kit::main(Material m) {
             m.scale_m = pattern == Pattern::floral || pattern == Pattern::damask ? 0.18f : pattern == Pattern::knit ? 0.012f : 0.05f;
             m.color_b = lerp(m.color_a, style.palette[0], 0.8f);
             m.color_c = style.palette[1];
+            if (pattern == Pattern::knit) m.color_b = 0.75f * m.color_a, patterned = false;  // one yarn: its shade, not another color
         }
     if (color) {
         const Material old = m;

@@ -22,6 +22,19 @@ void put_pillow(Kit& k, int mat, Vec3f at, Vec3f size, float lean_deg, float yaw
     k.add(std::move(m), mat, at);
 }
 
+// Wool unless it was said otherwise; patchwork: squares of the room's own colors.
+Material throw_cloth(Kit& k) {
+    Material m = tinted(k.style.fabric2, k.accent());
+    m.name = "wool";
+    m.pattern = Pattern::knit, m.scale_m = 0.012f, m.bump_m = 0.002f;
+    if (k.request.pattern == "patchwork") {
+        m.name = "patchwork";
+        m.pattern = Pattern::checker, m.scale_m = 0.09f, m.bump_m = 0.f;
+        m.color_a = k.style.palette[0], m.color_b = lerp(k.style.palette[1], {0.7f, 0.66f, 0.58f}, 0.5f), m.color_c = k.style.palette[2];
+    }
+    return m;
+}
+
 // Sofas of any width: seat cushions, back cushions, arms by the style's type.
 void couch(Kit& k, float width, int seats, int pillows) {
     const SofaType type = k.style.sofa;
@@ -382,9 +395,29 @@ void cushion(Kit& k) {
     put_pillow(k, cloth, {0, 0, 0}, {0.45f, 0.45f, 0.17f}, 12);
     k.piece.mount = Mount::surface;
 }
+// One long cloth folded to and fro, lying flat: it turns over at the front and at the back, and no layer lies quite like the last.
+void throw_blanket(Kit& k) {
+    const int cloth = k.main(throw_cloth(k));
+    constexpr int kLayers = 4;
+    constexpr float kThick = 0.022f, kRise = 0.03f;  // of a layer; from one to the next
+    const Vec3f size = k.wanted({0.5f, 0, 0.36f});
+    const float straight = size.z - kRise, turn = 0.5f * kPi * kRise, lap = straight + turn, length = kLayers * lap - turn;
+    const std::uint32_t seed = k.seed();
+    const auto point = [=](float u, float v) {
+        const float layer = std::min(std::floor(v * length / lap), kLayers - 1.f), along = v * length - layer * lap;
+        const float way = static_cast<int>(layer) % 2 == 0 ? 1.f : -1.f, bend = std::clamp((along - straight) / turn, 0.f, 1.f) * kPi;
+        const float x = (u - 0.5f) * size.x * (0.98f + 0.02f * shapes::wobble({layer, 4.f, 2.f}, seed)) + 0.01f * shapes::wobble({layer * 3.7f, 1.f, 0.f}, seed);
+        const float z = way * (std::min(along, straight) - 0.5f * straight + 0.5f * kRise * std::sin(bend));
+        const float sag = 0.006f * shapes::wobble({x * 6.f, 3.f, z * 6.f}, seed + 1) + 0.003f * shapes::wobble({x * 19.f, layer, z * 19.f}, seed + 2);
+        return Vec3f{x, kThick + kRise * (layer + 0.5f * (1.f - std::cos(bend))) + std::max(0.f, sag) * (0.3f + 0.25f * layer), z};
+    };
+    // From front to back, so that the sheet's outer side looks up.
+    k.add(shapes::slab(20, 120, kThick, [&](float u, float v) { return point(1.f - u, v); }), cloth);
+    k.piece.mount = Mount::surface;
+}
 
 constexpr Entry kSeats[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
-                            {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}};
+                            {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}, {"throw", throw_blanket}};
 
 }  // namespace
 

@@ -186,9 +186,14 @@ std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObje
 
 bool Furnisher::on_a_seat(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
-    for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench"})
-        for (std::size_t i = 0; i < l_.placed().size(); ++i)
-            if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), r, wish)) return true;
+    for (const float size : {1.f, 0.7f}) {  // a blanket for a sofa is folded once more for an armchair
+        PieceRequest smaller = r;
+        smaller.size_factor = size * r.size_factor;
+        for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench", "rocking_chair"})
+            for (std::size_t i = 0; i < l_.placed().size(); ++i)
+                if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish)) return true;
+        if (wish.size_m != Vec3f{}) break;
+    }
     return false;
 }
 
@@ -203,7 +208,7 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     if (const auto i = where_asked(wish, r, piece)) return i;
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);
-    if (wish.klass == "cushion" && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
+    if (lies_on_seats(wish.klass) && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
         case Mount::surface:
             if (const auto i = l_.on_any_top(r, wish)) return i;

@@ -14,6 +14,7 @@ namespace fastscene::furnishing {
 
 // Things that stand on others or hang on walls: whoever asks for one at a piece wants it there, not anywhere.
 bool is_small(std::string_view klass);
+bool lies_on_seats(std::string_view klass);  // small things that need no table
 // What one sits or lies on: nothing is put there by itself.
 bool is_seat(std::string_view klass);
 

@@ -142,7 +142,7 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
         if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
         const bool low = p.piece.surfaces.front().center.y < kInReach, second = k >= placed_.size();
         if (second == low) continue;
-        if (request.klass != "cat" && request.klass != "cushion" && furnishing::is_seat(p.piece.klass)) continue;
+        if (!furnishing::lies_on_seats(request.klass) && furnishing::is_seat(p.piece.klass)) continue;
         // Three bowls in a row are a shop.
         const auto alike =
             std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });

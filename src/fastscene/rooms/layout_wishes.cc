@@ -17,19 +17,21 @@ bool is_hung(std::string_view klass) {
 }  // namespace
 
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 39> kSmall{
+    static constexpr std::array<std::string_view, 40> kSmall{
         "monitor",    "ship_model",  "table_lamp",  "vase",        "vase_small",  "book_stack",    "bowl",
         "candle",     "plant_small", "picture",     "mirror",      "tv",          "clock",         "rug",
         "cushion",    "guitar",      "cat",         "alarm_clock", "bottles",     "cup",           "cutting_board",
         "globe",      "kettle",      "laptop",      "magazines",   "photo_frame", "picture_ledge", "place_setting",
         "pot",        "sculpture",   "storage_box", "teddy_bear",  "toaster",     "toiletries",    "towel_stack",
-        "toy_blocks", "tray",        "utensils",    "bouquet"};
+        "toy_blocks", "tray",        "utensils",    "bouquet",     "throw"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 
 bool is_seat(std::string_view klass) {
     return is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "bed", "bed_single", "crib", "pouf", "rocking_chair", "hammock"});
 }
+
+bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat"}); }
 
 bool Ask::at_shell() const {
     return is_one_of(relation, {"in the corner", "in the middle", "far wall", "against"}) || is_opening(at) ||

@@ -166,7 +166,7 @@ bool names_other_things(const Reading& r, std::size_t at) {
 }
 
 // What stands on tops, and is said to.
-bool stands_on_tops(const PromptObject& o) { return furnishing::is_small(o.klass) && !is_one_of(o.klass, {"rug", "cushion", "cat"}) && !o.forbidden; }
+bool stands_on_tops(const PromptObject& o) { return furnishing::is_small(o.klass) && !furnishing::lies_on_seats(o.klass) && o.klass != "rug" && !o.forbidden; }
 
 // "herbs and a vase on the sill", "books, a lamp and a clock on the desk": all of them stand there. Not the lamp of "a desk with a lamp and …".
 void attach_joined(Reading& r, std::size_t subject, std::size_t target) {

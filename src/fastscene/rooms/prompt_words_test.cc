@@ -505,5 +505,23 @@ TEST(PromptWords, RareWishesStandOrHangWhereTheyBelong) {
     }
 }
 
+// A blanket lies folded on what one sits or lies on, in its own cloth.
+TEST(PromptWords, BlanketsLieOnSeats) {
+    for (const auto& [text, on, pattern] : {std::tuple{"a living room with a gray sofa and a red knit throw on the sofa", "sofa", Pattern::knit},
+                                            {"a rustic bedroom with a patchwork quilt on the bed", "bed", Pattern::checker},
+                                            {"a reading nook with an armchair and a blue plaid blanket", "armchair", Pattern::checker},
+                                            {"a boho reading nook with a rattan armchair and a blanket", "armchair", Pattern::knit}}) {
+        const Furnished f = furnished(text);
+        const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& x) { return x.piece.klass == "throw"; });
+        ASSERT_TRUE(p != f.room.placed.end()) << text;
+        ASSERT_GE(p->on, 0) << text;
+        EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p->on)].piece.klass, on) << text;
+        const Material& cloth = p->piece.materials[static_cast<std::size_t>(p->piece.main_material)];
+        EXPECT_EQ(cloth.pattern, pattern) << text;
+        const auto red = [](Vec3f c) { return c.x / std::max(c.y, 1e-3f); };
+        EXPECT_TRUE(std::string(on) != "sofa" || std::min(red(cloth.color_a), red(cloth.color_b)) > 2.f) << "red yarn, in its shade too";
+    }
+}
+
 }  // namespace
 }  // namespace fastscene
