@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "fastscene/base/error.h"
@@ -111,9 +112,10 @@ class Readied {
 int without_picture(const std::vector<fs::path>& pictures, const fs::path& reference, const Run& run) {
     if (!fs::is_directory(reference)) return 0;
     std::vector<std::string> alone;
+    std::set<std::string> names;  // of folders of thousands
+    for (const fs::path& picture : pictures) names.insert(picture.filename().string());
     for (const fs::path& file : pictures_in(reference, "--reference"))
-        if (std::none_of(pictures.begin(), pictures.end(), [&](const fs::path& p) { return p.filename() == file.filename(); }))
-            alone.push_back(file.filename().string());
+        if (!names.contains(file.filename().string())) alone.push_back(file.filename().string());
     if (!alone.empty())
         run.note(fmt::format("--reference {}: {} of its pictures have no picture of the same name and are left out ({}{})", reference.string(), alone.size(), alone[0],
                              alone.size() > 1 ? " …" : ""));
@@ -140,6 +142,21 @@ PicturePair load_pair(const fs::path& picture, const fs::path& partner) {
     return pair;
 }
 
+// Files of a folder that people take for its pictures, and that are not measured: "3 .exr, 1 .gif"; empty: none.
+std::string other_pictures(const fs::path& folder) {
+    std::map<std::string, int> counts;
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            std::string ending = entry.path().extension().string();
+            for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            for (const std::string_view other : {".exr", ".hdr", ".pfm", ".gif", ".bmp", ".ppm", ".avif", ".heic", ".jxl", ".jp2"})
+                if (ending == other) ++counts[ending];
+        }
+    std::string out;
+    for (const auto& [ending, count] : counts) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, ending);
+    return out;
+}
+
 }  // namespace
 
 const std::vector<std::string>& image_measure_names() {
@@ -157,13 +174,18 @@ std::vector<fs::path> pictures_in(const fs::path& place, const std::string& flag
     if (fs::is_directory(place))
         for (const auto& entry : fs::directory_iterator(place))
             if (has_picture_ending(entry.path())) out.push_back(entry.path());
-    if (out.empty()) throw Error("{} {}: expected a picture or a folder of .png, .jpg, .webp or .tif, found none", flag, place.string());
+    if (out.empty()) {
+        const std::string others = other_pictures(place);
+        throw Error("{} {}: expected a picture or a folder of .png, .jpg, .webp or .tif, found {}", flag, place.string(), others.empty() ? "none" : "only " + others);
+    }
     std::sort(out.begin(), out.end());
     return out;
 }
 
 Json measure_images(const ImageMeasures& inputs, const Run& run) {
     const std::vector<fs::path> pictures = pictures_in(inputs.pictures, "metrics images");
+    if (const std::string others = other_pictures(inputs.pictures); !others.empty())
+        run.note(fmt::format("{}: {} are not measured, which takes .png, .jpg, .webp or .tif", inputs.pictures.string(), others));
     if (!inputs.reference.empty()) check_partners(pictures, inputs.reference);
     const int alone = without_picture(pictures, inputs.reference, run);
     const Readied ready(inputs, run);

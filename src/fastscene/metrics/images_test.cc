@@ -274,6 +274,25 @@ TEST_F(Images, ADamagedPictureIsLeftOutAndTheRestMeasured) {
     EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"ssim_wang"}}, {}), Error) << "nothing was measured";
 }
 
+TEST_F(Images, PicturesOfOtherKindsAreNotPassedOverInSilence) {
+    const auto why = [&] {
+        try {
+            measure_images({root_ / "empty", "", "", root_, {"niqe"}}, {});
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    write_file(root_ / "empty/readme.txt", "text");
+    EXPECT_NE(why().find("found none"), std::string::npos) << why();
+    for (const char* name : {"a.exr", "b.EXR", "c.gif"}) write_file(root_ / "empty" / name, "");
+    EXPECT_NE(why().find("found only 2 .exr, 1 .gif"), std::string::npos) << why();
+    save(root_ / "empty/a.png", 1, 0);
+    Heard heard;
+    (void)measure_images({root_ / "empty", root_ / "true", "", root_, {"psnr"}}, {0, &heard, {}});
+    EXPECT_NE(heard.notes.find("2 .exr, 1 .gif are not measured"), std::string::npos) << heard.notes;
+}
+
 TEST_F(Images, WrongInputsAreErrors) {
     EXPECT_THROW(measure_images({root_ / "empty", "", "", root_, {}}, {}), Error) << "no pictures";
     EXPECT_THROW(measure_images({root_ / "ours", root_ / "empty", "", root_, {}}, {}), Error) << "no partners";
