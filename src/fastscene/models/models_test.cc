@@ -417,6 +417,23 @@ TEST_F(Pulled, VerifyRecordsWhatNobodyKnewAndHoldsItAfterwards) {
     EXPECT_FALSE(is_in_cache(toy, root_)) << "another size is another file";
 }
 
+TEST_F(Pulled, WhatIsKeptBesideTheFilesIsReadWithCare) {
+    const Model toy = model("");
+    fs::create_directories(file().parent_path());
+    write_file(file(), kBytes);
+    for (const char* kept : {"[]", "3", R"({"files": []})", R"({"files": {"part/a.bin": 3}})", R"({"files": {"part/a.bin": {"sha256": 7}}})"}) {
+        SCOPED_TRACE(kept);
+        write_file(root_ / "toy/toy.record.json", kept);
+        const std::string said = complaint(toy, options());
+        EXPECT_NE(said.find("toy.record.json: expected"), std::string::npos) << said;
+    }
+    fs::remove(root_ / "toy/toy.record.json");
+    write_file(root_ / "licences.json", R"({"toy": 3})");
+    EXPECT_FALSE(is_accepted(toy, root_));
+    write_file(root_ / "licences.json", "[1]");
+    EXPECT_THROW((void)is_accepted(toy, root_), Error);
+}
+
 TEST_F(Pulled, AStopLeavesTheBeginning) {
     std::stop_source stop;
     Server server([&](const Request& r) {

@@ -21,7 +21,21 @@ namespace {
 fs::path licences_of(const fs::path& root) { return root / "licences.json"; }
 fs::path record_of(const Model& model, const fs::path& root) { return root / model.folder / (model.name + ".record.json"); }
 
-Json read_or_empty(const fs::path& file) { return fs::exists(file) ? read_json(file) : Json::object(); }
+// What was kept in `file`, an object; where there is none, an empty one.
+Json read_or_empty(const fs::path& file) {
+    const Json json = fs::exists(file) ? read_json(file) : Json::object();
+    if (!json.is_object()) throw Error("{}: expected an object, found {}: remove it", file.string(), json.type_name());
+    return json;
+}
+Json read_record(const Model& model, const fs::path& root) {
+    const fs::path file = record_of(model, root);
+    const Json json = read_or_empty(file), files = json.value("files", Json::object());
+    const bool good = files.is_object() && std::all_of(files.begin(), files.end(), [](const Json& one) {
+                          return one.is_object() && (!one.contains("sha256") || one["sha256"].is_string());
+                      });
+    if (!good) throw Error("{}: expected \"files\" with the SHA-256 of each, found {}: remove it, the next verify writes another", file.string(), files.dump().substr(0, 80));
+    return json;
+}
 
 // Two pulls of one model would write into each other's files.
 class Lock {
@@ -109,7 +123,7 @@ std::string hash_with_progress(const fs::path& file, const std::string& label, c
 }
 
 void record(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
-    Json json = read_or_empty(record_of(model, root));
+    Json json = read_record(model, root);
     json["model"] = model.name;
     json["licence"] = model.licence;
     for (const FileReport& file : files)
@@ -163,7 +177,7 @@ FileReport verified(const Model& model, const ModelFile& file, const Json& recor
 class Pull {
   public:
     Pull(const Model& model, const PullOptions& options, const Run& run)
-        : model_(model), options_(options), run_(run), known_(read_or_empty(record_of(model, options.root))) {}
+        : model_(model), options_(options), run_(run), known_(read_record(model, options.root)) {}
 
     // The file as it is here, when it is whole. What is damaged gives way only when another one has come.
     std::optional<FileReport> here(const ModelFile& file) const {
@@ -249,7 +263,11 @@ Json to_json(const ModelReport& report) {
     return {{"model", report.model}, {"folder", report.folder.string()}, {"whole", report.whole()}, {"files", files}};
 }
 
-bool is_accepted(const Model& model, const fs::path& root) { return read_or_empty(licences_of(root)).value(model.name, "") == model.licence; }
+bool is_accepted(const Model& model, const fs::path& root) { 
+    const Json all = read_or_empty(licences_of(root));
+    const auto found = all.find(model.name);
+    return found != all.end() && *found == model.licence;
+}
 
 ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run) {
     ModelReport report{model.name, options.root / model.folder, {}};
@@ -278,7 +296,7 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
 
 ModelReport verify_model(const Model& model, const fs::path& root, const Run& run) {
     ModelReport report{model.name, root / model.folder, {}};
-    const Json known = read_or_empty(record_of(model, root));
+    const Json known = read_record(model, root);
     for (const ModelFile& file : model.files) report.files.push_back(verified(model, file, known, root, run));
     record_fresh(model, root, report.files);
     return report;

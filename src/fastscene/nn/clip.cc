@@ -38,6 +38,7 @@ ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     t.inner = f.whole("intermediate_size", t.inner);
     t.layers = f.whole("num_hidden_layers", t.layers);
     t.heads = f.whole("num_attention_heads", t.heads);
+    if (t.layers < 1) throw Error("{}: expected \"num_hidden_layers\" from 1, found {}", where, t.layers);
     if (t.width < 1 || t.heads < 1 || t.width % t.heads) throw Error("{}: expected \"hidden_size\" to divide among the heads, found {} among {}", where, t.width, t.heads);
     const std::string act = f.text("hidden_act", "quick_gelu");
     if (act != "quick_gelu" && act != "gelu") throw f.wrong("hidden_act", "\"quick_gelu\" or \"gelu\"", act);

@@ -160,6 +160,8 @@ Diffusion360::Diffusion360(const fs::path& weights, const Diffusion360Settings& 
     parts_ = std::make_unique<Parts>(weights, settings, from);
     (void)nn::make_scheduler(parts_->model.options.sampler, parts_->model.schedule, settings.steps);  // refuses more steps than there are
     parts_->estimate(run);
+    parts_->model.check_shapes();
+    if (parts_->control) parts_->control->check_shapes();
 }
 Diffusion360::~Diffusion360() = default;
 Diffusion360::Diffusion360(Diffusion360&&) noexcept = default;

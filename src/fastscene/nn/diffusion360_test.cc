@@ -227,7 +227,7 @@ TEST_F(Painted, ShardsAreReadTogetherAndEachMustBeWhole) {
 TEST_F(Painted, SchedulesOfOtherModelsAreRefused) {
     const fs::path other = copy("other_schedule");
     Json config = read_json(other / "scheduler/scheduler_config.json");
-    for (const auto& [key, value] : {std::pair{"prediction_type", Json("sample")}, {"beta_schedule", Json("squaredcos_cap_v2")}, {"rescale_betas_zero_snr", Json(true)}}) {
+    for (const auto& [key, value] : {std::pair{"prediction_type", Json("sample")}, {"beta_schedule", Json("sigmoid")}, {"rescale_betas_zero_snr", Json(true)}}) {
         Json changed = config;
         changed[key] = value;
         write_json(other / "scheduler/scheduler_config.json", changed);

@@ -91,6 +91,14 @@ TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
                           {unet, "block_out_channels", {17, 34}, {"block_out_channels"}},
                           {unet, "addition_embed_type", "text_time", {"addition_embed_type", "Stable Diffusion XL"}},
                           {unet, "transformer_layers_per_block", {1, 2}, {"transformer_layers_per_block", "[1,2]"}},
+                          {unet, "act_fn", "gelu", {"act_fn", "gelu"}},
+                          {unet, "num_class_embeds", 10, {"num_class_embeds", "10"}},
+                          {unet, "only_cross_attention", {true, false}, {"only_cross_attention", "[true,false]"}},
+                          {unet, "center_input_sample", true, {"center_input_sample"}},
+                          {unet, "resnet_time_scale_shift", "scale_shift", {"resnet_time_scale_shift", "default"}},
+                          {unet, "mid_block_scale_factor", 2, {"mid_block_scale_factor", "2"}},
+                          {vae, "act_fn", "relu", {"act_fn", "relu"}},
+                          {text, "num_hidden_layers", 0, {"num_hidden_layers", "0"}},
                           {vae, "norm_num_groups", 0, {"norm_num_groups", "0"}},
                           {vae, "norm_num_groups", 3, {"norm_num_groups", "3"}},
                           {vae, "sample_size", 0, {"sample_size", "multiple of 32"}},
@@ -110,6 +118,77 @@ TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
     }
 }
 
+TEST_F(Folders, WhatNewerFilesWriteOutIsTheUsual) {
+    const fs::path file = copy() / "unet/config.json";
+    Json whole = read_json(file);
+    whole.update({{"act_fn", "swish"}, {"mid_block_type", "UNetMidBlock2DCrossAttn"}, {"mid_block_scale_factor", 1.0}, {"only_cross_attention", {false, false}},
+                  {"resnet_time_scale_shift", "default"}, {"attention_type", "default"}, {"time_embedding_type", "positional"}, {"conv_in_kernel", 3},
+                  {"time_embedding_act_fn", nullptr}, {"dropout", 0.0}, {"num_class_embeds", nullptr}, {"dual_cross_attention", false}});
+    write_json(file, whole);
+    EXPECT_EQ(painted(home_ / "copy"), painted(home_ / "model"));
+}
+
+TEST_F(Folders, LayersThatTheConfigurationDoesNotKnowAreNamed) {
+    for (const auto& [file, key] : {std::pair<std::string, std::string>{"unet/diffusion_pytorch_model.safetensors", "up_blocks.1.resnets.2.norm1.weight"},
+                                    {"vae/diffusion_pytorch_model.safetensors", "decoder.up_blocks.4.resnets.0.norm1.weight"}}) {
+        const fs::path folder = copy();
+        Weights weights = load_weights(folder / file);
+        weights.tensors["some_note"] = weights.tensors.begin()->second;
+        save_safetensors(folder / file, Weights(weights));
+        EXPECT_EQ(complaint(folder), "") << "beside the layers";
+        weights.tensors[key] = weights.tensors.begin()->second;
+        save_safetensors(folder / file, weights);
+        expect_says(complaint(folder), {(folder / file).parent_path().string(), key, "config.json"});
+    }
+}
+
+TEST_F(Folders, WordsAreWeighedWithinReason) {
+    const auto paint = [&](const std::string& prompt) { return message_of([&] { (void)Diffusion360(home_ / "model", small(), {}).paint(prompt, {}); }); };
+    EXPECT_EQ(paint("(a:900) (b:-2) ((c))"), "");
+    expect_says(paint("(a:99999)"), {"the prompt", "1000", "99999"});
+    expect_says(paint(std::string(3000, '(') + "a"), {"the prompt", "inf"});
+}
+
+TEST_F(Folders, AControlNetMayTakeBlueFirst) {
+    const fs::path folder = with_photo();
+    ImageRgb8 photo(32, 32);
+    for (std::size_t i = 0; i < photo.size(); ++i) photo.pixels[i] = {static_cast<std::uint8_t>(i % 251), static_cast<std::uint8_t>(i % 7 * 30), 90};
+    const auto paint = [&] { return Diffusion360(folder, small(), {}, Diffusion360::From::photo).paint_around(photo, "a room", {}); };
+    const ImageRgb8 plain = paint();
+    change(folder / "sd-i2p/config.json", "controlnet_conditioning_channel_order", "bgr");
+    EXPECT_NE(paint(), plain);
+    // The same network with its first kernel's channels turned round sees the same again.
+    const fs::path file = folder / "sd-i2p/diffusion_pytorch_model.safetensors";
+    Weights weights = load_weights(file);
+    WeightTensor& kernel = weights.tensors.at("controlnet_cond_embedding.conv_in.weight");
+    const std::vector<float> old = kernel.floats();
+    const auto values = std::make_shared<std::vector<float>>(old.size());
+    const std::size_t channels = 4, area = 9;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const std::size_t channel = i / area % channels;
+        (*values)[i - channel * area + (channels - 1 - channel) * area] = old[i];
+    }
+    kernel = {NumberType::f32, kernel.shape, std::as_bytes(std::span(*values)), values};
+    save_safetensors(file, weights);
+    const ImageRgb8 again = paint();
+    int most = 0;
+    for (std::size_t i = 0; i < again.size(); ++i) most = std::max(most, std::abs(again.pixels[i].g - plain.pixels[i].g));
+    EXPECT_LE(most, 1) << "but for the order of its sums";
+}
+
+TEST_F(Folders, AnEnlargerThatLacksALayerIsToldBeforeAnythingIsPainted) {
+    const fs::path folder = with_photo(), file = folder / "RealESRGAN_x2plus.pth";
+    write_tiny_control(folder / "sr-control", 3);
+    write_tiny_enlarger(file);
+    Upscale360Settings settings;
+    settings.to = "6";
+    EXPECT_EQ(message_of([&] { (void)Upscale360(folder, 256, settings, {}); }), "");
+    Weights weights = load_weights(file);
+    weights.tensors.erase("params_ema.conv_up2.weight");
+    save_safetensors(file, weights);
+    expect_says(message_of([&] { (void)Upscale360(folder, 256, settings, {}); }), {file.string(), "conv_up2.weight"});
+}
+
 TEST_F(Folders, AControlNetMustHaveTheLevelsOfItsModel) {
     const fs::path folder = with_photo(), file = folder / "sd-i2p/config.json";
     EXPECT_EQ(complaint(folder, Diffusion360::From::photo), "");
@@ -119,6 +198,8 @@ TEST_F(Folders, AControlNetMustHaveTheLevelsOfItsModel) {
           {Json{{"layers_per_block", 2}}, "layers_per_block 2"},
           {Json{{"down_block_types", {"CrossAttnDownBlock2D", "CrossAttnDownBlock2D"}}}, "32 reading text"},
           {Json{{"in_channels", 9}}, "in_channels 9"},
+          {Json{{"global_pool_conditions", true}}, "global_pool_conditions"},
+          {Json{{"controlnet_conditioning_channel_order", "gbr"}}, "controlnet_conditioning_channel_order"},
           {Json{{"conditioning_embedding_out_channels", {4, 4, 8}}}, "conditioning_embedding_out_channels"},
           {Json{{"_class_name", "UNet2DConditionModel"}}, "expected a ControlNetModel, found a UNet2DConditionModel"}}) {
         SCOPED_TRACE(changes.dump());
@@ -186,9 +267,12 @@ TEST_F(Folders, AStateDictIsUnwrapped) {
 }
 
 TEST_F(Folders, WhatStandsForAFileIsCalledByItsName) {
-    const fs::path file = copy() / "unet/diffusion_pytorch_model.safetensors";
+    const fs::path file = copy() / "unet/diffusion_pytorch_model.safetensors", config = home_ / "copy/unet/config.json";
     write_file(file, "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 3438167536\n");
     expect_says(complaint(home_ / "copy"), {file.string(), "Git LFS", "fetch"});
+    write_file(config, "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 743\n");
+    expect_says(complaint(home_ / "copy"), {config.string(), "Git LFS"});
+    fs::copy_file(home_ / "model/unet/config.json", config, fs::copy_options::overwrite_existing);
     write_file(file, "<!doctype html><html>log in</html>");
     expect_says(complaint(home_ / "copy"), {file.string(), "web page"});
 }

@@ -69,6 +69,20 @@ const WeightTensor* FileWeights::find(const std::string& key) const {
     return nullptr;
 }
 
+void FileWeights::expect_none_beyond(const std::set<std::string>& asked, const std::vector<std::string>& parts) const {
+    std::set<std::string> known = asked;
+    for (const std::string& key : asked) known.insert(older_name(key));
+    std::size_t count = 0;
+    std::string first;
+    for (const Weights& part : parts_)
+        for (const auto& [key, tensor] : part.tensors) {
+            const bool is_layer = std::any_of(parts.begin(), parts.end(), [&](const std::string& begin) { return key.starts_with(begin); });
+            if (is_layer && !known.contains(key) && count++ == 0) first = key;
+        }
+    if (count > 0)
+        throw Error("{}: expected the layers that config.json tells of, found {} tensors of others, such as {} (another model's config.json?)", component_.string(), count, first);
+}
+
 std::vector<fs::path> FileWeights::files() const {
     std::vector<fs::path> out;
     for (const Weights& part : parts_) out.push_back(part.path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -23,6 +24,8 @@ class FileWeights final : public WeightSource {
     bool has(const std::string& key) const override { return find(key) != nullptr; }
     // Throws what get would throw, without reading.
     void check(const std::string& key, at::IntArrayRef shape) const { checked(key, shape); }
+    // Throws Error naming tensors whose names begin with one of `parts` and are not among `asked`.
+    void expect_none_beyond(const std::set<std::string>& asked, const std::vector<std::string>& parts) const;
     // The shape in the file, empty when there is no such tensor.
     std::vector<std::int64_t> shape_of(const std::string& key) const;
     const std::filesystem::path& path() const { return component_; }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
 #include "fastscene/nn/panorama_loops.h"
 #include "fastscene/nn/precision.h"
+#include "fastscene/nn/shapes_only.h"
 #include "fastscene/nn/stoppable.h"
 
 namespace fastscene::nn {
@@ -16,6 +18,7 @@ using at::Tensor;
 
 namespace {
 
+constexpr float kLargestWeight = 1000;  // of a word of a prompt; far beyond it nothing is a number any more
 constexpr const char* kWords = "text_model.embeddings.token_embedding.weight";
 
 Json config_in(const fs::path& folder, const char* name = "config.json") {
@@ -53,20 +56,6 @@ std::string family_of(std::int64_t text_width) {
                                 : fmt::format("a model that reads text of width {}", text_width);
 }
 
-// Stands for weights when only names and shapes matter: holds them against the file and hands out zeros that take no memory.
-class ShapesOnly final : public WeightSource {
-  public:
-    explicit ShapesOnly(const FileWeights& file) : file_(file) {}
-    Tensor get(const std::string& key, at::IntArrayRef shape) override {
-        file_.check(key, shape);
-        return at::zeros({}, at::kFloat).expand(shape);
-    }
-    bool has(const std::string& key) const override { return file_.has(key); }
-
-  private:
-    const FileWeights& file_;
-};
-
 }  // namespace
 
 SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory, bool encoder) {
@@ -87,7 +76,6 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
     text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep, kWords);
     check_text();
     check_families();
-    check_shapes();
 }
 
 void SdModel::check_text() const {
@@ -121,6 +109,8 @@ void SdModel::check_shapes() const {
     nn::unet(Scope(denoiser), unet_config, at::zeros({1, unet_config.in_channels, 8, 8}), 1, at::zeros({1, 2, unet_config.text_width}));
     vae_decode(Scope(pictures), vae_config, at::zeros({1, vae_config.latent_channels, 1, 1}));
     if (options.encoder) vae_encode(Scope(pictures), vae_config, at::zeros({1, 3, kPixelsPerLatent, kPixelsPerLatent}));
+    denoiser.expect_all_of({"down_blocks.", "mid_block.", "up_blocks.", "class_embedding.", "add_embedding."});
+    pictures.expect_all_of({"decoder."});
 }
 
 Tensor SdModel::read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const {
@@ -132,6 +122,9 @@ Tensor SdModel::read_prompt(const std::string& prompt, const std::string& negati
     if (const auto& added = tokenizer->unread(); !added.empty())
         run.warn(fmt::format("{}: {} pieces beyond CLIP's vocabulary, such as \"{}\", are not read: the model sees their letters instead",
                              (base / "tokenizer/added_tokens.json").string(), added.size(), added.front()));
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (const float weight : tokens[i].weights)
+            if (!(std::abs(weight) <= kLargestWeight)) throw UsageError("{}: expected words weighted by up to {:g}, found {:g}", names[i], kLargestWeight, weight);
     StoppableWeights weights(*text, run);
     const Scope words(weights);
     const Tensor both = at::cat({embed_prompt(words, tower, tokens[1]).states, embed_prompt(words, tower, tokens[0]).states}, 0);
@@ -156,9 +149,13 @@ ControlModel::ControlModel(const fs::path& folder, const SdModel& model, std::in
     if (const int widths = std::bit_width(static_cast<std::uint64_t>(kPixelsPerLatent)); static_cast<int>(config.picture_widths.size()) != widths)
         throw Error("{}: expected {} widths in \"conditioning_embedding_out_channels\" ({} pixels to a latent), found {}",
                     (folder / "config.json").string(), widths, kPixelsPerLatent, config.picture_widths.size());
+}
+
+void ControlModel::check_shapes() const {
     ShapesOnly shapes(*weights);
     controlnet(Scope(shapes), config, at::zeros({1, config.in_channels, 8, 8}), 1, at::zeros({1, 2, config.text_width}),
-               at::zeros({1, channels, 8 * kPixelsPerLatent, 8 * kPixelsPerLatent}));
+               at::zeros({1, config.picture_channels, 8 * kPixelsPerLatent, 8 * kPixelsPerLatent}));
+    shapes.expect_all_of({"down_blocks.", "mid_block.", "controlnet_", "class_embedding."});
 }
 
 void expect_finite(const Tensor& output, const fs::path& component, at::ScalarType type) {

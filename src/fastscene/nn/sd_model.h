@@ -1,4 +1,4 @@
-// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape is held against the
+// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape can be held against the
 // configurations before anything is computed. Private to nn/ (torch).
 #pragma once
 
@@ -34,6 +34,8 @@ SdOptions sd_options(const std::string& precision, const std::string& device, Sa
 struct SdModel {
     // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and found.
     SdModel(const std::filesystem::path& base, const SdOptions& options);
+    // Walks through the networks, which takes some memory. Throws Error for what is missing, misshaped or too much.
+    void check_shapes() const;
 
     // [2, L, width]: negative prompt, prompt; in the denoiser's type, on its device. Warns of what is too long to be read.
     at::Tensor read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const;
@@ -52,13 +54,13 @@ struct SdModel {
   private:
     void check_text() const;
     void check_families() const;
-    void check_shapes() const;
 };
 
 // A ControlNet beside such a model, checked against it.
 struct ControlModel {
     // `channels` of the picture it must take. Throws Error as above.
     ControlModel(const std::filesystem::path& folder, const SdModel& model, std::int64_t channels);
+    void check_shapes() const;
     UNetConfig config;
     std::unique_ptr<FileWeights> weights;
 };

@@ -76,7 +76,7 @@ Tensor way_up(const Scope& s, const UNetConfig& config, Tensor x, std::vector<Te
 // The conditioning picture, shrunk by 8 to the size of the latent.
 Tensor picture_embedding(const Scope& s, const UNetConfig& config, const Tensor& picture) {
     const std::vector<std::int64_t>& widths = config.picture_widths;
-    Tensor x = at::silu(conv(s / "conv_in", picture, widths[0]));
+    Tensor x = at::silu(conv(s / "conv_in", config.picture_reversed ? picture.flip({1}) : picture, widths[0]));
     for (std::size_t i = 0; i + 1 < widths.size(); ++i) {
         const auto block = static_cast<std::int64_t>(2 * i);
         x = at::silu(conv(s / "blocks" / block, x, widths[i]));

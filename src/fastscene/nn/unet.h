@@ -22,6 +22,7 @@ struct UNetConfig {
     bool cos_first = true, linear_projection = false, attention_in_float = false;
     // ControlNet only.
     std::int64_t picture_channels = 3;
+    bool picture_reversed = false;                  // its channels are taken from the last to the first: blue, green, red
     std::vector<std::int64_t> picture_widths{16, 32, 96, 256};
 };
 // Reads config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no way up. `where` names it in errors. Throws Error for

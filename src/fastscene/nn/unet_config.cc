@@ -14,7 +14,17 @@ void refuse_other_models(const ConfigFields& f) {
         if (const Json* v = f.find(key)) throw f.wrong(key, "absent (Stable Diffusion 1 or 2)", *v);
     if (const Json* v = f.find("transformer_layers_per_block"); v && *v != 1)
         throw f.wrong("transformer_layers_per_block", "1 (Stable Diffusion 1 or 2)", *v);
-    if (const Json* act = f.find("act_fn"); act && *act != "silu") throw f.wrong("act_fn", "\"silu\"", *act);
+    if (const Json* act = f.find("act_fn"); act && *act != "silu" && *act != "swish") throw f.wrong("act_fn", "\"silu\"", *act);
+    // What would compute otherwise with weights of the same names and shapes.
+    const Json usual = {{"mid_block_type", {"UNetMidBlock2DCrossAttn"}}, {"resnet_time_scale_shift", {"default"}}, {"attention_type", {"default"}},
+                        {"time_embedding_type", {"positional"}}, {"mid_block_scale_factor", {1}}, {"resnet_out_scale_factor", {1}}, {"conv_in_kernel", {3}},
+                        {"conv_out_kernel", {3}}, {"class_embeddings_concat", {false}}, {"center_input_sample", {false}}, {"only_cross_attention", {false}},
+                        {"dual_cross_attention", {false}}, {"resnet_skip_time_act", {false}}, {"mid_block_only_cross_attention", {false}}, {"global_pool_conditions", {false}}};
+    for (const auto& [key, value] : usual.items())
+        if (const Json* v = f.find(key.c_str()); v && *v != value[0] && !(v->is_array() && std::all_of(v->begin(), v->end(), [&](const Json& one) { return one == value[0]; })))
+            throw f.wrong(key.c_str(), value[0].dump() + " (Stable Diffusion 1 or 2)", *v);
+    for (const char* key : {"num_class_embeds", "time_embedding_act_fn", "timestep_post_act", "cross_attention_norm", "time_embedding_dim"})
+        if (const Json* v = f.find(key)) throw f.wrong(key, "absent (Stable Diffusion 1 or 2)", *v);
 }
 
 UNetConfig config_of(const Json& json, const std::string& where, bool has_up) {
@@ -48,6 +58,9 @@ UNetConfig config_of(const Json& json, const std::string& where, bool has_up) {
     c.linear_projection = f.flag("use_linear_projection", false);
     c.attention_in_float = f.flag("upcast_attention", false);
     c.picture_channels = f.whole("conditioning_channels", 3);
+    const std::string order = f.text("controlnet_conditioning_channel_order", "rgb");
+    if (order != "rgb" && order != "bgr") throw f.wrong("controlnet_conditioning_channel_order", "\"rgb\" or \"bgr\"", order);
+    c.picture_reversed = order == "bgr";
     if (f.find("conditioning_embedding_out_channels")) c.picture_widths = f.list("conditioning_embedding_out_channels");
     return c;
 }

@@ -13,6 +13,7 @@
 #include "fastscene/nn/rrdbnet.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
+#include "fastscene/nn/shapes_only.h"
 #include "fastscene/nn/sphere_tiles.h"
 #include "fastscene/nn/stoppable.h"
 
@@ -87,6 +88,14 @@ struct Upscale360::Parts {
                                                    "conv_first.weight");
         larger_config = rrdb_config(*larger);
     }
+    void check_shapes() const {
+        model.check_shapes();
+        control.check_shapes();
+        if (!larger) return;
+        nn::ShapesOnly shapes(*larger);
+        nn::rrdbnet(Scope(shapes), larger_config, at::zeros({1, 3, 4, 4}));
+        shapes.expect_all_of({"body.", "conv_"});
+    }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
     nn::SphereTiles tiles(std::int64_t in, std::int64_t out) const {
         const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
@@ -159,10 +168,11 @@ Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Setti
                                                 p.control.weights->bytes(), p.model.unet->largest_bytes(), true}) +
                               (settings.to == "3" ? pixels / 4 : pixels) * 40;
     run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
-    if (p.model.options.device.is_cuda()) return;  // the graphics card says itself when it is full
-    check_memory(
-        "--panorama-upscale " + settings.to, need,
-        fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
+    if (!p.model.options.device.is_cuda())  // a graphics card says itself when it is full
+        check_memory(
+            "--panorama-upscale " + settings.to, need,
+            fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
+    p.check_shapes();
 }
 Upscale360::~Upscale360() = default;
 Upscale360::Upscale360(Upscale360&&) noexcept = default;

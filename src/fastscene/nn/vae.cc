@@ -43,6 +43,8 @@ Tensor halved(const Scope& s, const Tensor& x) {  // padded right and below only
 VaeConfig vae_config(const Json& json, const std::string& where) {
     const ConfigFields f(json, where);
     VaeConfig c;
+    if (const Json* act = f.find("act_fn"); act && *act != "silu" && *act != "swish") throw f.wrong("act_fn", "\"silu\"", *act);
+    if (!f.flag("mid_block_add_attention", true)) throw f.wrong("mid_block_add_attention", "true", false);
     c.channels = f.list("block_out_channels");
     c.layers = f.whole("layers_per_block", 1);
     c.latent_channels = f.whole("latent_channels", 4);
