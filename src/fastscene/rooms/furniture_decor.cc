@@ -153,6 +153,8 @@ void bouquet(Kit& k) {
     const std::string_view kind = k.request.pattern;
     const int bloom = k.main(plain("petals", color_of_flower(k, kind), 0.6f));
     Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f) : plain("glazed vase", k.accent(), 0.25f);
+    if (const auto asked = material_named(k.request.holder_material)) pot = *asked;
+    if (const auto asked = color_named(k.request.holder_color)) pot = tinted(pot, *asked);
     const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f}, {0.066f, 0.09f}, {0.055f, 0.15f}, {0.045f, 0.19f}, {0.055f, 0.215f}};
     k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), k.material(pot));
     flowers(k, bloom, 0.21f, kind, 1.05f);

@@ -227,6 +227,8 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.material = wish->material;
         r.pattern = wish->pattern;
+        r.holder_color = wish->holder_color;
+        r.holder_material = wish->holder_material;
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
         r.size_m = as_measured(r, wish->size_m);
     }

@@ -110,7 +110,13 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         }
         if (!a.word->exact) r.tell_near(at, std::string(name) + " " + object.*field + whose, object.id);
     };
-    if (a.is(WordKind::color)) {
+    // Flowers and their vase are one piece, whose own color is the flowers'.
+    const bool of_holder = object.klass == "bouquet" && is_one_of(n.word->meaning, {"vase", "vase_small"});
+    if (of_holder && a.is(WordKind::color)) {
+        take(&PromptObject::holder_color, "vase in color");
+    } else if (of_holder && a.is(WordKind::material)) {
+        take(&PromptObject::holder_material, "vase of");
+    } else if (a.is(WordKind::color)) {
         if (!object.color.empty() && object.color2.empty() && object.color != a.word->meaning) {
             object.color2 = a.word->meaning;
             r.tell(at, "second color " + a.word->meaning + whose, object.id);

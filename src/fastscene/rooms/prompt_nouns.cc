@@ -1,6 +1,7 @@
 // The nouns of a prompt: which pieces it speaks of, which of them again, which it does not want.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -331,6 +332,7 @@ void find_nouns(Reading& r) {
         if (const int holder = holder_of(r, i); holder >= 0) {
             PromptObject& held = r.spec.objects[static_cast<std::size_t>(holder)];
             held.klass = m.word->meaning;
+            held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
             take_added(*m.word, held);
             m.object = holder;
             continue;

@@ -438,6 +438,17 @@ TEST(PromptWords, AVaseOfFlowersIsOneThing) {
         EXPECT_FALSE(object_of(spec, "vase")) << text;
     }
     EXPECT_EQ(object_of(read("a kitchen with a vase with pink roses"), "bouquet")->color, "pink");
+    // What is said of the vase is the vase's.
+    const PromptSpec two = read("a kitchen with a blue glass vase of yellow tulips on the table");
+    EXPECT_EQ(object_of(two, "bouquet")->color, "yellow");
+    EXPECT_EQ(object_of(two, "bouquet")->holder_color, "blue");
+    EXPECT_EQ(object_of(two, "bouquet")->holder_material, "glass");
+    EXPECT_TRUE(object_of(two, "bouquet")->material.empty());
+    const Furnished f = furnished("a kitchen with a blue vase of yellow tulips on the table");
+    const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& x) { return x.piece.klass == "bouquet"; });
+    ASSERT_TRUE(p != f.room.placed.end());
+    EXPECT_TRUE(std::any_of(p->piece.materials.begin(), p->piece.materials.end(), [](const Material& m) { return m.color_a == *color_named("blue"); }));
+    EXPECT_EQ(p->piece.materials[static_cast<std::size_t>(p->piece.main_material)].color_a, *color_named("yellow"));
     EXPECT_TRUE(object_of(read("a kitchen with a blue vase"), "vase"));
 }
 

@@ -107,6 +107,24 @@ TEST(Path, SurfacesLoseEnergy) {
         }
 }
 
+// Patterns make a surface by turns a bit rougher and smoother (clouds in concrete): no outline shows where it stops to mirror.
+TEST(Path, ASurfaceGrowsMattWithoutAStep) {
+    Material m = diffuse({0.3f, 0.3f, 0.3f});
+    m.specular = 0.04f;
+    for (const float steep : {1.f, 0.4f, 0.15f}) {
+        const Vec3f normal{0, -1, 0}, in = normalize(Vec3f{1, steep, 0});
+        const auto at = [&](float r) { return response_of({.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}}, in); };
+        const float glossy = at(0.3f).shine.x;
+        EXPECT_GE(glossy, 0.04f);
+        EXPECT_EQ(at(0.7f).shine.x, 0);
+        for (float roughness = 0.3f; roughness < 0.7f; roughness += 0.005f) {
+            const Response a = at(roughness), b = at(roughness + 0.005f);
+            EXPECT_NEAR(a.shine.x, b.shine.x, 0.08f * glossy) << roughness;
+            EXPECT_NEAR(a.diffuse.x + a.shine.x, b.diffuse.x + b.shine.x, 0.03f * glossy) << roughness;
+        }
+    }
+}
+
 TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
     const Vec3f n{0, -1, 0}, in = normalize(Vec3f{0.5f, 1, 0.2f});
     // The density over all directions above and below integrates to one.

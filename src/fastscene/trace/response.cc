@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/trace/noise.h"
+
 namespace fastscene {
 namespace {
 
-// Rougher dielectrics mirror so little and so widely that the light around stands for it.
-constexpr float kMirrorRoughness = 0.5f;
+// Rougher dielectrics mirror so little and so widely that the light around stands for it, little by little: where a surface is by turns a bit
+// rougher and smoother (concrete), a limit would show as an outline.
+constexpr float kMirrorRoughness = 0.43f, kMattRoughness = 0.55f;
+constexpr float kKeptUnderMatt = 0.5f, kMattCoat = 0.8f;  // of what the coat mirrors: taken from the base, and given back evenly
+float mirrored_share(float roughness, float metal) { return metal < 0.5f ? 1.f - smooth_step(kMirrorRoughness, kMattRoughness, roughness) : 1.f; }
 
 }  // namespace
 
@@ -27,16 +32,12 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
         r.shine = fresnel;
         return r;
     }
-    if (m.metal < 0.5f && s.texture.roughness > kMirrorRoughness) {
-        base = base * (1.f - max_component(fresnel) * 0.5f);
-        r.diffuse = base * (1.f - m.transmission) + fresnel * 0.8f;
-        r.behind = base * m.transmission;
-        return r;
-    }
-    base = base * (1.f - max_component(fresnel));
-    r.diffuse = base * (1.f - m.transmission);
+    const float mirrored = mirrored_share(s.texture.roughness, m.metal);
+    base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, mirrored));
+    r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - mirrored));
     r.behind = base * m.transmission;
-    r.shine = fresnel;
+    r.shine = fresnel * mirrored;
+    if (mirrored <= 0) return r;
     r.alpha = s.texture.roughness * s.texture.roughness;
     if (r.alpha <= 1e-3f) r.alpha = 0;
     return r;
@@ -49,9 +50,9 @@ Vec3f mean_reflectance(const Material& m, Vec3f albedo) {
     const float smoothness = 1.f - m.roughness;
     Vec3f fresnel;
     for (std::size_t a = 0; a < 3; ++a) fresnel[a] = f0[a] + (std::max(smoothness, f0[a]) - f0[a]) / 21;
-    const bool rough = m.metal < 0.5f && m.roughness > kMirrorRoughness;
-    const Vec3f base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * (rough ? 0.5f : 1.f)));
-    return base + fresnel * (rough ? 0.8f : 1.f);
+    const float mirrored = mirrored_share(m.roughness, m.metal);
+    const Vec3f base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, mirrored)));
+    return base + fresnel * std::lerp(kMattCoat, 1.f, mirrored);
 }
 
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
