@@ -263,7 +263,7 @@ Json to_json(const ModelReport& report) {
     return {{"model", report.model}, {"folder", report.folder.string()}, {"whole", report.whole()}, {"files", files}};
 }
 
-bool is_accepted(const Model& model, const fs::path& root) { 
+bool is_accepted(const Model& model, const fs::path& root) {
     const Json all = read_or_empty(licences_of(root));
     const auto found = all.find(model.name);
     return found != all.end() && *found == model.licence;

@@ -192,7 +192,7 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
         for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench", "rocking_chair"})
             for (std::size_t i = 0; i < l_.placed().size(); ++i)
                 if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish)) return true;
-        if (wish.size_m != Vec3f{}) break;
+        if (wish.klass != "throw" || wish.size_m != Vec3f{}) break;
     }
     return false;
 }

@@ -332,7 +332,7 @@ void find_nouns(Reading& r) {
         if (const int holder = holder_of(r, i); holder >= 0) {
             PromptObject& held = r.spec.objects[static_cast<std::size_t>(holder)];
             held.klass = m.word->meaning;
-            held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
+            if (!held.material.empty()) held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
             take_added(*m.word, held);
             m.object = holder;
             continue;
