@@ -79,6 +79,8 @@ struct Sky {
     enum class View : std::uint8_t { garden, city, sea, mountains, forest } view = View::garden;
     bool snow = false;              // lies on all of it
     float seen = 1.f;               // share of its radiance that a camera sees: windows burn out less, as behind a photographer's filter
+    float sun_limit = 0.f;          // as bright as this a camera sees white in full sun, 1 = white by the room's light; what is more it sees
+                                    // with restraint (Look::sun_seen); 0: the sun is seen as it is
     std::uint32_t seed = 0;         // of what stands outside
 };
 
@@ -88,6 +90,7 @@ struct Look {
     bool automatic = true;
     Vec3f white{1, 1, 1};           // divides the color
     float contrast = 1.f, saturation = 1.f;
+    float sun_seen = 1.f;           // share of the sun's own light that a camera sees on what it falls on; all of it lights the room
 };
 
 struct Room {

@@ -44,6 +44,9 @@ float middle_mean(std::vector<Weighted>& values) {
     return used > 0 ? sum / used : 0.f;
 }
 
+// What is left of a light `times` as bright as it may be: each doubling still adds something, so that the brighter stays brighter.
+float restrained(float times, float doubling) { return times > 1 ? (1 + doubling * std::log2(times)) / times : 1.f; }
+
 }  // namespace
 
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
@@ -84,6 +87,12 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
                   std::exp2(pull * std::lerp(on_line * kLineBlue, blue, kOffLine)) / wish.white.z};
     const float l = luminance(look.white);
     look.white = look.white / l;
+    // Where the sun meets dim walls its patches are a hundred times as bright as the rest, and no curve keeps both: they would be white
+    // paper, whatever lies there. The same share everywhere in the room, so patches keep textures, hues and edges.
+    if (sky.sun_limit > 0) {
+        constexpr float kSunDoubling = 0.12f;
+        look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
+    }
     look.contrast = wish.contrast * 1.1f;
     look.saturation = wish.saturation * 1.06f;
     return look;
@@ -91,8 +100,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
     constexpr float kDoubling = 0.15f;   // what each doubling of its light still adds, once it is brighter than white
-    const float l = luminance(emission) * std::exp2(look.exposure_ev);
-    return l > 1 ? emission * ((1 + kDoubling * std::log2(l)) / l) : emission;
+    return emission * restrained(luminance(emission) * std::exp2(look.exposure_ev), kDoubling);
 }
 
 Vec3f develop(const Look& look, Vec3f radiance) {

@@ -8,7 +8,7 @@ namespace fastscene {
 
 // Exposure and white for a room from a small panorama of radiances as seen from its first viewpoint. With the albedo of the same
 // pixels (else empty) the light itself is measured, not only what surfaces return of it: a dark room stays dark, a white one white,
-// and what is neutral stays so beside warm walls.
+// and what is neutral stays so beside warm walls. How much of the sun is seen follows from the exposure (Sky::sun_limit).
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo = {});
 
 // The radiance of a lamp or flame that the camera looks at: as behind a photographer's filter, so that its shape and hue are not

@@ -67,11 +67,11 @@ int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
     return best;
 }
 
-Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, bool with_sun) const {
+Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, float sun) const {
     const int c = nearest(position, normal);
     if (c < 0) return {};
     const Cell& cell = cells_[static_cast<std::size_t>(c)];
-    return with_sun ? cell.direct + cell.indirect + cell.sun : cell.direct + cell.indirect;
+    return cell.direct + cell.indirect + cell.sun * sun;
 }
 
 IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) const {

@@ -33,8 +33,8 @@ class IrradianceCache {
         float trust = 0;
     };
     Reading read(Vec3f position, Vec3f normal) const;
-    // From the nearest entry only: for light that bounces or is mirrored.
-    Vec3f near(Vec3f position, Vec3f normal, bool with_sun) const;
+    // From the nearest entry only: for light that bounces or is mirrored. `sun`: what share of the sun's is wanted.
+    Vec3f near(Vec3f position, Vec3f normal, float sun) const;
     std::size_t size() const { return cells_.size(); }
 
     // A bit of surface.

@@ -101,9 +101,9 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     if (hit.back) normal = -normal;
     const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
     // The sun's first bounce has been asked directly, unless it is close by.
-    const bool with_sun = hit.distance <= kNearSun * cell_m_;
-    Vec3f arriving = near(p, normal, with_sun) * (1.f - m.transmission);
-    if (m.transmission > 0) arriving += near(p, -normal, with_sun) * m.transmission;
+    const float sun = hit.distance <= kNearSun * cell_m_ ? 1.f : 0.f;
+    Vec3f arriving = near(p, normal, sun) * (1.f - m.transmission);
+    if (m.transmission > 0) arriving += near(p, -normal, sun) * m.transmission;
     Vec3f irradiance = reflectances_[static_cast<std::size_t>(mesh.material)] * arriving;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
     return {irradiance, hit.distance, false};

@@ -54,8 +54,8 @@ struct Local {
     }
 };
 
-// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface.
-Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, bool first, Sampler& sampler) {
+// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in others that mirror it.
+Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, bool first, bool looking, Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
     const Vec3f normal = behind ? -s.normal : s.normal;
     Vec3f sum{};
@@ -70,7 +70,7 @@ Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choi
     // The sun is met by chance by nobody: its disc is not in the sky.
     const Vec2f disc = sampler.next2();
     const Vec3f facing = behind ? normal : s.bumped;
-    const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc);
+    const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) * (looking ? scene.room.look.sun_seen : 1.f);
     if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse * local.relief) * sun * (1.f / kPi);
     if (luminance(sun) > 0 && !behind) sum += sun_glint(scene.room.sky, s, local.r, local.direction, sun, first ? kSharpestSun : kWideSun);
     return sum;
@@ -82,6 +82,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     Vec3f sum{}, throughput{1, 1, 1};
     Arrival arrival;
     float width = pixel_angle, travelled = 0;
+    bool looking = true;   // mirrored at most: what lies here is looked at; after that it only lights something
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
         const RayHit hit = scene.bvh.first_hit(origin, direction);
         float by_chance = 1;
@@ -110,7 +111,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
             next.choice = scene.lights.choice_at(s.position, next.normal);
-            sum += throughput * asked_light(scene, local, next.choice, side, bounce == 0, sampler) *
+            sum += throughput * asked_light(scene, local, next.choice, side, bounce == 0, looking, sampler) *
                    (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();
@@ -127,6 +128,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             out = cosine_direction(backwards ? -s.normal : s.normal, u);
             width = std::max(width, 0.2f);
         }
+        looking &= kind < local.p_shine;
         out = normalize(out);
         if (kind < local.p_shine && r.alpha == 0) {
             throughput = throughput * r.shine / local.p_shine;

@@ -174,6 +174,45 @@ TEST(Path, CachedPicturesAgree) {
     EXPECT_NEAR(cached / paths, 1.0, 0.05);
 }
 
+// A camera sees the sun with restraint on what it looks at, in mirrors too; what the sun's patch lights is lit by all of it.
+TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
+    const auto room_of = [](float sun_seen) {
+        Room room;
+        room.min_corner = kLow, room.max_corner = kHigh;
+        room.materials = {diffuse({0.5f, 0.5f, 0.5f}), diffuse({0.9f, 0.9f, 0.9f})};
+        room.materials[1].mirror = 1;
+        room.sky.sun_dir = {0, -1, 0};
+        room.sky.sun_irradiance = {10, 10, 10};
+        // No ceiling: the sun stands above a floor, a wall that only the floor lights and a mirror across from it.
+        room.meshes = {box_mesh({-2, 1.5f, -2.5f}, {2, 1.6f, 2.5f}, 0, -1, false), box_mesh({-2, -1.5f, 2.5f}, {2, 1.5f, 2.6f}, 0, -1, false),
+                       box_mesh({-2, -1.5f, -2.6f}, {2, 1.5f, -2.5f}, 1, -1, false)};
+        room.look.automatic = false;
+        room.look.sun_seen = sun_seen;
+        return room;
+    };
+    const Vec3f floor = normalize(Vec3f{0.3f, 1, 0.5f}), wall = normalize(Vec3f{0.3f, 0.1f, 1}), mirrored = normalize(Vec3f{0.1f, 0.25f, -1});
+    const auto cached = [](const TracedRoom& room, Vec3f direction) {
+        const Vec3f right = normalize(cross(Vec3f{0, 1, 0}, direction)), down = cross(direction, right);
+        const ShotParts parts{.color = true, .range = false, .pixel_samples = 16, .radiance = true};
+        return luminance(room.perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {}).color.at(0, 0));
+    };
+    TracedRoom full(room_of(1)), less(room_of(0.2f));
+    for (TracedRoom* room : {&full, &less}) room->gather_light({.cell_m = 0.1f, .cell_samples = 64, .pixel_samples = 16}, {});
+    constexpr int kPaths = 2048;
+    const float by_paths[3] = {mean_radiance(room_of(0.2f), floor, kPaths), mean_radiance(room_of(0.2f), wall, kPaths),
+                               mean_radiance(room_of(0.2f), mirrored, kPaths)};
+    const float in_full[3] = {mean_radiance(room_of(1), floor, kPaths), mean_radiance(room_of(1), wall, kPaths),
+                              mean_radiance(room_of(1), mirrored, kPaths)};
+    const Vec3f ways[3] = {floor, wall, mirrored};
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(cached(less, ways[k]) / by_paths[k], 1.f, 0.1f) << k;
+        EXPECT_NEAR(cached(full, ways[k]) / in_full[k], 1.f, 0.1f) << k;
+    }
+    EXPECT_LT(by_paths[0], 0.4f * in_full[0]);
+    EXPECT_NEAR(by_paths[1] / in_full[1], 1.f, 0.03f);
+    EXPECT_NEAR(by_paths[2] / in_full[2], by_paths[0] / in_full[0], 0.1f) << "the mirror shows the floor as it looks";
+}
+
 // A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut into `cut` x `cut` squares.
 Room shingled_room(int cut) {
     Room room;

@@ -39,8 +39,8 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         const Vec3f dye = dye_of(s);
         return {behind.light * dye, behind.rest * dye, hit};
     }
-    Vec3f front = scene.light.near(s.position, s.normal, true), back{};
-    if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, true);
+    Vec3f front = scene.light.near(s.position, s.normal, scene.room.look.sun_seen), back{};
+    if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, scene.room.look.sun_seen);
     return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission,
             mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
 }
@@ -132,7 +132,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
 
     // Light on the front and, for thin sheets, from behind. The relief turns the sun's light; the rest is too even to show it.
     const Vec2f disc = sampler.next2();
-    const auto sun = [&](Vec3f normal) { return scene.lights.sun(scene.room, scene.bvh, s.position, normal, disc); };
+    const auto sun = [&](Vec3f normal) { return scene.lights.sun(scene.room, scene.bvh, s.position, normal, disc) * scene.room.look.sun_seen; };
     // Relief darkens where it leans away from the light above.
     const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0}), relief = std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f);
     const Vec3f front = light_at(scene, s, sampler) * relief, front_sun = sun(s.bumped) * relief;

@@ -412,6 +412,41 @@ TEST(Film, LampsKeepTheirHue) {
     EXPECT_EQ(lamp_as_seen({}, {0.4f, 0.4f, 0.4f}), (Vec3f{0.4f, 0.4f, 0.4f})) << "what is no brighter than white is seen as it is";
 }
 
+// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
+TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
+    const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f}, white{0.8f, 0.8f, 0.8f};
+    Sky sky;
+    sky.sun_irradiance = {10, 10, 10};
+    const auto in_light_of = [&](float light, float limit) {
+        sky.sun_limit = limit;
+        const Vec3f lit{light, light, light};
+        ImageColor seen(32, 16), albedo(32, 16);
+        for (std::size_t i = 0; i < seen.size(); ++i) seen.pixels[i] = gray * lit, albedo.pixels[i] = gray;
+        return automatic_look({}, sky, seen, albedo);
+    };
+    const auto in_sun = [&](const Look& look, float light, Vec3f paint) {
+        const float all = light + look.sun_seen * 10 / kPi;
+        return develop(look, paint * all);
+    };
+    constexpr float kLimit = 3.5f;
+    float before = 0;
+    for (const float light : {1.f, 0.1f, 0.02f}) {
+        const Look look = in_light_of(light, kLimit);
+        EXPECT_EQ(look.exposure_ev, in_light_of(light, 0).exposure_ev) << "the room is exposed as ever";
+        const float level = look.sun_seen * std::exp2(look.exposure_ev);
+        EXPECT_GT(level, before) << "the more the sun outshines the room, the brighter it is";
+        before = level;
+        EXPECT_GT(luminance(in_sun(look, light, white)), luminance(develop(look, white * light)));
+        EXPECT_LT(luminance(in_sun(look, light, concrete)), luminance(in_sun(look, light, white)) - 0.04f) << "concrete in the sun is no white paper";
+        const Vec3f blue = in_sun(look, light, navy);
+        EXPECT_GT(blue.z, 1.8f * blue.x) << "navy stays navy";
+    }
+    EXPECT_EQ(in_light_of(1.f, kLimit).sun_seen, 1.f) << "a bright room's sun is seen as it is";
+    EXPECT_EQ(in_light_of(0.02f, 0).sun_seen, 1.f);
+    sky.sun_irradiance = {};
+    EXPECT_EQ(in_light_of(0.02f, kLimit).sun_seen, 1.f) << "there is no sun to hold back";
+}
+
 TEST(Film, KeepsOrderAndRange) {
     Look look;
     look.contrast = 1.12f;
