@@ -92,7 +92,7 @@ Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Light
 IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const {
     const Vec3f direction = cosine_direction(at.normal, uv);
     const Vec3f from = at.position + at.normal * distance_epsilon(at.position);
-    const RayHit hit = bvh.first_hit(from, direction);
+    const RayHit hit = bvh.first_lit(from, direction);
     if (!hit) return {};   // through a window: counted with the windows
     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
     if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, hit.distance, true};

@@ -206,7 +206,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.
     cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
-    for (const Material& m : room.materials) cache.reflectances_.push_back(mean_reflectance(m, mean_albedo(m)));
+    for (const Material& m : room.materials) cache.reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, mean_albedo(m)));
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
     cache.build(room);
     cache.drop_buried(bvh);

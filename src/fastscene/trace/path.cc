@@ -82,17 +82,32 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     Vec3f sum{}, throughput{1, 1, 1};
     Arrival arrival;
     float width = pixel_angle, travelled = 0;
+    bool first = true;     // the camera sees this surface
     bool looking = true;   // mirrored at most: what lies here is looked at; after that it only lights something
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
-        const RayHit hit = scene.bvh.first_hit(origin, direction);
+        // One looks through panes, those that a perfect mirror shows too; light passes them.
+        const bool clearly = looking && !(arrival.density > 0);
+        const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
         float by_chance = 1;
         if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
-        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * (by_chance * (arrival.density > 0 ? 1.f : scene.room.sky.seen));
+        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * (by_chance * (clearly ? scene.room.sky.seen : 1.f));
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
-        const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), bounce == 0);
+        const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), first);
         const Material& m = *s.material;
-        sum += throughput * (arrival.density > 0 ? m.emission : lamp_as_seen(scene.room.look, m.emission)) * by_chance;
+        sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * by_chance;
+        if (clearly && is_clear(m)) {
+            const Pane pane = pane_of(s, direction);
+            const float way = sampler.next();
+            if (way >= pane.veil) {
+                const bool mirrors = way < pane.veil + pane.mirrored;
+                if (mirrors) direction = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
+                else throughput = throughput * pane.through / (1 - pane.veil - pane.mirrored);
+                first &= !mirrors;
+                origin = offset_from(s.position, dot(direction, s.normal) > 0 ? s.normal : -s.normal);
+                continue;
+            }
+        }
 
         const Response r = response_of(s, direction);
         const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
@@ -111,7 +126,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
             next.choice = scene.lights.choice_at(s.position, next.normal);
-            sum += throughput * asked_light(scene, local, next.choice, side, bounce == 0, looking, sampler) *
+            sum += throughput * asked_light(scene, local, next.choice, side, first, looking, sampler) *
                    (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();
@@ -128,6 +143,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             out = cosine_direction(backwards ? -s.normal : s.normal, u);
             width = std::max(width, 0.2f);
         }
+        first = false;
         looking &= kind < local.p_shine;
         out = normalize(out);
         if (kind < local.p_shine && r.alpha == 0) {

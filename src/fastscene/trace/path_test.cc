@@ -213,6 +213,38 @@ TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
     EXPECT_NEAR(by_paths[2] / in_full[2], by_paths[0] / in_full[0], 0.1f) << "the mirror shows the floor as it looks";
 }
 
+// Clear glass stands between a lamp, the sun and a floor: they light it as if it were not there. Seen through, the path traced picture agrees with the cached
+// one; colored and frosted glass still takes its share.
+TEST(Path, LightPassesClearGlass) {
+    const auto room_of = [](float roughness, bool pane) {
+        Room room = box_room(diffuse({0.4f, 0.4f, 0.4f}));
+        room.materials.push_back(diffuse({0.5f, 0.5f, 0.5f}, {9, 8, 7}));
+        Material glass = diffuse({0.7f, 0.76f, 0.74f});
+        glass.transmission = 0.92f;
+        glass.roughness = roughness;
+        glass.specular = 0.04f;
+        room.materials.push_back(glass);
+        room.meshes.push_back(box_mesh({-1.9f, -0.2f, 1.4f}, {-1.6f, 0.2f, 1.8f}, 1, -1, false));
+        if (pane) room.meshes.push_back(box_mesh({0, -1.1f, 0.9f}, {0.01f, 1.5f, 2.5f}, 2, -1, false));   // from floor to ceiling
+        return room;
+    };
+    const auto cached = [](const Room& room, Vec3f direction) {
+        TracedRoom traced(room);
+        traced.gather_light({.cell_m = 0.1f, .cell_samples = 96, .pixel_samples = 64}, {});
+        const Vec3f right = normalize(cross(Vec3f{0, 1, 0}, direction)), down = cross(direction, right);
+        const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true};
+        return luminance(traced.perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {}).color.at(0, 0));
+    };
+    // A place behind the pane, seen past it; and the wall behind it, seen through it.
+    const Vec3f past = normalize(Vec3f{1.2f, 1.5f, 0.7f}), through = normalize(Vec3f{0.5f, 0.2f, 2.f});
+    constexpr int kPaths = 8192;
+    const float open = mean_radiance(room_of(0, false), past, kPaths);
+    EXPECT_NEAR(mean_radiance(room_of(0.05f, true), past, kPaths) / open, 1.f, 0.05f);
+    EXPECT_LT(mean_radiance(room_of(0.9f, true), past, kPaths) / open, 0.9f) << "frosted glass scatters it";
+    EXPECT_NEAR(cached(room_of(0.05f, true), past) / cached(room_of(0.05f, false), past), 1.f, 0.05f);
+    EXPECT_NEAR(cached(room_of(0.05f, true), through) / mean_radiance(room_of(0.05f, true), through, kPaths), 1.f, 0.08f);
+}
+
 // A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut into `cut` x `cut` squares.
 Room shingled_room(int cut) {
     Room room;

@@ -75,7 +75,7 @@ TextureValue checker(const Material& m, const TexturePoint& p) {
     const float fade = detail_fade(p.footprint_m, s);
     const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
     const Vec3f vein =
-        marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, m.seed},
+        marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, false, m.seed},
                      {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)}, p.footprint_m);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;

@@ -43,6 +43,19 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     return r;
 }
 
+bool is_clear(const Material& m) {
+    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
+}
+
+Vec3f dye_of(const SurfacePointInfo& s) { return lerp(Vec3f{1, 1, 1}, s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo)), 0.4f); }
+
+Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
+    constexpr float kAcross = 0.04f, kVeil = 0.06f;  // mirrored at right angles
+    const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant,
+                fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
+    return {dye_of(s) * ((1 - fresnel) * (1 - kVeil)), fresnel, kVeil};
+}
+
 Vec3f mean_reflectance(const Material& m, Vec3f albedo) {
     if (m.mirror > 0.5f) return Vec3f{0.92f, 0.93f, 0.92f};
     // Schlick's formula, averaged over the hemisphere by the cosine: its fifth power becomes 1/21.

@@ -14,6 +14,18 @@ struct Response {
 };
 Response response_of(const SurfacePointInfo& surface, Vec3f direction);
 
+// Panes, drinking glasses, shower screens: light goes through as if they were not there, and a camera sees through them.
+bool is_clear(const Material& material);
+// What a camera sees at a clear surface: what is behind it, times `through`; the share `mirrored` of what lies in the mirror; and as much as `veil` of
+// what frosted glass would show: dust, scratches; without it no pane is seen.
+struct Pane {
+    Vec3f through;
+    float mirrored, veil;
+};
+Pane pane_of(const SurfacePointInfo& surface, Vec3f direction);
+// What the color of glass leaves of the light that comes through.
+Vec3f dye_of(const SurfacePointInfo& surface);
+
 // What a surface of this albedo sends back of even light, the coat's share included: for light on its second way.
 Vec3f mean_reflectance(const Material& material, Vec3f albedo);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fastscene/base/error.h"
+#include "fastscene/trace/response.h"
 
 namespace fastscene {
 namespace {
@@ -50,13 +51,16 @@ bool visit_triangle(RTCPointQueryFunctionArguments* args) {
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
     // Twice the same triangles: a ray costs half as much where edges need not be watertight, but then one that aims at an edge may slip through.
-    RTCScene scene = nullptr, watertight = nullptr;
+    // And once more without clear glass, where there is any: what light meets.
+    RTCScene scene = nullptr, watertight = nullptr, lit = nullptr;
     std::vector<Corners> meshes;
     ~Impl() {
         if (scene) rtcReleaseScene(scene);
         if (watertight) rtcReleaseScene(watertight);
+        if (lit) rtcReleaseScene(lit);
         if (device) rtcReleaseDevice(device);
     }
+    RayHit first(RTCScene among, Vec3f origin, Vec3f direction, float near_m, float far_m) const;
 };
 
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
@@ -66,7 +70,14 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     impl_->scene = rtcNewScene(impl_->device);
     impl_->watertight = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->watertight, RTC_SCENE_FLAG_ROBUST);
-    for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    const auto clear = [&](const Mesh& mesh) { return is_clear(room.materials[static_cast<std::size_t>(mesh.material)]); };
+    if (std::any_of(room.meshes.begin(), room.meshes.end(), clear)) {
+        impl_->lit = rtcNewScene(impl_->device);
+    } else {
+        impl_->lit = impl_->scene;
+        rtcRetainScene(impl_->lit);
+    }
+    for (RTCScene scene : {impl_->scene, impl_->watertight, impl_->lit}) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     impl_->meshes.resize(room.meshes.size());
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
@@ -83,24 +94,26 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
         rtcCommitGeometry(geometry);
         for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
+        if (impl_->lit != impl_->scene && !clear(mesh)) rtcAttachGeometryByID(impl_->lit, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
         for (std::size_t t = 0; t < count; ++t)
             impl_->meshes[m].push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
         if (count == 0) impl_->meshes[m].push_back({});
     }
     for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcCommitScene(scene);
+    if (impl_->lit != impl_->scene) rtcCommitScene(impl_->lit);
 }
 SceneBvh::~SceneBvh() = default;
 
-RayHit SceneBvh::first_hit(Vec3f origin, Vec3f direction, float near_m, float far_m) const {
+RayHit SceneBvh::Impl::first(RTCScene among, Vec3f origin, Vec3f direction, float near_m, float far_m) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit ray{};
     ray.ray = {origin.x, origin.y, origin.z, near_m, direction.x, direction.y, direction.z, 0.f, far_m, ~0u, 0u, 0u};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(impl_->scene, &context, &ray);
+    rtcIntersect1(among, &context, &ray);
     // Few rays leave a room, and those that seem to may have met an edge.
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) rtcIntersect1(impl_->watertight, &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) rtcIntersect1(watertight, &context, &ray);
     RayHit hit;
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
     hit.distance = ray.ray.tfar;
@@ -113,11 +126,17 @@ RayHit SceneBvh::first_hit(Vec3f origin, Vec3f direction, float near_m, float fa
     return hit;
 }
 
+RayHit SceneBvh::first_hit(Vec3f origin, Vec3f direction, float near_m, float far_m) const {
+    return impl_->first(impl_->scene, origin, direction, near_m, far_m);
+}
+
+RayHit SceneBvh::first_lit(Vec3f origin, Vec3f direction) const { return impl_->first(impl_->lit, origin, direction, 0.f, kFar); }
+
 bool SceneBvh::blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRay ray{origin.x, origin.y, origin.z, near_m, direction.x, direction.y, direction.z, 0.f, far_m, ~0u, 0u, 0u};
-    rtcOccluded1(impl_->scene, &context, &ray);
+    rtcOccluded1(impl_->lit, &context, &ray);
     return ray.tfar < 0;
 }
 

@@ -35,6 +35,9 @@ class SceneBvh {
 
     // `direction` of length 1.
     RayHit first_hit(Vec3f origin, Vec3f direction, float near_m = 0.f, float far_m = kFar) const;
+    // The same for light on its way: clear glass (is_clear) is not there.
+    RayHit first_lit(Vec3f origin, Vec3f direction) const;
+    // Whether light is: clear glass lets it through.
     bool blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const;
     // Distance to the nearest triangle, at most limit_m.
     float nearest(Vec3f point, float limit_m) const;

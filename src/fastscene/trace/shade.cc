@@ -11,13 +11,6 @@
 namespace fastscene {
 namespace {
 
-// Panes, drinking glasses, shower screens: what lies behind is seen through them.
-bool is_clear(const Material& m) {
-    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
-}
-// What their color leaves of the light that comes through.
-Vec3f dye_of(const SurfacePointInfo& s) { return lerp(Vec3f{1, 1, 1}, s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo)), 0.4f); }
-
 // What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
 struct Mirrored {
     Vec3f light, rest;
@@ -25,7 +18,7 @@ struct Mirrored {
 };
 // Its light comes from the cache, its own gloss is taken for matt. `sharp`: seen as clearly as by the camera itself.
 Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, float angle, bool sharp, int mirrors) {
-    const RayHit hit = scene.bvh.first_hit(origin, direction);
+    const RayHit hit = sharp && mirrors > 0 ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
     if (!hit) return {sky_radiance(scene.room.sky, direction) * (sharp ? scene.room.sky.seen : 1.f), {}, hit};
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, angle * hit.distance, false);
     const Material& m = *s.material;
@@ -34,7 +27,7 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         const Mirrored behind = mirrored_radiance(scene, s.position + s.normal * 1e-3f, out, angle, sharp, mirrors - 1);
         return {{}, behind.light + behind.rest, hit};
     }
-    if (sharp && mirrors > 0 && is_clear(m)) {
+    if (is_clear(m)) {
         const Mirrored behind = mirrored_radiance(scene, s.position + direction * 1e-3f, direction, angle, sharp, mirrors - 1);
         const Vec3f dye = dye_of(s);
         return {behind.light * dye, behind.rest * dye, hit};
@@ -94,7 +87,6 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 namespace {
 
 constexpr int kMostPanes = 8;   // surfaces of glass that are looked through
-constexpr float kVeil = 0.06f;  // share of the light that it scatters as frosted glass does: dust, scratches; without it no pane is seen
 
 // `travelled`: how far the ray has come through glass.
 Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes, Sampler& sampler);
@@ -102,15 +94,12 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
 // The surface of glass `s` shaded as `veil`: what is behind it, a veil, and what it mirrors.
 Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction, float pixel_angle, float travelled,
                     int panes, Sampler& sampler) {
-    constexpr float kAcross = 0.04f;  // mirrored at right angles
-    const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant,
-                fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
-    const Vec3f through = dye_of(s) * ((1 - fresnel) * (1 - kVeil));
+    const Pane pane = pane_of(s, direction);
     Shaded out = shade_from(scene, s.position + direction * 1e-3f, direction, pixel_angle, travelled, panes - 1, sampler);
-    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine}) *light = *light * through;
+    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine}) *light = *light * pane.through;
     const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
     const Mirrored seen = mirrored_radiance(scene, offset_from(s.position, s.normal), mirror, pixel_angle, true, 1);
-    out.radiance += veil.radiance * kVeil + (seen.light + seen.rest) * fresnel;
+    out.radiance += veil.radiance * pane.veil + (seen.light + seen.rest) * pane.mirrored;
     return out;
 }
 
