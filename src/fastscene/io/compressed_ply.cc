@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
@@ -43,24 +44,72 @@ std::uint32_t bits_of_rotation(Quatf q) {
     return out;
 }
 
-// Interleaves the lower 10 bits of three numbers.
-std::uint32_t spread_bits(std::uint32_t v) {
-    v = (v | v << 16) & 0x030000ff;
-    v = (v | v << 8) & 0x0300f00f;
-    v = (v | v << 4) & 0x030c30c3;
-    return (v | v << 2) & 0x09249249;
+// Interleaves the lower 21 bits of three numbers.
+std::uint64_t spread_bits(std::uint64_t v) {
+    v = (v | v << 32) & 0x1f00000000ffffull;
+    v = (v | v << 16) & 0x1f0000ff0000ffull;
+    v = (v | v << 8) & 0x100f00f00f00f00full;
+    v = (v | v << 4) & 0x10c30c30c30c30c3ull;
+    return (v | v << 2) & 0x1249249249249249ull;
 }
 
-std::vector<std::uint32_t> morton_order(const std::vector<Vec3f>& points) {
+void sort_in_space(const std::vector<Vec3f>& points, std::span<std::uint32_t> order) {
     Bounds3 box;
-    for (const Vec3f p : points) box.add(p);
-    std::vector<std::uint32_t> code(points.size()), order(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const std::uint32_t i : order) box.add(points[i]);
+    std::vector<std::uint64_t> code(points.size());
+    for (const std::uint32_t i : order) {
         const Vec3f s = box.share(points[i]);
-        code[i] = spread_bits(unorm(s.x, 10)) | spread_bits(unorm(s.y, 10)) << 1 | spread_bits(unorm(s.z, 10)) << 2;
+        code[i] = spread_bits(unorm(s.x, 21)) | spread_bits(unorm(s.y, 21)) << 1 | spread_bits(unorm(s.z, 21)) << 2;
     }
-    std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return code[a] < code[b]; });
+}
+
+float median_of(std::vector<float> values) {
+    std::erase_if(values, [](float v) { return !std::isfinite(v); });
+    if (values.empty()) return 0.f;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Distances from the middle of the scene, in medians.
+std::vector<float> distances(const std::vector<Vec3f>& points) {
+    std::vector<float> axis[3], out;
+    for (const Vec3f p : points) axis[0].push_back(p.x), axis[1].push_back(p.y), axis[2].push_back(p.z);
+    const Vec3f middle{median_of(axis[0]), median_of(axis[1]), median_of(axis[2])};
+    for (const Vec3f p : points) out.push_back(length(p - middle));
+    const float usual = median_of(out);
+    for (float& d : out) d = usual > 0 ? d / usual : 0.f;
+    return out;
+}
+
+// How much of a picture a splat takes, all at one distance: its opacity times its largest section.
+float weight_of(const Splats& splats, std::uint32_t i) {
+    const Vec3f s = splats.log_scale[i];
+    return sigmoid(splats.opacity_logit[i]) * std::exp(s.x + s.y + s.z - std::min({s.x, s.y, s.z}));
+}
+
+// Neighbours in space become neighbours in the file. A sky hundreds of metres away comes last: sharing a chunk with it costs a splat its place (a room's
+// would be off by decimetres), so the chunk on the border holds those of the room that show least.
+std::vector<std::uint32_t> order_of_splats(const Splats& splats) {
+    constexpr float kFar = 8.f;  // medians
+    const std::vector<Vec3f>& points = splats.mean_m;
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (order.empty()) return order;
+    const std::vector<float> distance = distances(points);
+    const auto far = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return distance[i] < kFar; });
+    auto near_end = far;
+    if (far != order.end()) {
+        near_end -= (far - order.begin()) % static_cast<std::ptrdiff_t>(kChunk);
+        std::nth_element(order.begin(), near_end, far, [&](std::uint32_t a, std::uint32_t b) {
+            const float wa = weight_of(splats, a), wb = weight_of(splats, b);
+            return wa != wb ? wa > wb : a < b;
+        });
+    }
+    sort_in_space(points, {order.begin(), near_end});
+    sort_in_space(points, {near_end, far});
+    sort_in_space(points, {far, order.end()});
     return order;
 }
 
@@ -86,7 +135,7 @@ std::string compressed_ply_bytes(const Splats& splats) {
     }
     out += "end_header\n";
 
-    const std::vector<std::uint32_t> order = morton_order(splats.mean_m);
+    const std::vector<std::uint32_t> order = order_of_splats(splats);
     const auto color_of = [&](std::size_t i) { return splats.sh0[i] * kSh0 + Vec3f{0.5f, 0.5f, 0.5f}; };
     std::string chunk_bytes, vertex_bytes;
     for (std::size_t first = 0; first < count; first += kChunk) {

@@ -136,6 +136,29 @@ TEST(SplatFormats, CompressedPlyRoundTripsWithinItsSteps) {
     }
 }
 
+// Splats that share a chunk share its bounds: those of the room must not be stored in steps as wide as the sky's.
+TEST(SplatFormats, ARoomUnderAFarSkyKeepsItsPlacesInCompressedPly) {
+    Splats splats = some_splats(3000, 0);
+    std::size_t faint = 0;
+    for (std::size_t i = 0; i < splats.size(); ++i, splats.log_scale[i - 1] = {-4, -4, -5})
+        if (i % 10 == 3) splats.mean_m[i] = normalize(splats.mean_m[i]) * 400.f;
+        else if (i % 10 == 7) splats.opacity_logit[i] = -6.f, ++faint;
+    save_splats(scratch("far.compressed.ply"), splats, SplatFormat::compressed_ply);
+    const Splats back = load_splats(scratch("far.compressed.ply")).splats;
+    ASSERT_EQ(back.size(), splats.size());
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        if (i % 10 == 3) continue;
+        float nearest = 1e9f;
+        for (const Vec3f p : back.mean_m) nearest = std::min(nearest, length(p - splats.mean_m[i]));
+        const bool off = nearest > 0.01f;
+        EXPECT_TRUE(!off || i % 10 == 7) << i << " is off by " << nearest;  // only what is hardly seen
+        lost += off;
+    }
+    EXPECT_LT(lost, 256u);
+    EXPECT_GT(faint, 256u);
+}
+
 // One splat that no half turn leaves alone, in the frame that each format's readers expect.
 TEST(SplatFormats, AxesOfEachFormat) {
     Splats s = some_splats(1, 1);

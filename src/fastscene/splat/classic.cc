@@ -40,7 +40,7 @@ void move_within(Cloud& c, std::int64_t i, const Cloud& shape, std::int64_t as, 
 
 }  // namespace
 
-float scene_extent_m(const ViewSet& set) {
+SceneExtent scene_extent(const ViewSet& set) {
     std::vector<float> x, y, z;
     for (const View& v : set.views)
         x.push_back(v.world_from_camera.translation.x), y.push_back(v.world_from_camera.translation.y),
@@ -49,7 +49,7 @@ float scene_extent_m(const ViewSet& set) {
     std::vector<float> cameras, points;
     for (const View& v : set.views) cameras.push_back(length(v.world_from_camera.translation - middle));
     for (const SurfacePoint& p : set.points) points.push_back(length(p.position_m - middle));
-    return std::max({1.1f * median(cameras), median(points), 1e-3f});
+    return {middle, std::max({1.1f * median(cameras), median(points), 1e-3f})};
 }
 
 std::int64_t densify(Cloud& c, const Classic& how, float extent_m, std::uint64_t seed, int step) {

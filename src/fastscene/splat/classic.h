@@ -21,7 +21,11 @@ struct Classic {
 // Size of the scene, metres. Cameras that stand around a scene span it; ours stand in its middle and look outward, where the
 // published measure (the cameras' spread) is a few decimetres: then the distance from them to the points counts. Medians: one stray
 // camera or point does not matter.
-float scene_extent_m(const ViewSet& set);
+struct SceneExtent {
+    Vec3f middle;  // of the cameras
+    float radius_m;
+};
+SceneExtent scene_extent(const ViewSet& set);
 
 // After the given step. Returns how many splats are new.
 std::int64_t densify(Cloud& cloud, const Classic& how, float extent_m, std::uint64_t seed, int step);

@@ -341,6 +341,7 @@ void Engine::step(Cloud& cloud, const StepRates& r) {
     job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
     job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));
     job.opacity_pull = r.opacity_pull, job.scale_pull = r.scale_pull;
+    job.middle = r.middle, job.reach_m = r.reach_m;
     update(cloud, job);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -55,6 +56,10 @@ struct StepTimes {
 struct StepRates {
     std::array<float, kParameters> rates{};
     int adam_step = 1;             // counts from 1
+    // A step of the positions is meant for what stands within reach_m of the middle; what is farther away steps farther in proportion, so that
+    // both move as much on the pictures.
+    Vec3f middle{};
+    float reach_m = std::numeric_limits<float>::infinity();
     float rest_rate = 0;           // of the higher bands; 0: not in this step
     int rest_adam_step = 1;
     float opacity_pull = 0, scale_pull = 0;  // UpdateJob

@@ -28,14 +28,21 @@ inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std
     return seen;
 }
 
-inline void adam(const UpdateJob& job, std::int64_t at, int parameter, Lanes gradient) {
+// How much farther than those in reach the positions of a block step.
+inline Lanes stride(const UpdateJob& job, std::int64_t base) {
+    const auto off = [&](int axis, float middle) { return Lanes::load(job.parameters + base + axis * kBlock) - Lanes(middle); };
+    const Vec3<Lanes> d{off(0, job.middle.x), off(1, job.middle.y), off(2, job.middle.z)};
+    return max(Lanes(1.f), sqrt(dot(d, d)) * Lanes(1.f / job.reach_m));
+}
+
+inline void adam(const UpdateJob& job, std::int64_t at, Lanes rate, Lanes gradient) {
     float *m = job.first_moment + at, *v = job.second_moment + at, *x = job.parameters + at;
     const Lanes m1 = Lanes::load(m) * Lanes(kBeta1) + gradient * Lanes(1.f - kBeta1);
     const Lanes v1 = Lanes::load(v) * Lanes(kBeta2) + gradient * gradient * Lanes(1.f - kBeta2);
     m1.store(m);
     v1.store(v);
     const Lanes root = sqrt(v1) * Lanes(job.inv_sqrt_bias2) + Lanes(kEpsilon);
-    (Lanes::load(x) - Lanes(job.rate[parameter]) * m1 * reciprocal(root)).store(x);
+    (Lanes::load(x) - rate * m1 * reciprocal(root)).store(x);
 }
 
 // The higher bands, of splats seen in this step only: their moments would cost more memory traffic than all the rest.
@@ -107,11 +114,12 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
             if (job.seen_error) note(job.seen_error + first, sums[10]);
         }
         if (job.opacity_pull > 0 || job.scale_pull > 0) pull(job, load_gaussians(job.parameters + base), gradient);
+        const Lanes far = stride(job, base);
         for (int i = 0; i < kParameters; ++i) {
             if (job.gradients)
                 gradient[i].store(job.gradients + base + i * kBlock);
             else
-                adam(job, base + i * kBlock, i, gradient[i]);
+                adam(job, base + i * kBlock, i < 3 ? Lanes(job.rate[i]) * far : Lanes(job.rate[i]), gradient[i]);
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "fastscene/splat/project.h"
 
@@ -94,6 +95,8 @@ struct UpdateJob {
     const Record* records;
     Lens<float> lens;
     float rate[kParameters];    // Adam's step sizes, bias correction of the first moment included
+    Vec3f middle;               // positions farther than reach_m from it step as much farther
+    float reach_m = std::numeric_limits<float>::infinity();
     float inv_sqrt_bias2;       // 1 / sqrt(1 - beta2^t)
     float* seen_weight = nullptr;  // += blending weight of each splat
     float* seen_error = nullptr;   // += blending weight * error

@@ -70,6 +70,31 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
     }
 }
 
+// Adam's first step is as long as its rate: what stands beyond the reach steps farther, in proportion, and only its position does.
+TEST_P(SplatKernel, FarSplatsStepFarther) {
+    const Pinhole camera = test_camera(75, 58);
+    const Splats s = random_splats(60, 11);
+    const auto stepped = [&](float reach_m) {
+        Cloud cloud(s, true);
+        Engine engine(*kernel_);
+        engine.render(cloud, camera, test_pose(), kBackground, false);
+        engine.differentiate(noise_view(camera, test_pose(), 4, false), 0.2f);
+        StepRates rates;
+        rates.rates.fill(1e-3f), rates.middle = {0.1f, 0, 0.2f}, rates.reach_m = reach_m;
+        engine.step(cloud, rates);
+        return cloud.splats();
+    };
+    const Splats same = stepped(1e9f), far = stepped(0.5f);
+    int moved = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const float stride = std::max(1.f, length(s.mean_m[i] - Vec3f{0.1f, 0, 0.2f}) / 0.5f), step = length(same.mean_m[i] - s.mean_m[i]);
+        EXPECT_NEAR(length(far.mean_m[i] - s.mean_m[i]), stride * step, 1e-5f + 1e-3f * stride * step);
+        EXPECT_EQ(std::memcmp(&far.log_scale[i], &same.log_scale[i], sizeof(Vec3f)), 0);
+        moved += step > 0 && stride > 1.5f;
+    }
+    EXPECT_GT(moved, 5);
+}
+
 TEST_P(SplatKernel, LossAndItsGradientAreTheReference) {
     for (const bool weighted : {false, true})
         for (const int width : {45, 64}) {

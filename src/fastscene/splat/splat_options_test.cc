@@ -299,10 +299,10 @@ TEST_F(SplatOptions, EquirectangularPicturesTeachWithoutCuts) {
 }
 
 TEST(SplatExtent, CamerasThatLookOutwardAreMeasuredByWhatTheySee) {
-    EXPECT_GT(splat::scene_extent_m(room().train), 1.5f);
+    EXPECT_GT(splat::scene_extent(room().train).radius_m, 1.5f);
     ViewSet around = room().train;  // the same with a stray camera far away
     around.views[0].world_from_camera.translation = {1000, 0, 0};
-    EXPECT_LT(splat::scene_extent_m(around), 5.f);
+    EXPECT_LT(splat::scene_extent(around).radius_m, 5.f);
 }
 
 TEST(SplatGrow, NewSplatsGrowWhereTheErrorIsUpToTheCap) {

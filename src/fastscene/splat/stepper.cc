@@ -1,5 +1,6 @@
 #include "fastscene/splat/stepper.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fastscene/base/error.h"
@@ -58,9 +59,11 @@ class ReferenceStepper : public Stepper {
             add_pull(splats[static_cast<std::size_t>(i)], plan.rates, all);
             bool seen = false;
             for (const double x : all) seen |= x != 0;
+            const Vec3d m = splats[static_cast<std::size_t>(i)].mean;
+            const double far = std::max(1.0, length(m - Vec3d{plan.rates.middle.x, plan.rates.middle.y, plan.rates.middle.z}) / static_cast<double>(plan.rates.reach_m));
             for (int p = 0; p < kParameters; ++p) {
                 const std::size_t at = cloud.at(i, p);
-                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)],
+                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)] * (p < 3 ? far : 1.0),
                      plan.rates.adam_step);
             }
             for (int k = 0; k < n && seen && plan.rates.rest_rate > 0; ++k) {

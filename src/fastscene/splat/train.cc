@@ -149,7 +149,7 @@ class Training {
           views_(split_views(set, params)),
           order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)),
-          extent_m_(scene_extent_m(set)),
+          extent_(scene_extent(set)),
           state_(start(set)) {
         last_ = params.until > 0 ? params.until : params.steps;
         coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
@@ -211,6 +211,8 @@ class Training {
         plan.lambda_dssim = params_.lambda_dssim;
         plan.rates.rates = rates_at(done, params_, tuning_);
         plan.rates.adam_step = now;
+        constexpr float kReach = 4.f;  // of the scene's radius
+        plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
         const auto count = static_cast<float>(state_.cloud.count);
         plan.rates.opacity_pull = params_.opacity_pull / count, plan.rates.scale_pull = params_.scale_pull / (3 * count);
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
@@ -252,7 +254,7 @@ class Training {
     }
     void densify_splats(int now, float done) {
         const Classic classic;
-        if (now % density_every_ == 0 && done >= classic.from && done < classic.until) densify(state_.cloud, classic, extent_m_, run_.seed, now);
+        if (now % density_every_ == 0 && done >= classic.from && done < classic.until) densify(state_.cloud, classic, extent_.radius_m, run_.seed, now);
         if (now % classic.reset_every == 0 && done < classic.until) reset_opacities(state_.cloud);
     }
 
@@ -293,7 +295,7 @@ class Training {
     Split views_;
     ViewOrder order_;
     std::unique_ptr<Stepper> stepper_;
-    float extent_m_;
+    SceneExtent extent_;
     std::optional<DepthTarget> depth_;
     std::vector<View> half_views_;
     int coarse_steps_ = 0;
