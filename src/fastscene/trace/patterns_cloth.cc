@@ -69,13 +69,14 @@ TextureValue carpet(const Material& m, const TexturePoint& p) {
 TextureValue leather(const Material& m, const TexturePoint& p) {
     const float fade = detail_fade(p.footprint_m, 0.005f);
     const float wear = fbm3(p.coords * 5.f, 4, p.footprint_m * 5.f, m.seed);
+    constexpr float kCreases = 0.25f;   // their mean
     float crease = 0.f;
     if (fade > 0.f) {
         const Voronoi c = voronoi2(p.flat * 260.f, m.seed + 2);
         crease = fade * (1.f - smooth_step(0.f, 0.22f, c.second - c.nearest));
     }
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, 0.6f * smooth_step(0.35f, 0.8f, wear)) * (1.f - 0.3f * crease);
+    v.albedo = lerp(m.color_a, m.color_b, 0.6f * smooth_step(0.35f, 0.8f, wear)) * (1.f - 0.3f * (crease + kCreases * (1.f - fade)));
     v.roughness = m.roughness * (0.85f + 0.3f * wear) + 0.15f * crease;
     v.height = 1.f - crease;
     return v;
@@ -91,7 +92,8 @@ TextureValue wicker(const Material& m, const TexturePoint& p) {
     const float h = mix(0.55f, unit_clamp((1.f - 4.f * across * across) * (0.25f + 0.75f * wave)), fade);
     const float tone = lattice_unit(row, floor_int(p.flat.x / (2.f * s)), 1, m.seed) - 0.5f;
     TextureValue v;
-    v.albedo = lerp(m.color_b * 0.5f, m.color_a, smooth_step(0.f, 0.7f, h)) * (1.f + 0.2f * fade * tone);
+    constexpr float kStrands = 0.54f;   // the share of strands in the color, from afar
+    v.albedo = lerp(m.color_b * 0.5f, m.color_a, mix(kStrands, smooth_step(0.f, 0.7f, h), fade)) * (1.f + 0.2f * fade * tone);
     v.roughness = m.roughness;
     v.height = h;
     return v;

@@ -87,8 +87,9 @@ TextureValue rug(const Material& m, const TexturePoint& p) {
 TextureValue stripes(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m), t = fraction(p.flat.x / (2.f * s)) * 2.f * s;
     // Distance to the middle of the b-stripe, filtered analytically.
-    const float b = line_cover(t - 1.5f * s, 0.5f * s, p.footprint_m);
-    const float pin = line_cover(t - 0.5f * s, 0.03f * s, p.footprint_m);
+    const float fade = detail_fade(p.footprint_m, s);
+    const float b = mix(0.5f, line_cover(t - 1.5f * s, 0.5f * s, p.footprint_m), fade);
+    const float pin = mix(0.03f, line_cover(t - 0.5f * s, 0.03f * s, p.footprint_m), fade);
     const float weave = fbm2(p.flat * 300.f, 2, p.footprint_m * 300.f, m.seed) - 0.5f;
     TextureValue v;
     v.albedo = lerp(lerp(m.color_a, m.color_b, b), m.color_c, 0.5f * pin) * (1.f + 0.06f * weave);

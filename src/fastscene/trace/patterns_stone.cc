@@ -16,7 +16,9 @@ Joint grid(Vec2f p, float width, float height, float stagger, float half_joint, 
     j.column = floor_int(x / width);
     j.local = {x - static_cast<float>(j.column) * width, p.y - static_cast<float>(j.row) * height};
     const float dx = std::min(j.local.x, width - j.local.x), dy = std::min(j.local.y, height - j.local.y);
-    const float cx = line_cover(dx, half_joint, footprint), cy = line_cover(dy, half_joint, footprint);
+    // A footprint as wide as a cell sees its own share of joint.
+    const float cx = mix(std::min(1.f, 2 * half_joint / width), line_cover(dx, half_joint, footprint), detail_fade(footprint, width)),
+                cy = mix(std::min(1.f, 2 * half_joint / height), line_cover(dy, half_joint, footprint), detail_fade(footprint, height));
     j.cover = cx + cy - cx * cy;
     j.edge_m = std::min(dx, dy);
     return j;
@@ -36,7 +38,10 @@ TextureValue glazed(const Material& m, const Joint& j, Vec3f tone, float footpri
 float veins(Vec3f p, float footprint, std::uint32_t seed) {
     const Vec3f warp{fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f, fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f};
     const float t = fbm3(p + warp * 1.6f, 4, footprint, seed);
-    return 1.f - smooth_step(0.f, 0.055f + footprint, std::fabs(t - 0.5f));
+    // Seen from afar veins are wider and paler, then nothing but their mean.
+    constexpr float kWide = 0.055f, kMean = 0.2f, kGone = 0.5f;
+    const float vein = (1.f - smooth_step(0.f, kWide + footprint, std::fabs(t - 0.5f))) * kWide / (kWide + footprint);
+    return mix(kMean, vein, detail_fade(footprint, kGone));
 }
 
 Vec3f marble_color(const Material& m, Vec3f p, float footprint) {
@@ -145,7 +150,11 @@ TextureValue terrazzo(const Material& m, const TexturePoint& p) {
             edge_cover((cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale, p.footprint_m + 0.0006f);
         const std::uint32_t kind = cell.id & 7;
         const Vec3f tone = kind < 2 ? m.color_b : kind < 4 ? m.color_c : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f) : c;
-        c = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip * detail_fade(p.footprint_m, 1.5f / scale));
+        // From afar the mean of all kinds in the share that chips cover.
+        constexpr float kChips = 0.42f;
+        const Vec3f chipped = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip),
+                    even = lerp(c, m.color_b * 0.3125f + m.color_c * 0.3125f + c * 0.375f, kChips);
+        c = lerp(even, chipped, detail_fade(p.footprint_m, 1.5f / scale));
     }
     TextureValue v;
     v.albedo = c;

@@ -97,7 +97,8 @@ TextureValue bark(const Material& m, const TexturePoint& p) {
     const float ridge = fbm3({angle * 3.f, p.coords.y / s * 0.35f, 0.f}, 4, p.footprint_m / s, m.seed);
     const float t = std::fabs(2.f * ridge - 1.f);
     TextureValue v;
-    v.albedo = lerp(m.color_b, m.color_a, smooth_step(0.02f, 0.4f, t));
+    constexpr float kRidges = 0.43f;   // the share of ridges in the color, from afar
+    v.albedo = lerp(m.color_b, m.color_a, mix(kRidges, smooth_step(0.02f, 0.4f, t), detail_fade(p.footprint_m, 0.5f * s)));
     v.roughness = m.roughness;
     v.height = t;
     return v;

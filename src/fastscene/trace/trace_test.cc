@@ -373,6 +373,46 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
     }
 }
 
+// From afar a pattern is its own mean: walls do not change their color with distance, and bounced light meets what the eye sees. What the cache takes
+// for the mean is it, however joints lie.
+TEST(Texture, PatternsKeepTheirMeanFromAfar) {
+    const auto mean = [](const Material& m, float footprint_m) {
+        double sum = 0;
+        constexpr int kPlaces = 6000;
+        const float wide_m = 12 * std::max(m.scale_m, 0.1f);
+        for (int i = 0; i < kPlaces; ++i) {
+            Random random(5, "places", static_cast<std::uint64_t>(i));
+            TexturePoint p;
+            p.flat = Vec2f{random.uniform(), random.uniform()} * wide_m;
+            p.coords = {p.flat.x, p.flat.y, random.uniform() * wide_m};
+            p.footprint_m = footprint_m;
+            sum += static_cast<double>(luminance(sample_texture(m, p).albedo));
+        }
+        return sum / kPlaces;
+    };
+    struct Case {
+        Pattern pattern;
+        float scale_m;
+    };
+    for (const auto& [pattern, scale_m] :
+         {Case{Pattern::tile, 0.1f}, {Pattern::tile, 0.4f}, {Pattern::subway, 0.075f}, {Pattern::checker, 0.3f}, {Pattern::brick, 0.065f}, {Pattern::marble, 0.5f},
+          {Pattern::terrazzo, 0.03f}, {Pattern::stripes, 0.02f}, {Pattern::wicker, 0.02f}, {Pattern::leather, 0.01f}, {Pattern::planks, 0.1f},
+          {Pattern::herringbone, 0.09f}, {Pattern::concrete, 0.6f}, {Pattern::fabric, 0.002f}, {Pattern::knit, 0.012f}}) {
+        Material m = diffuse({});
+        m.pattern = pattern;
+        m.scale_m = scale_m;
+        for (const bool dark : {false, true}) {
+            m.color_a = dark ? Vec3f{0.1f, 0.1f, 0.1f} : Vec3f{0.6f, 0.6f, 0.6f};
+            m.color_b = dark ? Vec3f{0.6f, 0.6f, 0.6f} : Vec3f{0.1f, 0.1f, 0.1f};
+            m.color_c = {0.3f, 0.3f, 0.3f};
+            const double near = mean(m, 0.0015f);
+            for (const float far_m : {0.01f, 0.1f, 0.6f})
+                EXPECT_NEAR(mean(m, far_m) / near, 1, 0.15) << static_cast<int>(pattern) << " of " << scale_m << " at " << far_m << (dark ? ", dark" : ", light");
+            EXPECT_NEAR(static_cast<double>(luminance(mean_albedo(m))) / near, 1, 0.15) << static_cast<int>(pattern) << " of " << scale_m << (dark ? ", dark" : ", light");
+        }
+    }
+}
+
 // A room of one paint under one light, as automatic_look sees it.
 Look look_of_room(Vec3f paint, Vec3f light) {
     ImageColor seen(32, 16), albedo(32, 16);
