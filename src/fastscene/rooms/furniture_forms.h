@@ -19,6 +19,13 @@ void rattan_chair(Kit& k);
 enum class BedForm { panels, tufted, slats, board, low, iron, posts };
 void headboard(Kit& k, BedForm form, float width, float length, int wood, int head);
 
+// Cloth over a mattress: flat on top, hanging at the sides, with folds. `mattress`: its width, its top above the floor, its length.
+Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed, float fold);
+// Cloth in one of the style's accents: plain, striped or knitted.
+int accent_cloth(Kit& k);
+// A cushion on its lower edge at `at`, leaning back, then turned.
+void put_pillow(Kit& k, int material, Vec3f at, Vec3f size, float lean_deg, float yaw_deg = 0.f);
+
 // The two forms that rooms of a style have of a piece: the first a little more often.
 struct StyleForms {
     std::string_view style;

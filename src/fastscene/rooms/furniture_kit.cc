@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
 
 namespace fastscene::furniture {
 
@@ -232,7 +233,7 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), wished()}) all.insert(all.end(), group.begin(), group.end());
+    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), wished()}) all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
 }
@@ -262,6 +263,16 @@ Piece make_piece(const PieceRequest& request) {
     }
     throw Error("piece: expected a known class of furniture, found '{}'", request.klass);
 }
+
+bool lies_along_wall(std::string_view klass) { return is_one_of(klass, {"bunk_bed", "loft_bed", "cabin_bed", "daybed"}); }
+bool is_bed(std::string_view klass) {
+    return lies_along_wall(klass) || is_one_of(klass, {"bed", "bed_single", "four_poster_bed", "canopy_bed", "floor_bed", "crib"});
+}
+const std::vector<std::string>& easy_chairs() {
+    static const std::vector<std::string> names{"rocking_chair", "lounge_chair", "hanging_chair", "butterfly_chair", "bean_bag", "adirondack_chair"};
+    return names;
+}
+bool is_easy_chair(std::string_view klass) { return std::find(easy_chairs().begin(), easy_chairs().end(), klass) != easy_chairs().end(); }
 
 const std::vector<std::string>& piece_classes() {
     static const std::vector<std::string> names = [] {

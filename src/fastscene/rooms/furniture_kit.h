@@ -85,7 +85,10 @@ struct Entry {
     std::string_view klass;
     Builder build;
 };
-std::span<const Entry> seats();     // sofas, chairs, beds, cushions
+std::span<const Entry> seats();     // sofas, chairs, cushions
+std::span<const Entry> beds();      // beds that stand at the wall with their heads, day beds, cots
+std::span<const Entry> bunks();     // beds one climbs into, a table to play at
+std::span<const Entry> lounges();   // seats of one form: chaise longue, bean bag, hanging chair
 std::span<const Entry> tables();    // tables, desks, shelves, cabinets
 std::span<const Entry> fixtures();  // kitchen, bathroom
 std::span<const Entry> lamps();

@@ -1,4 +1,4 @@
-// Sofas, chairs, beds and what is soft.
+// Sofas, chairs and what is soft.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "fastscene/rooms/furniture_forms.h"
 
 namespace fastscene::furniture {
-namespace {
 
 int accent_cloth(Kit& k) {
     Material m = tinted(k.style.fabric2, k.accent());
@@ -15,12 +14,14 @@ int accent_cloth(Kit& k) {
     if (kind == 2) m.pattern = Pattern::knit, m.scale_m = 0.012f, m.bump_m = 0.002f;
     return k.material(m);
 }
-void put_pillow(Kit& k, int mat, Vec3f at, Vec3f size, float lean_deg, float yaw_deg = 0.f) {
+void put_pillow(Kit& k, int mat, Vec3f at, Vec3f size, float lean_deg, float yaw_deg) {
     Mesh m = shapes::pillow(size, k.seed());
     shapes::turn(m, {1, 0, 0}, -lean_deg);
     shapes::turn(m, {0, 1, 0}, yaw_deg);
     k.add(std::move(m), mat, at);
 }
+
+namespace {
 
 // Wool unless it was said otherwise; patchwork: squares of the room's own colors.
 Material throw_cloth(Kit& k) {
@@ -306,90 +307,6 @@ void office_chair(Kit& k) {
     k.piece.clearance_front_m = 0.4f;
 }
 
-// Cloth over a mattress: flat on top, hanging at the sides, with folds.
-Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed, float fold) {
-    const float hx = 0.5f * mattress.x + 0.02f + lift;
-    return shapes::slab(44, 30, thick, [=](float u, float v) {
-        const float arc = (u - 0.5f) * 2.f * (hx + drop), z = from_z + (to_z - from_z) * v;
-        const float over = std::max(0.f, std::fabs(arc) - hx + 0.05f), sx = arc < 0 ? -1.f : 1.f;
-        const float bend = std::min(over / 0.1f, 1.f), hang = std::max(0.f, over - 0.1f * 0.6f);
-        const float ripple = shapes::wobble({arc * 3.f, 2.f, z * 3.1f}, seed) + 0.5f * shapes::wobble({arc * 7.f, 5.f, z * 7.5f}, seed + 1) + 0.22f * shapes::wobble({arc * 15.f, 8.f, z * 15.f}, seed + 2);
-        const float wave = std::sin(z * 15.f + 2.f * shapes::wobble({z * 2.f, sx, 0}, seed + 3));
-        float x = std::fabs(arc) < hx - 0.05f
-                      ? arc
-                      : sx * (hx - 0.05f + 0.05f * std::sin(1.5708f * bend) + 0.025f * hang / std::max(drop, 0.01f) * (1.f + wave));
-        float y = mattress.y + lift + thick - 0.05f * (1.f - std::cos(1.5708f * bend)) - hang + fold * (1.f + 0.6f * ripple) * (1.f - 0.7f * bend);
-        // The foot end hangs too.
-        const float past = z - 0.5f * mattress.z;
-        if (past > 0.f) {
-            y -= std::max(past - hang, 0.f);  // at the corner the longer of both falls
-            return Vec3f{x, y, 0.5f * mattress.z + 0.03f + lift + 0.012f * (1.f + std::sin(arc * 14.f))};
-        }
-        return Vec3f{x, std::max(y, 0.06f), z};
-    });
-}
-void bed_of(Kit& k, float width) {
-    const float length = 2.0f, base_y = 0.3f;
-    enum { panels, tufted, slats, board, low, iron, posts };
-    const auto form = static_cast<BedForm>(form_for(k, {{"modern", panels, low}, {"scandinavian", board, slats}, {"japandi", low, board}, {"industrial", iron, panels}, {"classic", tufted, posts}, {"boho", posts, board},
-                                                        {"rustic", slats, iron}, {"mid-century", board, low}, {"mediterranean", iron, posts}, {"art deco", panels, tufted}}, board));
-    const bool cloth_head = form == BedForm::panels || form == BedForm::tufted;
-    Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
-    quilt.name = "duvet";
-    quilt.pattern = Pattern::fabric;
-    const bool colored = k.request.color || !k.request.color_name.empty();   // an upholstered head is of the color that was asked for, too
-    const int duvet = k.main(quilt);
-    const int linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood),
-              head = cloth_head ? k.material(colored ? tinted(k.style.fabric2, k.piece.materials[static_cast<std::size_t>(duvet)].color_a * 0.85f) : k.style.fabric2) : wood, throw_cloth = accent_cloth(k);
-    for (const float sx : {-1.f, 1.f})
-        for (const float sz : {-1.f, 1.f}) k.rod(wood, {sx * (0.5f * width - 0.07f), 0, sz * (0.5f * length - 0.09f)}, {sx * (0.5f * width - 0.08f), 0.17f, sz * (0.5f * length - 0.1f)}, 0.02f, 0.03f, 12);
-    k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
-    const Vec3f mattress{width, 0.52f, length};
-    k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 8});
-    k.add(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet);
-    // The folded edge of the duvet, then a throw across the foot.
-    k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
-    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f), throw_cloth);
-    headboard(k, form, width, length, wood, head);
-    // Pillows: a row that leans, a row before it, cushions.
-    const int row = width > 1.2f ? 2 : 1;
-    for (int j = 0; j < 2; ++j)
-        for (int i = 0; i < row; ++i) {
-            const float x = row == 1 ? 0.f : (static_cast<float>(i) - 0.5f) * 0.5f * width;
-            put_pillow(k, j == 0 ? linen : duvet, {x + k.dice.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)},
-                       {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j), k.dice.uniform(-4, 4));
-        }
-    put_pillow(k, throw_cloth, {k.dice.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f}, 38.f, k.dice.uniform(-10, 10));
-    // Between the pillows and the throw.
-    k.top(0.58f, 0, 0.06f, 0.4f * width, 0.3f);
-    k.piece.clearance_front_m = 0.5f;
-    k.piece.clearance_side_m = 0.5f;
-    k.piece.against_wall = true;
-}
-void bed(Kit& k) { bed_of(k, 1.6f); }
-void bed_single(Kit& k) { bed_of(k, 0.95f); }
-void crib(Kit& k) {
-    const int wood = k.main(k.style.wood), linen = k.material(tinted(k.style.fabric, {0.72f, 0.7f, 0.65f})), cloth = accent_cloth(k);
-    const float hx = 0.65f, hz = 0.35f;
-    for (const float sx : {-1.f, 1.f})
-        for (const float sz : {-1.f, 1.f}) k.board(wood, {sx * hx, 0, sz * hz}, {0.045f, 0.92f, 0.045f}, 0.008f);
-    for (const float s : {-1.f, 1.f})
-        for (const float y : {0.25f, 0.86f}) {
-            k.board(wood, {0, y, s * hz}, {2 * hx, 0.04f, 0.03f}, 0.006f);
-            k.board(wood, {s * hx, y, 0}, {0.03f, 0.04f, 2 * hz}, 0.006f);
-        }
-    for (const float s : {-1.f, 1.f}) {
-        for (int i = -6; i <= 6; ++i)
-            k.rod(wood, {0.092f * static_cast<float>(i), 0.28f, s * hz}, {0.092f * static_cast<float>(i), 0.87f, s * hz}, 0.009f, -1, 8);
-        for (int i = -3; i <= 3; ++i)
-            k.rod(wood, {s * hx, 0.28f, 0.092f * static_cast<float>(i)}, {s * hx, 0.87f, 0.092f * static_cast<float>(i)}, 0.009f, -1, 8);
-    }
-    k.soft(linen, {0, 0.3f, 0}, {1.24f, 0.12f, 0.64f}, {0.03f, 0.01f, 0.001f, 8});
-    k.soft(cloth, {0.2f, 0.4f, 0}, {0.7f, 0.05f, 0.6f}, {0.02f, 0.015f, 0.006f, 14});
-    k.top(0.45f, 0.2f, 0, 0.3f, 0.24f);
-    k.piece.clearance_front_m = 0.6f;
-    k.piece.against_wall = true;
-}
 void cushion(Kit& k) {
     const int cloth = k.main(tinted(k.style.fabric2, k.accent()));
     put_pillow(k, cloth, {0, 0, 0}, {0.45f, 0.45f, 0.17f}, 12);
@@ -417,7 +334,7 @@ void throw_blanket(Kit& k) {
 }
 
 constexpr Entry kSeats[] = {{"sofa", sofa}, {"loveseat", loveseat}, {"armchair", armchair}, {"ottoman", ottoman}, {"pouf", pouf}, {"chair", chair}, {"stool", stool}, {"bar_stool", bar_stool}, {"bench", bench},
-                            {"office_chair", office_chair}, {"bed", bed}, {"bed_single", bed_single}, {"crib", crib}, {"cushion", cushion}, {"throw", throw_blanket}};
+                            {"office_chair", office_chair}, {"cushion", cushion}, {"throw", throw_blanket}};
 
 }  // namespace
 

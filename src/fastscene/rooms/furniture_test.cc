@@ -242,6 +242,134 @@ TEST(Furniture, APictureShowsTheMotifThatWasAskedFor) {
     }
 }
 
+// Of all triangles, those that look up and lie at about this height: their area, m2.
+float area_at(const Piece& p, float low, float high) {
+    float area = 0;
+    for (const Mesh& m : p.meshes)
+        for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
+            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]], n = cross(b - a, c - a);
+            if (n.y > 0.f && std::min({a.y, b.y, c.y}) > low && std::max({a.y, b.y, c.y}) < high) area += 0.5f * n.y;
+        }
+    return area;
+}
+// The mesh of the main material alone.
+std::vector<Vec3f> main_points(const Piece& p) {
+    std::vector<Vec3f> out;
+    for (const Mesh& m : p.meshes)
+        if (m.material == p.main_material) out.insert(out.end(), m.positions.begin(), m.positions.end());
+    return out;
+}
+
+// Two beds one above the other with room to sit up between, a ladder from the floor to beyond the upper one, a rail around that.
+TEST(Furniture, ABunkBedHasTwoBedsALadderAndARail) {
+    for (const std::string& style : styles())
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            SCOPED_TRACE(style);
+            const Piece p = make("bunk_bed", style, seed);
+            check_piece(p);
+            ASSERT_EQ(p.surfaces.size(), 2u);
+            const float lower = std::min(p.surfaces[0].center.y, p.surfaces[1].center.y), upper = std::max(p.surfaces[0].center.y, p.surfaces[1].center.y);
+            EXPECT_GT(upper - lower, 0.85f);
+            EXPECT_LT(lower, 0.55f);
+            for (const float y : {lower, upper}) EXPECT_GT(area_at(p, y - 0.16f, y + 0.12f), 1.3f) << y;
+            EXPECT_GT(p.size_m.x, 1.9f);
+            EXPECT_LT(p.size_m.y, 1.75f) << "one must be able to sit on it below a ceiling of 2.5 m";
+            EXPECT_TRUE(p.against_wall);
+            // The ladder is what stands out in front: from the floor to above the upper mattress.
+            float low = 1e9f, high = -1e9f, rail = -1e9f;
+            for (const Vec3f& v : main_points(p)) {
+                if (v.z > 0.5f * p.size_m.z - 0.05f) low = std::min(low, v.y);
+                if (v.z > 0.5f * p.size_m.z - 0.2f && v.x > 0.f && v.x < 0.5f * p.size_m.x - 0.12f) high = std::max(high, v.y);
+                if (v.x < 0.2f) rail = std::max(rail, v.y);
+            }
+            EXPECT_LT(low, 0.02f);
+            EXPECT_GT(high, upper + 0.1f);
+            EXPECT_GT(rail, upper + 0.15f);
+        }
+}
+
+TEST(Furniture, BelowALoftBedIsRoomForADesk) {
+    for (const std::string& style : styles()) {
+        const Piece p = make("loft_bed", style, 2), desk = make("desk", style, 2);
+        SCOPED_TRACE(style);
+        EXPECT_LT(p.size_m.y, 2.f);
+        // Nothing in the way from the knee to above a seated head, but at the posts, the back and the ladder.
+        for (const Mesh& m : p.meshes)
+            for (const Vec3f& v : m.positions)
+                if (v.y > 0.1f && v.y < 1.32f) {
+                    EXPECT_TRUE(std::fabs(v.x) > 0.5f || v.z < -0.4f) << v.x << ' ' << v.y << ' ' << v.z;
+                }
+        EXPECT_LT(desk.size_m.x, p.size_m.x - 0.2f);
+        EXPECT_GT(area_at(p, p.surfaces[0].center.y - 0.16f, p.surfaces[0].center.y + 0.12f), 1.3f);
+    }
+}
+
+// Four posts that reach to above a man's head; with a canopy cloth lies over them.
+TEST(Furniture, FourPostersHavePostsAndCanopiesARoof) {
+    for (const std::string& style : styles())
+        for (const std::string klass : {"four_poster_bed", "canopy_bed"}) {
+            SCOPED_TRACE(style + " " + klass);
+            const Piece p = make(klass, style);
+            EXPECT_GT(p.size_m.y, 1.95f);
+            EXPECT_LT(p.size_m.y, 2.2f);
+            for (const float sx : {-1.f, 1.f})
+                for (const float sz : {-1.f, 1.f}) {
+                    float low = 1e9f, high = 0;
+                    for (const Mesh& m : p.meshes)
+                        for (const Vec3f& v : m.positions)
+                            if (sx * v.x > 0.5f * p.size_m.x - 0.12f && sz * v.z > 0.5f * p.size_m.z - 0.14f) low = std::min(low, v.y), high = std::max(high, v.y);
+                    EXPECT_LT(low, 0.01f);
+                    EXPECT_GT(high, 1.95f);
+                }
+            const float roof = area_at(p, 1.9f, 2.2f);
+            if (klass == "canopy_bed") EXPECT_GT(roof, 2.5f);
+            else EXPECT_LT(roof, 1.f);
+        }
+}
+
+// A bean bag is a sack: it lies flat on the floor, its seat is a hollow before a higher back.
+TEST(Furniture, ABeanBagSags) {
+    for (const std::uint64_t seed : {1u, 5u, 9u}) {
+        const Piece p = make("bean_bag", "modern", seed);
+        float seat = 0, back = 0, front = 0, floor = 0;
+        for (const Vec3f& v : main_points(p)) {
+            if (std::fabs(v.x) > 0.1f) continue;
+            if (v.z > 0.02f && v.z < 0.16f && v.y > 0.1f) seat = std::max(seat, v.y);
+            if (v.z < -0.15f) back = std::max(back, v.y);
+            if (v.z > 0.2f) front = std::max(front, v.y);
+            if (v.y < 0.03f) floor = std::max(floor, std::fabs(v.z));
+        }
+        EXPECT_GT(back, seat + 0.2f);
+        EXPECT_GT(floor, 0.15f) << "it stands on a point";
+        EXPECT_LT(seat, 0.5f);
+        EXPECT_GT(front, 0.2f);
+    }
+}
+
+// The basket hangs clear of the floor and in reach of who sits down; all of it hangs on what stands.
+TEST(Furniture, AHangingChairHangs) {
+    for (const std::string& style : styles()) {
+        const Piece p = make("hanging_chair", style);
+        float lowest = 1e9f;
+        for (const Vec3f& v : main_points(p)) lowest = std::min(lowest, v.y);
+        EXPECT_GT(lowest, 0.3f) << style;
+        EXPECT_LT(lowest, 0.5f) << style;
+        EXPECT_LT(p.size_m.y, 2.15f) << style;
+    }
+}
+
+// Long enough to lie on, higher at the head than at the feet.
+TEST(Furniture, AChaiseLongueIsLongAndRisesToItsHead) {
+    for (const std::string& style : styles()) {
+        const Piece p = make("chaise_longue", style);
+        float head = 0, feet = 0;
+        for (const Vec3f& v : main_points(p)) (v.x < 0 ? head : feet) = std::max(v.x < 0 ? head : feet, std::fabs(v.x) > 0.4f ? v.y : 0.f);
+        EXPECT_GT(p.size_m.x, 1.5f) << style;
+        EXPECT_LT(p.size_m.z, 0.85f) << style;
+        EXPECT_GT(head, feet + 0.3f) << style;
+    }
+}
+
 TEST(Furniture, WishedSizesAreKept) {
     for (const std::string klass : {"rug", "dining_table", "wardrobe", "kitchen_counter", "cat"}) {
         PieceRequest r;

@@ -45,6 +45,13 @@ std::optional<Footprint> part_above(const Placed& p, float height) {
     return whole;
 }
 
+bool shelters(const std::vector<Placed>& all, int over, const Placed& thing) {
+    constexpr float kThick = 0.36f;   // of what one lies on, with the frame that bears it
+    if (thing.on < 0 || over < 0 || all[static_cast<std::size_t>(thing.on)].below != over) return false;
+    const Placed& above = all[static_cast<std::size_t>(over)];
+    return !above.piece.surfaces.empty() && footprint_of(thing).y1 < above.position.y + above.piece.surfaces.front().center.y - kThick;
+}
+
 bool blocks_opening(const Plan& plan, const Footprint& box) {
     const float height = box.y1;
     for (const Opening& o : plan.openings) {

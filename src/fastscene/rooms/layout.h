@@ -33,6 +33,8 @@ struct Placed {
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
 // The box of what of a piece reaches above a height: of a bed its head alone; nothing, if all of it is lower.
 std::optional<Footprint> part_above(const Placed& placed, float height);
+// Whether a piece stands above what carries this one, and high enough: a loft bed above the lamp on its desk.
+bool shelters(const std::vector<Placed>& all, int over, const Placed& thing);
 // In the door's way, tall before a window, or in its sill.
 bool blocks_opening(const Plan& plan, const Footprint& box);
 // Whether a piece of wall carries it, clear of doors and windows.
@@ -57,6 +59,7 @@ struct AnnealReport {
 };
 
 inline constexpr int kMostScreens = 3;  // side by side on a desk
+inline constexpr float kInsideBed = 0.13f;  // metres that a desk below a bed stands back from the front of its ladder
 inline constexpr float kInRow = 0.12f;  // metres between those that stand in a row
 
 // Floor kept free about a piece, and the wall above it, for what is to stand or hang there.

@@ -171,22 +171,22 @@ std::optional<int> Furnisher::under_piece(int anchor, const Ask& ask, const Piec
 std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const PieceRequest& r) {
     const std::string& klass = ask.wish->klass;
     const std::string& whose = klass_of(anchor);
-    const bool seat = is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
+    const bool seat = is_easy_chair(klass) || is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
     const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) && is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
     const bool pair = seat && ask.wish->count > 1;  // side by side
-    if (!pair && is_one_of(klass, {"armchair", "loveseat"}) && !is_one_of(whose, {"sofa", "loveseat", "bed"})) {
+    if (!pair && (is_easy_chair(klass) || is_one_of(klass, {"armchair", "loveseat"})) && !is_bed(whose) && !is_one_of(whose, {"sofa", "loveseat"})) {
         // Drawn up to the fire, turned to it.
         const Insisting insisting(l_, *ask.wish);
         if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
     }
     const float gap = seat_at_work                                      ? (klass == "office_chair" ? -0.2f : 0.05f)
-                      : is_one_of(whose, {"bed", "bed_single", "crib"}) ? 0.06f
+                      : is_bed(whose) && !lies_along_wall(whose)        ? 0.06f
                       : klass == "coffee_table"                         ? 0.42f
                       : seat                                            ? 0.9f
                                                                         : 0.35f;
     const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
     for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
-        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_one_of(whose, {"bed", "bed_single"}), *ask.wish, aside)) return i;
+        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_bed(whose), *ask.wish, aside)) return i;
     return {};
 }
 
@@ -211,7 +211,7 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
 std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequest& r) {
     const Vec3f s = size(anchor);
     const std::string& whose = klass_of(anchor);
-    const bool bed = is_one_of(whose, {"bed", "bed_single", "crib"}), seat = is_one_of(whose, {"sofa", "loveseat", "armchair"});
+    const bool along = lies_along_wall(whose), bed = is_bed(whose) && !along, seat = is_easy_chair(whose) || is_one_of(whose, {"sofa", "loveseat", "armchair", "chaise_longue"});
     if (ask.relation == "between") {
         const Placed* other = nullptr;
         for (const Placed& p : l_.placed())
@@ -227,6 +227,7 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
     }
     if (ask.relation == "under" || ask.relation == "on" || ask.relation == "around") {
         if (bed) return laid_under(anchor, r, {s.x + 1.1f, 1.9f}, 0.75f, *ask.wish);
+        if (along) return laid_under(anchor, r, {s.x - 0.2f, 1.4f}, s.z / 2 + 0.75f, *ask.wish);
         if (seat) return laid_under(anchor, r, {s.x + 0.5f, 1.9f}, s.z / 2 + 0.35f, *ask.wish);
         return laid_under(anchor, r, {s.x + (s.x > 1.4f ? 1.3f : 1.f), s.z + (s.x > 1.4f ? 1.3f : 1.1f)}, 0, *ask.wish);
     }

@@ -138,7 +138,7 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
     if (const auto i = on_those(false)) return i;
     // A small table is brought for it.
     const std::string& whose = anchor ? klass_of(*anchor) : wish.relation_to;
-    const bool bed = whose == "bed" || whose == "bed_single" || whose == "crib";
+    const bool bed = is_bed(whose);
     const std::string klass = bed ? "nightstand" : "side_table";
     if (!wishes_.forbids(klass)) {
         const PieceRequest table = l_.request(klass);
@@ -189,7 +189,7 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
     for (const float size : {1.f, 0.7f}) {  // a blanket for a sofa is folded once more for an armchair
         PieceRequest smaller = r;
         smaller.size_factor = size * r.size_factor;
-        for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "armchair", "bench", "rocking_chair"})
+        for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "daybed", "chaise_longue", "bunk_bed", "armchair", "bench", "rocking_chair", "lounge_chair", "cabin_bed"})
             for (std::size_t i = 0; i < l_.placed().size(); ++i)
                 if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish)) return true;
         if (wish.klass != "throw" || wish.size_m != Vec3f{}) break;

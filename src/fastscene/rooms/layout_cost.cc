@@ -135,7 +135,7 @@ class Costing {
     }
 
     bool is_main(std::size_t i) const {
-        return is_one_of(klass(i), {"sofa", "loveseat", "bed", "bed_single", "tv_stand", "fireplace", "sideboard", "desk", "piano"});
+        return (is_bed(klass(i)) && klass(i) != "crib") || is_one_of(klass(i), {"sofa", "loveseat", "tv_stand", "fireplace", "sideboard", "desk", "piano"});
     }
     float alignment() const {
         float sum = 0;

@@ -185,7 +185,10 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
         p.yaw = a.yaw + turn;
         for (const float side : {0.f, 0.6f, -0.6f}) {
             const float slack = (a.piece.size_m.x - 2 * kLegs - wide) / 2;
-            p.position = a.position + right_of(a.yaw) * (side * slack);
+            // Below a bed near its front, away from the ladder at its foot.
+            const bool bed = is_bed(a.piece.klass);
+            p.position = a.position + right_of(a.yaw) * ((bed ? side - 0.6f : side) * slack);
+            if (bed) p.position += front_of(a.yaw) * std::max(0.f, (a.piece.size_m.z - deep) / 2 - kInsideBed);
             p.position.y = 0;
             const Footprint box = footprint_of(p);
             const bool free = std::none_of(placed_.begin(), placed_.end(),

@@ -7,6 +7,21 @@
 
 namespace fastscene::furnishing {
 
+std::string_view for_a_child(std::string_view thing) {
+    if (is_one_of(thing, {"vase", "vase_small"})) return "teddy_bear";
+    if (is_one_of(thing, {"candle", "sculpture", "bowl", "bottles"})) return "toy_blocks";
+    if (is_one_of(thing, {"tray", "magazines"})) return "book_stack";
+    return thing;
+}
+
+std::string picture_for_a_child(Layout& layout) {
+    static constexpr std::array<std::string_view, 16> kMotifs{"dinosaur", "rocket", "bear", "rainbow", "fox", "whale", "train", "rabbit", "lion", "moon", "elephant", "butterfly", "robot", "bird", "planet", "star"};
+    if (layout.dice().chance(0.2f)) return {};
+    // One after the other, so that no two are alike.
+    const auto first = static_cast<std::size_t>(hash_name(layout.spec().text) % kMotifs.size());
+    return std::string(kMotifs[(first + 5 * static_cast<std::size_t>(layout.count("picture"))) % kMotifs.size()]);
+}
+
 Furnisher::Furnisher(Layout& layout) : l_(layout), wishes_(layout.spec()), clutter_(layout.plan().style.clutter) {
     const PromptSpec& spec = l_.spec();
     if (spec.clutter == "cluttered" || spec.mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
@@ -117,6 +132,7 @@ void Furnisher::picture(float probability) {
         // Of many sizes; over a bare wall a large one first.
         const float w = l_.dice().uniform(0.4f, 1.25f);
         if (o.size.empty() && o.size_m == Vec3f{}) r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
+        if (l_.spec().room == "kids" && o.klass.empty()) r.pattern = picture_for_a_child(l_);
         return l_.on_wall(r, {}, o);
     });
 }
@@ -172,7 +188,8 @@ void Furnisher::finish() {
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
     const int small = static_cast<int>(std::lround(3 + 7 * clutter_));
     for (int i = 0; i < small; ++i) {
-        const char* klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
+        std::string klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
+        if (room == "kids") klass = for_a_child(klass);
         put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
     }
     if (is_furnished()) add_touches(l_, clutter_);

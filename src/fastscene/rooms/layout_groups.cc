@@ -5,6 +5,11 @@
 #include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene::furnishing {
+namespace {
+
+constexpr float kBeforeLoft = kInsideBed + 0.03f;   // metres from a desk below a bed to who sits at it: clear of the ladder
+
+}  // namespace
 
 void Furnisher::groups() {
     const std::string& room = l_.spec().room;
@@ -21,7 +26,20 @@ void Furnisher::groups() {
     else living();
 }
 
+// A long side at the wall, the floor before it free; a desk or a seat below one that is high enough.
+void Furnisher::sleeping_place_along(const std::string& klass) {
+    const auto found = main_at_wall(klass, {.center_pull = 0.1f, .window_pull = -0.8f});
+    if (!found) return;
+    const int bed = *found;
+    rug(bed, 0.85f, 1.9f, 1.4f, size(bed).z / 2 + 0.8f);
+    if (klass == "daybed") {
+        above(bed, "picture", 0.75f);
+        beside(bed, "side_table", 0.6f, chance(0.5f) ? 1 : -1, 0.06f, [this](int table) { top(table, "table_lamp", 0.9f); });
+    }
+}
+
 void Furnisher::sleeping_place(const std::string& klass) {
+    if (lies_along_wall(klass)) return sleeping_place_along(klass);
     const auto found = main_at_wall(klass, {.center_pull = 1.2f, .window_pull = -0.8f});
     if (!found) return;
     const int bed = *found;
@@ -29,7 +47,8 @@ void Furnisher::sleeping_place(const std::string& klass) {
         beside(bed, "nightstand", side < 0 ? 1.f : 0.75f, side, 0.08f, [=, this](int stand) {
             top(stand, "table_lamp", 0.9f);
             later([=, this] {
-                if (chance(clutter_)) top(stand, chance(0.5f) ? "book_stack" : "vase", 1);
+                const std::string thing = chance(0.5f) ? "book_stack" : l_.spec().room == "kids" ? "teddy_bear" : "vase";
+                if (chance(clutter_)) top(stand, thing, 1);
             });
         });
     above(bed, "picture", 0.75f);
@@ -38,10 +57,22 @@ void Furnisher::sleeping_place(const std::string& klass) {
     before(bed, "ottoman", 0, 0.1f, false);
 }
 
+std::string Furnisher::first_asked(std::initializer_list<const char*> classes) const {
+    for (const char* klass : classes)
+        if (wishes_.asked(klass)) return klass;
+    return *(classes.end() - 1);
+}
+
+std::string Furnisher::easy_chair() const {
+    for (const std::string& klass : easy_chairs())
+        if (wishes_.has(klass)) return klass;
+    return "armchair";
+}
+
 void Furnisher::reading_corner(float probability) {
     const Layout::WallWish at_wall{.window_pull = 1.2f};
     put(
-        wishes_.has("rocking_chair") ? "rocking_chair" : "armchair", probability,
+        easy_chair(), probability,
         [=, this](const PieceRequest& r, const PromptObject& o) {
             if (o.relation.empty() || o.relation == "in the corner")
                 if (const auto i = l_.angled_towards({0, 0}, r, o)) return i;
@@ -56,7 +87,7 @@ void Furnisher::reading_corner(float probability) {
 
 void Furnisher::bedroom() {
     // A room for one who asked for a single bed has no other.
-    sleeping_place(!wishes_.asked("bed") && wishes_.asked("bed_single") ? "bed_single" : "bed");
+    sleeping_place(!wishes_.asked("bed") ? first_asked({"canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed", "cabin_bed", "bed_single", "daybed", "bed"}) : "bed");
     wall("wardrobe", 0.85f, {.window_pull = -1});
     wall("dresser", 0.55f, {.window_pull = -0.5f});
     working_place(0.06f);
@@ -65,11 +96,12 @@ void Furnisher::bedroom() {
 }
 
 void Furnisher::kids_room() {
-    sleeping_place(wishes_.asked("crib") ? "crib" : wishes_.asked("bed") ? "bed" : "bed_single");
+    sleeping_place(first_asked({"crib", "bunk_bed", "loft_bed", "cabin_bed", "bed", "canopy_bed", "four_poster_bed", "daybed", "floor_bed", "bed_single"}));
     if (wishes_.asked("crib") && wishes_.has("bed")) sleeping_place("bed");
     wall("toy_box", 0.9f, {.center_pull = 0});
     wall("bookshelf", 0.8f, {.window_pull = -1});
     working_place(0.6f);
+    put("play_table", 0.55f, [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
     wall("wardrobe", 0.4f, {.window_pull = -1});
     wall("rocking_horse", 0.35f, {.center_pull = 0, .corner = true});
     wall("basket", 0.7f, {.corner = true});
@@ -81,16 +113,22 @@ void Furnisher::working_place(float probability) {
         const bool plain = wishes_.has("chair") && !wishes_.has("office_chair");
         for (int left = wishes_.count("monitor"); left > 0; --left)
             put("monitor", 0, [=, this](const PieceRequest& r, const PromptObject& o) { return next_screen(desk, r, o); });
-        before(desk, plain ? "chair" : "office_chair", 1, plain ? 0.05f : -0.2f, true);
+        const bool sheltered = at(desk).below >= 0;   // by a bed: one sits before that
+        before(desk, plain ? "chair" : "office_chair", 1, sheltered ? kBeforeLoft : plain ? 0.05f : -0.2f, true);
         top(desk, "table_lamp", 0.85f);
     };
-    const Layout::WallWish where{.center_pull = 0.5f, .window_pull = 0.8f};
+    const auto place = [this](const PieceRequest& r, const PromptObject& o) -> std::optional<int> {
+        if (const auto bed = l_.find("loft_bed"); bed && o.relation.empty())
+            if (const auto desk = l_.below(*bed, r, o)) return desk;
+        return at_wall(r, {.center_pull = 0.5f, .window_pull = 0.8f}, o);
+    };
     if (probability >= 1 || wishes_.asked("desk") || wishes_.asked("monitor")) {
-        if (const auto desk = main_at_wall("desk", where)) furnish_desk(*desk);
+        if (const auto desk = main("desk", place)) furnish_desk(*desk);
         return;
     }
     later([=, this] {
-        if (!l_.find("desk") && chance(probability)) wall("desk", 1, where, furnish_desk);
+        // Who sleeps above a free space works there.
+        if (!l_.find("desk") && chance(l_.find("loft_bed") ? 1.f : probability)) put("desk", 1, place, furnish_desk);
     });
 }
 
@@ -117,7 +155,8 @@ void Furnisher::seating_group() {
         return l_.against_wall(r, {}, o);
     };
     const int chairs = wishes_.count("armchair");
-    for (int i = wishes_.count("rocking_chair"); i > 0; --i) put("rocking_chair", 0, chair);
+    for (const std::string& klass : easy_chairs())
+        for (int i = wishes_.count(klass); i > 0; --i) put(klass, 0, chair);
     for (int i = 0; i < (chairs > 0 ? chairs : 2); ++i) put("armchair", i == 0 ? 0.8f : 0.5f, chair);
     if (!small && wishes_.has("loveseat")) wall("loveseat", 1);
 }

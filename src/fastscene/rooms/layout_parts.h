@@ -18,6 +18,11 @@ bool lies_on_seats(std::string_view klass);  // small things that need no table
 // What one sits or lies on: nothing is put there by itself.
 bool is_seat(std::string_view klass);
 
+// What stands in a child's room in place of what grown-ups like to see.
+std::string_view for_a_child(std::string_view thing);
+// A picture's motif for such a room; empty: any.
+std::string picture_for_a_child(Layout& layout);
+
 // A wish and where it binds: the place it names, put the way the layout works (a table "on the rug" is a rug under the table).
 struct Ask {
     const PromptObject* wish = nullptr;
@@ -153,6 +158,11 @@ class Furnisher {
     void loft();
     void living();
     void sleeping_place(const std::string& klass);
+    void sleeping_place_along(const std::string& klass);
+    // The first of these that was asked for; else the last.
+    std::string first_asked(std::initializer_list<const char*> classes) const;
+    // Where one sits alone: the chair that was asked for, else an armchair.
+    std::string easy_chair() const;
     void reading_corner(float probability);
     void working_place(float probability);
     void seating_group();

@@ -32,7 +32,7 @@ bool Layout::free_on_top(const Placed& p, int self) const {
     if (!plan_.holds(box) || (plan_.beams && box.y1 > plan_.height - kBeams)) return false;
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
         const Placed& other = placed_[static_cast<std::size_t>(i)];
-        if (i != self && i != p.on && !other.flat && overlap(box, footprint_of(other))) return false;
+        if (i != self && i != p.on && !other.flat && !shelters(placed_, i, p) && overlap(box, footprint_of(other))) return false;
     }
     return true;
 }
@@ -83,7 +83,7 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
     for (const Vec2f corner : corners_of(box))
         if (distance_to(table, corner) > 0.005f) return {};
     for (std::size_t i = 0; i < placed_.size(); ++i)
-        if (static_cast<int>(i) != anchor && !placed_[i].flat && overlap(box, footprint_of(placed_[i]))) return {};
+        if (static_cast<int>(i) != anchor && !placed_[i].flat && !shelters(placed_, static_cast<int>(i), p) && overlap(box, footprint_of(placed_[i]))) return {};
     if (!leaves_way(p)) return {};
     return keep(p, from);
 }

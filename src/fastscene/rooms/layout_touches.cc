@@ -42,7 +42,7 @@ struct Filling {
 constexpr Filling kFillings[] = {
     {"living", {"bookshelf", "console_table", "plant_tree", "cabinet", "ladder_shelf", "pouf", "bench", "basket"}},
     {"bedroom", {"dresser", "bench", "plant_tree", "ladder_shelf", "console_table", "pouf", "basket", "cabinet"}},
-    {"kids", {"bookshelf", "toy_box", "dresser", "pouf", "basket", "bench", "rocking_horse", "plant"}},
+    {"kids", {"bookshelf", "toy_box", "play_table", "dresser", "bean_bag", "basket", "rocking_horse", "pouf"}},
     {"kitchen", {"cabinet", "sideboard", "plant", "console_table", "ladder_shelf", "basket", "bench", "stool"}},
     {"dining", {"cabinet", "console_table", "plant_tree", "bookshelf", "bench", "ladder_shelf", "plant", "basket"}},
     {"bathroom", {"cabinet", "plant", "bench", "towel_rail", "basket", "plant_tree", "", ""}},
@@ -117,6 +117,7 @@ class Touches {
             PieceRequest r = l_.request("picture");
             const float w = l_.dice().uniform(0.35f, 0.95f);
             r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
+            if (room() == "kids") r.pattern = furnishing::picture_for_a_child(l_);
             if (!l_.on_wall(r, {})) return;
         }
     }
@@ -151,16 +152,19 @@ class Touches {
                        std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == static_cast<int>(i) && p.piece.klass == thing; });
             };
             const bool damp = room() == "bathroom" || room() == "laundry";
-            for (const Habit& h : kHabits)
-                if (h.on == klass && (damp || h.thing != "towel_stack") && !there(h.thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(h.thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(h.thing))).has_value();
+            for (const Habit& h : kHabits) {
+                const std::string_view thing = room() == "kids" ? furnishing::for_a_child(h.thing) : h.thing;
+                if (h.on == klass && (damp || thing != "towel_stack") && !there(thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
+            }
         }
     }
 
     // One to four things at a window: herbs in a kitchen, soap in a bathroom, plants and books elsewhere.
     void sills() {
         static constexpr std::array<std::string_view, 6> kDry{"plant_small", "vase_small", "photo_frame", "book_stack", "plant_small", "candle"},
-            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"}, kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"};
-        const auto& things = room() == "kitchen" ? kCooking : room() == "bathroom" || room() == "laundry" ? kWet : kDry;
+            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"}, kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"},
+            kPlaying{"teddy_bear", "toy_blocks", "book_stack", "plant_small", "toy_blocks", "photo_frame"};
+        const auto& things = room() == "kids" ? kPlaying : room() == "kitchen" ? kCooking : room() == "bathroom" || room() == "laundry" ? kWet : kDry;
         for (int window = 0; window < static_cast<int>(l_.plan().openings.size()); ++window) {
             const Opening& o = l_.plan().openings[static_cast<std::size_t>(window)];
             if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_))) continue;

@@ -28,7 +28,8 @@ bool is_small(std::string_view klass) {
 }
 
 bool is_seat(std::string_view klass) {
-    return is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "bed", "bed_single", "crib", "pouf", "rocking_chair", "hammock"});
+    return is_bed(klass) || is_easy_chair(klass) ||
+           is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf", "hammock", "chaise_longue", "throne"});
 }
 
 bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat"}); }

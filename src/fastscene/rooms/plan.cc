@@ -155,7 +155,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
 
 // Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.
 float room_for_wishes(const PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, float>, 14> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
+    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"canopy_bed", 5.5f}, {"four_poster_bed", 5.5f}, {"floor_bed", 4.f}, {"bunk_bed", 4.f}, {"loft_bed", 4.f}, {"cabin_bed", 4.f}, {"daybed", 3.f}, {"chaise_longue", 2.4f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
         {"dining_table", 4.f}, {"piano", 3.f}, {"grand_piano", 5.f}, {"wardrobe", 1.6f}, {"bookshelf", 1.f}, {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
     float wanted = 0;
     for (const PromptObject& o : spec.objects)
@@ -224,9 +224,10 @@ void apply_accents(const std::vector<std::string>& accents, Style& style) {
 
 // Some pieces are at home in one style: who names none, but a rocking chair, means no glass and chrome.
 void suggest_style(PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, const char*>, 7> kAtHome{{{"rocking_chair", "rustic"}, {"cobweb", "rustic"}, {"barrel", "rustic"},
+    static constexpr std::array<std::pair<std::string_view, const char*>, 10> kAtHome{{{"rocking_chair", "rustic"}, {"cobweb", "rustic"}, {"barrel", "rustic"},
                                                                                       {"gears", "industrial"}, {"pipes", "industrial"},
-                                                                                      {"hammock", "boho"}, {"suit_of_armor", "classic"}}};
+                                                                                      {"hammock", "boho"}, {"suit_of_armor", "classic"}, {"throne", "classic"},
+                                                                                      {"hanging_chair", "boho"}, {"lounge_chair", "mid-century"}}};
     for (const PromptObject& o : spec.objects)
         for (const auto& [klass, style] : kAtHome)
             if (spec.style.empty() && !o.forbidden && o.klass == klass) {
@@ -255,7 +256,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         const auto has = [&](std::initializer_list<const char*> classes) {
             return std::any_of(classes.begin(), classes.end(), [&](const char* c) { return wish_for(spec, c); });
         };
-        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single"}) ? "kids" : has({"bed", "nightstand"}) ? "bedroom" : has({"toilet", "bathtub", "shower", "vanity"}) ? "bathroom"
+        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single", "bunk_bed", "loft_bed", "cabin_bed"}) ? "kids" : has({"bed", "canopy_bed", "four_poster_bed", "floor_bed", "nightstand"}) ? "bedroom" : has({"toilet", "bathtub", "shower", "vanity"}) ? "bathroom"
                     : has({"kitchen_counter", "kitchen_island", "fridge"}) ? "kitchen" : has({"washing_machine"}) ? "laundry" : has({"dining_table"}) ? "dining"
                     : has({"desk", "office_chair"}) ? "study" : "living";
         spec.assumed.push_back("room: " + room_title(spec.room));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -145,6 +146,7 @@ void name_tables(Matches& m) {
         if (x.is(WordKind::room) && room.empty()) room = x.word->meaning;
     if (room == "dining" || room == "kitchen") meaning = "dining_table";
     if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
+    if (room == "kids") meaning = "play_table";
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word ||
             (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo"))
@@ -184,10 +186,14 @@ void heed_the_room(Matches& m) {
         if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
             m[i].word->adds = "pattern=round";
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
+        // "a bed with a soft mattress" is one thing; alone it lies on the floor.
+        if (m[i].is(WordKind::object) && is_one_of(w, {"mattress", "matratze", "matelas", "colchon", "materasso"}) &&
+            std::any_of(m.begin(), m.end(), [&](const Match& x) { return &x != &m[i] && x.is(WordKind::object) && x.words != w && is_bed(x.word->meaning); }))
+            m[i].word = Word{WordKind::detail, "part"};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {
             const bool bed =
-                std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning.starts_with("bed"); });
+                std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_bed(x.word->meaning); });
             if (!bed) m[i].word = Word{WordKind::object, "bed", false};
         }
     }
@@ -338,6 +344,7 @@ void find_nouns(Reading& r) {
             continue;
         }
         PromptObject& object = r.add_object(m.word->meaning, m.words);
+        if (object.klass == "window_seat") object.relation = "under", object.relation_to = "window";
         object.forbidden = m.negated;
         if (is_plural(m, r.language)) object.count = 2;
         take_added(*m.word, object);

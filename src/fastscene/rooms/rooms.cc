@@ -152,7 +152,7 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 // Looks at the piece that names the room, else along the room's longer side.
 Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
     for (const char* klass :
-         {"bed", "bed_single", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
+         {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed", "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
         for (const Placed& p : room.placed) {
             if (p.piece.klass != klass) continue;
             const Vec3f to = p.position - camera;

@@ -87,6 +87,7 @@ class Checker {
         if (b.flat || b.on == static_cast<int>(i) || a.on == static_cast<int>(k)) return;
         // What stands under a table stands between its legs.
         if (b.below == static_cast<int>(i) || a.below == static_cast<int>(k)) return;
+        if (shelters(placed_, static_cast<int>(i), b) || shelters(placed_, static_cast<int>(k), a)) return;
         if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2)))
             add("overlap", name(i) + " and " + name(k) + " stand in each other");
     }
