@@ -91,7 +91,7 @@ class Annealer {
         const Placed& p = at(g.root);
         for (const WallFace& face : faces_) {
             const float off = dot(p.position - face.origin, face.inward), u = dot(p.position - face.origin, face.along);
-            if (dot(face.inward, front_of(p.yaw)) < 0.99f || u < 0 || u > face.length || off - p.piece.size_m.z / 2 > 0.12f) continue;
+            if (dot(face.inward, front_of(p.yaw)) < 0.99f || u < 0 || u > face.length || off < 0 || off - p.piece.size_m.z / 2 > 0.12f) continue;
             g.at_wall = true;
             g.off_wall = off;
             return;
@@ -153,8 +153,21 @@ class Annealer {
         return {k};
     }
 
-    // In the room, apart from all others, off doors and windows.
+    // Whether most of its back is at a wall still: past the end of a chimney breast there is none.
+    bool has_wall_behind(const Group& g) {
+        constexpr float kMost = 0.75f, kOff = 0.03f;   // share of its width; metres
+        const Placed& p = at(g.root);
+        const float half = p.piece.size_m.x / 2;
+        return std::any_of(faces_.begin(), faces_.end(), [&](const WallFace& face) {
+            const float off = dot(p.position - face.origin, face.inward), u = dot(p.position - face.origin, face.along);
+            return dot(face.inward, front_of(p.yaw)) > 0.99f && std::abs(off - g.off_wall) < kOff &&
+                   std::min(u + half, face.length) - std::max(u - half, 0.f) > kMost * 2 * half;
+        });
+    }
+
+    // In the room, apart from all others, off doors and windows, at a wall if it was.
     bool stands_well(int group) {
+        if (const Group& g = groups_[static_cast<std::size_t>(group)]; g.at_wall && !has_wall_behind(g)) return false;
         for (const int i : groups_[static_cast<std::size_t>(group)].members) {
             const Placed& p = at(i);
             const Footprint& box = boxes_[static_cast<std::size_t>(i)];

@@ -10,7 +10,7 @@ namespace fastscene::furnishing {
 namespace {
 
 // Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of it.
-bool stands_at_walls(const Piece& piece) { return piece.against_wall && piece.size_m.y > 1.4f; }
+bool stands_at_walls(const Piece& piece) { return piece.against_wall && piece.size_m.y > (lies_along_wall(piece.klass) ? 1.f : 1.4f); }
 
 }  // namespace
 

@@ -151,6 +151,9 @@ void Furnisher::seating_group() {
     focus_of(sofa);
     const Vec2f focus = front_point(sofa, 0.6f);
     const auto chair = [=, this](const PieceRequest& r, const PromptObject& o) {
+        // High and closed behind, it would hide what is behind it.
+        if (r.klass == "hanging_chair")
+            if (const auto index = l_.against_wall(r, {.center_pull = 0, .window_pull = -0.3f, .corner = true}, o)) return index;
         if (const auto index = l_.angled_towards(focus, r, o)) return index;
         return l_.against_wall(r, {}, o);
     };

@@ -322,6 +322,68 @@ TEST(Layout, OnlyTheHeadOfABedIsHigh) {
     EXPECT_FALSE(part_above(*bed, 2.5f));
 }
 
+// Beds and seats that were asked for by their form stand there, are seen, and have the air above them that their use wants.
+TEST(Layout, BedsAndSeatsAskedForByNameStandAndAreSeen) {
+    for (const auto& [text, klass, count] :
+         {std::tuple{"a kids room with a bunk bed and a colorful rug", "bunk_bed", 1}, {"an industrial kids room with two bunk beds", "bunk_bed", 2}, {"a teenager's room with a loft bed with a desk underneath", "loft_bed", 1},
+          {"a rustic kids room with a cabin bed", "cabin_bed", 1}, {"a white canopy bed", "canopy_bed", 1}, {"a classic bedroom with a four poster bed and two nightstands", "four_poster_bed", 1},
+          {"a japandi bedroom with a futon", "floor_bed", 1}, {"a boho guest room with a daybed", "daybed", 1}, {"a living room with a green chaise longue", "chaise_longue", 1},
+          {"a sunroom with a hanging chair", "hanging_chair", 1}, {"a bedroom with an egg chair", "hanging_chair", 1}, {"a living room with three bean bags", "bean_bag", 3}, {"a study with an eames lounge chair", "lounge_chair", 1}})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            SCOPED_TRACE(std::string(text) + ", seed " + std::to_string(seed));
+            PromptSpec spec = understand_prompt(text, false);
+            for (const PromptWord& w : spec.words) EXPECT_EQ(w.fate, PromptWord::Fate::understood) << w.words;
+            const FurnishedRoom f = furnish_room(spec, {seed, nullptr, {}});
+            for (const std::string& missing : spec.not_placed) ADD_FAILURE() << missing;
+            EXPECT_EQ(f.hidden_wishes, 0);
+            for (const Fault& fault : room_faults(f.plan, f.placed, f.camera)) ADD_FAILURE() << fault.kind << ": " << fault.text;
+            int there = 0;
+            for (const Placed& p : f.placed) {
+                if (p.piece.klass != klass) continue;
+                ++there;
+                EXPECT_GT(distance_to(footprint_of(p), flat(f.camera)), 0.05f);
+                if (!lies_along_wall(klass)) continue;
+                // Its back is at a wall, and one can sit up in it.
+                const Vec3f back = p.position - front_of(p.yaw) * (p.piece.size_m.z / 2 + 0.2f);
+                EXPECT_LE(f.plan.wall_distance(flat(back)), 0.f);
+                for (const Surface& s : p.piece.surfaces) EXPECT_GT(f.plan.ceiling_at(flat(p.position)) - s.center.y, 0.75f);
+            }
+            EXPECT_EQ(there, count);
+        }
+}
+
+// Below a loft bed stands the desk that was asked for, with its lamp, and who sits at it.
+TEST(Layout, ADeskStandsBelowALoftBed) {
+    for (const char* text : {"a teenager's room with a loft bed with a desk underneath and a bean bag", "a kids room with a loft bed and a desk", "a kids room with a loft bed"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const LaidOut f = laid_out(text, seed);
+            SCOPED_TRACE(std::string(text) + ", seed " + std::to_string(seed));
+            int desks = 0, below = 0;
+            for (const Placed& p : f.placed) {
+                if (p.piece.klass != "desk") continue;
+                ++desks;
+                below += p.below >= 0 && f.placed[static_cast<std::size_t>(p.below)].piece.klass == "loft_bed";
+            }
+            EXPECT_EQ(desks, 1);
+            EXPECT_EQ(below, 1);
+        }
+}
+
+// What a kids' room has by itself is for children.
+TEST(Layout, AKidsRoomIsFilledForChildren) {
+    for (const std::string& style : styles())
+        for (const std::uint64_t seed : {1u, 2u}) {
+            const LaidOut f = laid_out("a cluttered " + style + " kids room", seed);
+            int toys = 0;
+            for (const Placed& p : f.placed) {
+                const std::string& klass = p.piece.klass;
+                for (const char* grown : {"vase", "vase_small", "candle", "sculpture", "bottles", "magazines", "tray", "coffee_table", "bowl"}) EXPECT_NE(klass, grown) << style << ", seed " << seed;
+                for (const char* toy : {"teddy_bear", "toy_blocks", "toy_box", "play_table", "rocking_horse", "bean_bag"}) toys += klass == toy;
+            }
+            EXPECT_GE(toys, 3) << style << ", seed " << seed;
+        }
+}
+
 TEST(Layout, NothingHangsBeforeAWindow) {
     for (const std::string& room : room_types())
         for (const std::uint64_t seed : {1u, 2u, 3u}) {

@@ -155,7 +155,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
 
 // Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.
 float room_for_wishes(const PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"canopy_bed", 5.5f}, {"four_poster_bed", 5.5f}, {"floor_bed", 4.f}, {"bunk_bed", 4.f}, {"loft_bed", 4.f}, {"cabin_bed", 4.f}, {"daybed", 3.f}, {"chaise_longue", 2.4f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
+    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"canopy_bed", 8.f}, {"four_poster_bed", 8.f}, {"floor_bed", 4.5f}, {"bunk_bed", 7.f}, {"loft_bed", 7.f}, {"cabin_bed", 7.f}, {"daybed", 3.f}, {"chaise_longue", 2.4f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
         {"dining_table", 4.f}, {"piano", 3.f}, {"grand_piano", 5.f}, {"wardrobe", 1.6f}, {"bookshelf", 1.f}, {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
     float wanted = 0;
     for (const PromptObject& o : spec.objects)

@@ -1,5 +1,6 @@
 // Where things stand to each other: "a desk under the window", "on the table, a vase", "a bed between two nightstands".
 #include <algorithm>
+#include <array>
 
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -203,6 +204,13 @@ std::optional<std::size_t> part_behind(const Reading& r, std::size_t at) {
     return whose ? std::nullopt : std::optional(k);
 }
 
+// "a loft bed with a desk underneath and a bean bag": nothing follows that it could be under.
+bool ends_its_phrase(const Reading& r, std::size_t at) {
+    static constexpr std::array<std::string_view, 6> kAlone{"underneath", "beneath", "below", "above", "behind", "on top"};
+    if (std::find(kAlone.begin(), kAlone.end(), r.m[at].words) == kAlone.end()) return false;
+    return at + 1 == r.m.size() || r.m[at + 1].comma || r.m[at + 1].is_function("and") || r.m[at + 1].is_function("with");
+}
+
 void relate_one(Reading& r, std::size_t at) {
     const std::string relation = r.m[at].word->meaning;
     if (relation == "both sides") return relate_both_sides(r, at);
@@ -238,7 +246,7 @@ void relate_one(Reading& r, std::size_t at) {
     if (subject && r.m[at].words.ends_with("opposite wall")) return attach(r, at, *subject, meant_by(r, *subject, false), relation);
     // "a lamp on it": the piece named before the lamp.
     const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"), them = at + 1 < r.m.size() && r.m[at + 1].is_function("them");
-    if (it || them || (!target && r.m[at].words == "on top")) {
+    if (it || them || (!target && r.m[at].words == "on top") || (ends_its_phrase(r, at) && subject && *subject + 1 == at)) {
         // "… a cabinet, above it hangs a clock"
         if (!subject && opens_clause(r, at)) subject = noun_after(r, at);
         if (!subject) return r.tell_near(at, "where: of nothing that was named");

@@ -272,6 +272,15 @@ std::size_t misplaced(const FurnishedRoom& room) {
     }));
 }
 
+// A room is for who asked for it by its beds: one of them is missing.
+bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
+    constexpr int kMost = 3;   // more is for halls
+    return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
+        return is_bed(o.klass) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
+               std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
+    });
+}
+
 }  // namespace
 
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing) {
@@ -290,7 +299,7 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams&
         fewest = faults;
         best = std::move(room);
         best_read = std::move(read);
-        if (!faults.first && best->hidden_wishes == 0 && elsewhere == 0) break;
+        if (!faults.first && best->hidden_wishes == 0 && elsewhere == 0 && !lacks_a_bed(*best, best_read)) break;
     }
     spec = std::move(best_read);
     return *std::move(best);
