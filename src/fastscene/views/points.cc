@@ -1,9 +1,11 @@
 #include "fastscene/views/points.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/outlook.h"
 #include "fastscene/geometry/range_edges.h"
 #include "fastscene/image/color.h"
 
@@ -51,6 +53,7 @@ struct Candidate {
     std::uint32_t panorama, pixel;
     float angle, area, edge;   // steradians; square metres; edge strength times solid angle
     bool outside;              // no range: where it stands is ours, and so is its area
+    bool hidden = false;       // a surface's pixel, but the point is of the outside behind it
 };
 
 // Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
@@ -89,6 +92,40 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, float 
     }
 }
 
+// Within `reach` pixels of a marked one along the columns and the rows, which close at the seam.
+ImageMask grown(const ImageMask& mask, int reach) {
+    const int w = mask.width, h = mask.height;
+    ImageMask wide(w, h), out(w, h);
+    for (int y = 0; y < h; ++y) {
+        int near = 0;
+        for (int x = -reach; x < reach; ++x) near += mask.at(wrap_column(x, w), y) != 0;
+        for (int x = 0; x < w; ++x) {
+            near += mask.at(wrap_column(x + reach, w), y) != 0;
+            wide.at(x, y) = near > 0;
+            near -= mask.at(wrap_column(x - reach, w), y) != 0;
+        }
+    }
+    for (int y = 0; y < h; ++y)
+        for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j)
+            for (int x = 0; x < w; ++x) out.at(x, y) |= wide.at(x, j);
+    return out;
+}
+
+// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it: behind panorama 0's surfaces beside it.
+void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
+    constexpr float kBeside_rad = 3.f * kPi / 180.f;
+    const EquirectSize size = panorama.size();
+    ImageMask outside(size.width, size.height);
+    for (std::size_t i = 0; i < outside.size(); ++i) outside.pixels[i] = !std::isfinite(panorama.range.pixels[i]);
+    const ImageMask about = grown(outside, std::max(1, static_cast<int>(kBeside_rad / (2 * kPi) * static_cast<float>(size.width))));
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (!about.at(x, y) || outside.at(x, y)) continue;
+            const float angle = static_cast<float>(pixel_solid_angle(y, size));
+            out.push_back({0, static_cast<std::uint32_t>(y * size.width + x), angle, 0, 0, true, true});
+        }
+}
+
 // What area a pixel counts with: the outside like the room's surfaces, or a window would take half of all points.
 std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> per_angle;
@@ -99,7 +136,8 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     const float usual = per_angle.empty() ? 1.f : *middle;
     std::vector<float> areas;
     areas.reserve(candidates.size());
-    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual : std::min(c.area, kMostArea * usual * c.angle));
+    constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
+    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual * (c.hidden ? kHidden : 1.f) : std::min(c.area, kMostArea * usual * c.angle));
     return areas;
 }
 
@@ -133,6 +171,8 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
     const float sky_m = sky_distance(panoramas);
     for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, sky_m, candidates);
     if (candidates.empty()) return {};
+    const ImageColor outlook = outside_picture(panoramas[0].color, panoramas[0].range);
+    if (!outlook.empty()) collect_hidden(panoramas[0], candidates);
     const std::vector<double> shares = shares_of(candidates, count);
     // One walk along the sum of shares, with one jittered draw a step: spread more evenly than free draws.
     std::vector<SurfacePoint> points;
@@ -147,12 +187,14 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
             const Panorama& panorama = panoramas[c.panorama];
             if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panorama.range);
             const int x = static_cast<int>(c.pixel) % panorama.color.width, y = static_cast<int>(c.pixel) / panorama.color.width;
-            const Surface s = surface_at(panorama, cuts[c.panorama], sky_m, x, y);
+            const Vec3f d = direction_of_pixel(x, y, panorama.size());
+            const Surface s = c.hidden ? Surface{d * sky_m, -d} : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
             SurfacePoint point;
             point.position_m = panorama.world_from_pano * s.point;
             point.normal = panorama.world_from_pano.rotation * s.normal;
-            point.color = srgb8_from_linear(panorama.color.at(x, y));
-            point.radius_m = static_cast<float>(std::sqrt(static_cast<double>(c.area) / shares[i]));
+            point.color = srgb8_from_linear(c.hidden ? outlook.at(x, y) : panorama.color.at(x, y));
+            const float area = c.hidden ? c.angle * sky_m * sky_m : c.area;
+            point.radius_m = static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }

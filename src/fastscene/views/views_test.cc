@@ -145,6 +145,27 @@ TEST(Points, TheOutsideTakesNoMoreThanItsPartOfThePicture) {
     EXPECT_LT(far, 2.5 * part * static_cast<double>(points.size()));
 }
 
+// A step aside shows what a frame hid, and it must not be black.
+TEST(Points, TheOutsideGoesOnBehindFrames) {
+    Panorama panorama = render_synthetic(room(), {}, kSize, 1);
+    for (int y = kSize.height * 3 / 8; y < kSize.height * 5 / 8; ++y)
+        for (int x = 0; x < kSize.width / 8; ++x) {
+            const bool frame = x > 30 && x < 35;
+            panorama.range.at(x, y) = frame ? 2.f : std::numeric_limits<float>::infinity();
+            panorama.color.at(x, y) = frame ? Vec3f{0.01f, 0.01f, 0.01f} : Vec3f{0.3f, 0.5f, 0.9f};
+        }
+    int behind = 0;
+    ViewsParams params = small_params();
+    params.points = 40000;
+    for (const SurfacePoint& p : project_views({panorama}, params, {}).points) {
+        if (length(p.position_m) < 300) continue;
+        const Vec2f at = pixel_of_direction(p.position_m, kSize);
+        behind += at.x > 31 && at.x < 35 && std::fabs(at.y - 0.5f * kSize.height) < 0.1f * kSize.height;
+        EXPECT_GT(p.color.b, p.color.r + 20);  // the sky's, nowhere the frame's or the wall's
+    }
+    EXPECT_GT(behind, 2);
+}
+
 TEST(Points, NothingStandsBehindTheSky) {
     const Panorama first = render_synthetic(room(), {}, kSize, 1);
     Panorama walked = first;

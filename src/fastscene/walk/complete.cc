@@ -124,8 +124,18 @@ void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageM
         }
 }
 
-// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Between a frame and the outside
-// that makes surfaces in between; without them the outside behind a frame, which no viewpoint sees, would have no splats at all.
+// Of a face's pixels, those that no surface is known at: holes, and the outside.
+ImageMask without_outside(const ImageMask& hole, const ImageColor& inverse) {
+    ImageMask out = hole;
+    for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] |= inverse.pixels[i].x <= 1.f / kFarthestRange;
+    return out;
+}
+bool has(const ImageMask& mask, bool value) {
+    return std::any_of(mask.pixels.begin(), mask.pixels.end(), [=](std::uint8_t v) { return (v != 0) == value; });
+}
+
+// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Nothing stands between a frame and the
+// outside: where both are about, a pixel belongs to the one that the mean of the two is nearer to.
 void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
     const int w = rest.width, h = rest.height;
     const EquirectSize size{w, h};
@@ -160,6 +170,8 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 hole.at(x, y) = avoid.at(px, py);
             }
         color = world.inpainter->fill(color, hole, run);
+        ImageColor surfaces;  // inverse range without the outside; empty where there is none, or nothing else
+        if (const ImageMask open = without_outside(hole, inverse); open != hole && has(open, false)) surfaces = reference->fill(inverse, open, run);
         inverse = reference->fill(inverse, hole, run);
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
@@ -167,9 +179,18 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 const Vec3f d = direction_of_pixel(x, y, size);
                 if (face_of_direction(d) != face) continue;
                 const Vec2f at = *camera.project(transpose(pano_from_camera) * d);
-                view.color.at(x, y) = sample_flat(color, at);
-                view.range.at(x, y) = 1.f / std::max(sample_flat(inverse, at).x, 1.f / kFarthestRange);
                 view.plane.at(x, y) = kNoPlane;
+                float q = sample_flat(inverse, at).x;
+                if (!surfaces.empty()) {
+                    const float surface = sample_flat(surfaces, at).x;
+                    if (q < 0.5f * surface) {
+                        view.color.at(x, y) = world.outside.at(x, y), view.range.at(x, y) = std::numeric_limits<float>::infinity();
+                        continue;
+                    }
+                    q = surface;
+                }
+                view.color.at(x, y) = sample_flat(color, at);
+                view.range.at(x, y) = 1.f / std::max(q, 1.f / kFarthestRange);
             }
     }
 }

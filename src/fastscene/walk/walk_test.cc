@@ -257,6 +257,24 @@ Panorama panorama_of_window_room(Vec3f from) {
     return out;
 }
 
+// What was invented between a frame and the outside floated in mid-air, and other viewpoints saw it as scratches on the panes.
+TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
+    WalkParams params;
+    params.viewpoints = 8;
+    params.inpainter = "harmonic";
+    int floating = 0, outside = 0;
+    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {}).panoramas)
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) {
+                const float range = panorama.range.at(x, y);
+                const float beyond = (panorama.world_from_pano.translation + direction_of_pixel(x, y, kSize) * range).z - 2.25f;
+                outside += std::isinf(range);
+                floating += std::isfinite(range) && beyond > 0.2f;
+            }
+    EXPECT_GT(outside, 1000);
+    EXPECT_EQ(floating, 0);
+}
+
 TEST(Walk, ThroughAWindowHolesAreTheOutside) {
     WalkParams params;
     params.viewpoints = 8;

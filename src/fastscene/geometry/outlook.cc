@@ -1,4 +1,4 @@
-#include "fastscene/walk/outlook.h"
+#include "fastscene/geometry/outlook.h"
 
 #include <algorithm>
 #include <cmath>
