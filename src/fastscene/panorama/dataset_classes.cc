@@ -20,7 +20,8 @@ struct Entry {
 constexpr std::array kParts{
     Entry{"bean_bag", 5}, Entry{"window_seat", 5}, Entry{"chaise", 6}, Entry{"throne", 5}, Entry{"nightstand", 32}, Entry{"bookshelf", 10}, Entry{"book", 23}, Entry{"washbasin", 34}, Entry{"sink", 34}, Entry{"bathtub", 36}, Entry{"toilet", 33}, Entry{"kitchen_island", 12},
     Entry{"counter", 12}, Entry{"fridge", 24}, Entry{"washing_machine", 39}, Entry{"dryer", 39}, Entry{"towel", 27}, Entry{"shower", 38}, Entry{"mirror", 19}, Entry{"curtain", 16}, Entry{"blind", 13},
-    Entry{"lamp", 35}, Entry{"chandelier", 35}, Entry{"sconce", 35}, Entry{"tv_stand", 39}, Entry{"tv", 25}, Entry{"monitor", 25}, Entry{"screen", 25}, Entry{"rug", 20}, Entry{"carpet", 20},
+    Entry{"shutters", 13}, Entry{"shoji", 13}, Entry{"lamp", 35}, Entry{"chandelier", 35}, Entry{"lantern", 35}, Entry{"bulb_pendant", 35}, Entry{"track_light", 35},
+    Entry{"ceiling_fan", 40}, Entry{"whiteboard", 30}, Entry{"chalkboard", 30}, Entry{"dartboard", 40}, Entry{"tapestry", 11}, Entry{"world_map", 11}, Entry{"grandfather_clock", 39}, Entry{"bar_cart", 7}, Entry{"play_tent", 39}, Entry{"tv_stand", 39}, Entry{"tv", 25}, Entry{"monitor", 25}, Entry{"screen", 25}, Entry{"rug", 20}, Entry{"carpet", 20},
     Entry{"doorway", 38}, Entry{"door", 8}, Entry{"window", 9}, Entry{"skylight", 9}, Entry{"portal", 9}, Entry{"armchair", 5}, Entry{"loveseat", 6}, Entry{"sofa", 6}, Entry{"couch", 6}, Entry{"bed", 4},
     Entry{"crib", 4}, Entry{"chair", 5}, Entry{"stool", 5}, Entry{"bench", 5}, Entry{"ottoman", 39}, Entry{"pouf", 39}, Entry{"desk", 14}, Entry{"dresser", 17}, Entry{"wardrobe", 3}, Entry{"sideboard", 3},
     Entry{"cabinet", 3}, Entry{"table", 7}, Entry{"shelf", 15}, Entry{"shelves", 15}, Entry{"rack", 15}, Entry{"picture", 11}, Entry{"painting", 11}, Entry{"poster", 11}, Entry{"cushion", 18}, Entry{"pillow", 18},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/plan.h"
 
 namespace fastscene {
@@ -114,7 +115,9 @@ bool is_soft(std::string_view klass) {
     return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
 }
 
-bool is_hung(std::string_view klass) { return klass == "pendant_lamp" || klass == "ceiling_lamp" || klass == "chandelier"; }
+bool is_hung(std::string_view klass) {
+    return furnishing::lights_from_above(klass) || klass == "disco_ball" || klass == "hanging_plant";
+}
 
 std::vector<Body> bodies_of(const Room& room) {
     std::vector<Body> objects(room.objects.size()), shell;

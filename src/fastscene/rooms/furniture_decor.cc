@@ -8,7 +8,6 @@
 #include "fastscene/rooms/furniture_motifs.h"
 
 namespace fastscene::furniture {
-namespace {
 
 Material foliage(Kit& k, Vec3f tone, float scale) {
     Material m = plain("leaf", tone * k.dice.uniform(0.85f, 1.15f), 0.45f);
@@ -19,7 +18,7 @@ Material foliage(Kit& k, Vec3f tone, float scale) {
     m.seed = k.seed();
     return m;
 }
-// A leaf from `base` in direction `out` (unit, horizontal), rising by `lift`, bending down by `droop`.
+
 Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float droop, float point) {
     const Vec3f side = cross(Vec3f{0, 1, 0}, out);
     Mesh m = shapes::sheet(4, 10, [&](float u, float v) {
@@ -32,7 +31,11 @@ Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float d
     }
     return m;
 }
+
 Vec3f around(float a) { return {std::cos(a), 0, std::sin(a)}; }
+
+namespace {
+
 float pot(Kit& k, int mat, float r, float h) {
     const std::array<Vec2f, 4> p{Vec2f{0.7f * r, 0}, {0.74f * r, 0.01f}, {r, h - 0.03f}, {r, h}};
     k.add(shapes::vessel(p, 0.012f, 32), mat);

@@ -72,6 +72,11 @@ Material tinted(Material m, Vec3f color);   // recolored, keeping the ratio of i
 Material glass();
 Material porcelain();
 Material steel();
+// What grows (furniture_decor.cc): a leaf's green, a little other each time; a leaf from `base` in direction `out` (unit, horizontal), rising by
+// `lift`, bending down by `droop`; the unit vector at this angle about y.
+Material foliage(Kit& k, Vec3f tone, float scale);
+Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float droop, float point);
+Vec3f around(float angle);
 
 // Four legs of the style under a top: half extents to the legs' middles, from the floor to y.
 void legs(Kit& k, int material_index, float half_x, float half_z, float y, float thickness = 0.05f);
@@ -95,6 +100,9 @@ std::span<const Entry> lamps();
 std::span<const Entry> decor();     // plants, vases, pictures, textiles, the rest
 std::span<const Entry> clutter();   // cups, trays, frames, toys, kitchen things: what stands about
 std::span<const Entry> themed();    // what a theme of the prompt brings: a sea chest, a ship, a player's computer
+std::span<const Entry> on_walls();  // boards, hangings, trophies, maps, signs
+std::span<const Entry> window_covers();  // blinds, shutters
+std::span<const Entry> extras();    // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
 std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
 
 inline constexpr float kTau = 2 * kPi;

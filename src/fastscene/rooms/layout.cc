@@ -108,6 +108,16 @@ bool stands_on_sill(const Plan& plan, const Placed& p) {
            off - half > -kRevealDepth - kTolerance && off + half < kSillReach + kTolerance;
 }
 
+bool hangs_in_window(const Plan& plan, const Placed& p) {
+    if (p.piece.mount != Mount::wall || p.sill < 0 || p.sill >= static_cast<int>(plan.openings.size())) return false;
+    const Opening& o = plan.openings[static_cast<std::size_t>(p.sill)];
+    const WallFace face = plan.wall(o.wall);
+    const Vec3f to = p.position - face.origin;
+    const float u = dot(to, face.along), off = dot(to, face.inward), half = p.piece.size_m.x / 2;
+    return o.kind == Opening::Kind::window && dot(face.inward, front_of(p.yaw)) > 0.99f && u - half > o.u0 && u + half < o.u1 && p.position.y > o.y0 - 0.001f &&
+           p.position.y + p.piece.size_m.y < o.y1 + 0.001f && off > -kRevealDepth && off + p.piece.size_m.z < kSillReach;
+}
+
 void Layout::find_ways() {
     ways_ = Ways(plan_);
     for (const Placed& p : placed_) ways_.add(p);

@@ -23,7 +23,7 @@ struct Placed {
     Vec3f position;
     float yaw = 0;
     int on = -1;               // index of the piece it stands on
-    int sill = -1;             // index of the window on whose sill it stands
+    int sill = -1;             // index of the window on whose sill it stands, or in which it hangs
     int below = -1;            // index of the table it stands under
     int with = -1;             // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
     bool flat = false;         // rugs: one may stand on them
@@ -39,6 +39,8 @@ bool shelters(const std::vector<Placed>& all, int over, const Placed& thing);
 bool blocks_opening(const Plan& plan, const Footprint& box);
 // Whether a piece of wall carries it, clear of doors and windows.
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& placed);
+// In its window's reveal, before the frame: a blind.
+bool hangs_in_window(const Plan& plan, const Placed& placed);
 // On the sill of its window, between the frame and the sill's edge.
 bool stands_on_sill(const Plan& plan, const Placed& placed);
 // Whether a piece on the floor stands close before what hangs on a wall, and reaches up to it.
@@ -116,6 +118,10 @@ class Layout {
     std::optional<int> in_upper_corner(const PieceRequest& request, const PromptObject& from = {});
     // A pair at every window where they find room; returns how many. They end above what stands below a window.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
+    // A blind in every window, within its reveal; returns how many. Above what stands on a sill it is drawn up.
+    int in_windows(const PieceRequest& request, const PromptObject& from = {});
+    // On the wall behind a piece, beside it: at eye height, or level with the middle of what hangs there itself.
+    std::optional<int> beside_on_wall(int anchor, const PieceRequest& request, int side, const PromptObject& from = {});
 
     // How much stands; and back to that.
     std::size_t mark() const { return placed_.size(); }

@@ -26,7 +26,7 @@ double thread_seconds() {
 
 bool stays(const Placed& p) {
     if (p.piece.mount != Mount::floor || p.flat || p.overhead) return true;
-    for (const char* klass : {"kitchen_counter", "curtain", "blind", "radiator"})
+    for (const char* klass : {"kitchen_counter", "curtain", "radiator"})
         if (p.piece.klass == klass) return true;
     return false;
 }

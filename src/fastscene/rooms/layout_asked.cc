@@ -91,13 +91,14 @@ Spare Furnisher::spare_for(const std::string& klass) {
 }
 
 std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
-    if (!l_.why_not(ask.wish->klass).empty()) return {};
+    if (!l_.why_not(ask.wish->klass).empty() || is_blind(ask.wish->klass)) return {};
     const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
     const Piece piece = make_piece(r);
     std::optional<int> i;
     if (ask.wish->in_row && ask.wish->klass != "monitor") i = next_in_row(*ask.wish, r);   // monitors stand in a row as it is
     if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
+    else if (ask.wish->klass == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
     else if (ask.relation == "under") i = under_piece(anchor, ask, r, piece);
@@ -123,7 +124,7 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree"})) smaller.klass = "plant_small";
+        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree", "hanging_plant"})) smaller.klass = "plant_small";
         // On a bathtub's rim they stand one by one.
         if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
@@ -253,7 +254,7 @@ bool Furnisher::stands_on_others(const PromptObject& wish) const {
 void Furnisher::asked_in_the_shell() {
     for (const bool small : {false, true})
         for (Ask& ask : wishes_.asks()) {
-            if (!ask.at_shell() || ask.wish->klass == "curtain" || stands_on_others(*ask.wish) != small) continue;
+            if (!ask.at_shell() || ask.wish->klass == "curtain" || is_blind(ask.wish->klass) || stands_on_others(*ask.wish) != small) continue;
             while (ask.left > 0) {
                 --ask.left;
                 if (const auto i = in_shell(ask)) {
@@ -268,12 +269,13 @@ void Furnisher::asked_in_the_shell() {
 
 // What no group has used. What finds no place where it was asked for stands elsewhere.
 void Furnisher::remaining_wishes(bool small) {
-    if (!small && wishes_.count("curtain") > 0) {
-        const auto curtain =
-            std::find_if(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return a.wish->klass == "curtain" && a.left > 0; });
-        curtain->left = 0;
-        if (l_.at_windows(l_.request("curtain", curtain->wish), *curtain->wish) == 0)
-            l_.spec().not_placed.push_back(curtain->wish->words + ": no window has room for them");
+    for (Ask& ask : wishes_.asks()) {
+        const std::string& klass = ask.wish->klass;
+        if (small || ask.left <= 0 || !(klass == "curtain" || is_blind(klass))) continue;
+        ask.left = 0;
+        const PieceRequest r = l_.request(klass, ask.wish);
+        const int hung = is_blind(klass) ? l_.in_windows(r, *ask.wish) : l_.at_windows(r, *ask.wish);
+        if (hung == 0) l_.spec().not_placed.push_back(ask.wish->words + ": no window has room for them");
     }
     for (const bool bound : {false, true})
         for (Ask& ask : wishes_.asks()) {

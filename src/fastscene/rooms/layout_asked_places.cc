@@ -197,6 +197,60 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
     return false;
 }
 
+std::optional<int> Furnisher::wall_lamp_at(int anchor, const PieceRequest& r, const PromptObject& wish) {
+    const Vec3f aside = right_of(at(anchor).yaw);
+    float balance = 0;   // on which side there are more of them
+    for (const Placed& p : l_.placed())
+        if (p.piece.klass == "wall_lamp" && p.with == anchor) balance += dot(p.position - at(anchor).position, aside) > 0 ? 1.f : -1.f;
+    std::vector<int> sides{1, -1};
+    if (balance > 0) sides = {-1, 1};
+    if (wish.relation == "left of") sides = {-1};
+    if (wish.relation == "right of") sides = {1};
+    for (const int side : sides)
+        if (const auto i = l_.beside_on_wall(anchor, r, side, wish)) return i;
+    return {};
+}
+
+std::optional<int> Furnisher::wall_lamp(const PieceRequest& r, const PromptObject& wish) {
+    for (const char* klass : {"bed", "bed_single", "mirror", "fireplace", "picture", "sofa", "washbasin", "console_table", "sideboard", "loveseat", "desk"})
+        for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
+            if (klass_of(i) != klass) continue;
+            const auto there = std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.piece.klass == "wall_lamp" && p.with == i; });
+            if (there >= 2) continue;
+            if (const auto lamp = wall_lamp_at(i, r, wish)) return lamp;
+        }
+    return {};
+}
+
+std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObject& wish) {
+    const float reach = 0.5f * make_piece(r).size_m.x;
+    std::vector<Vec2f> places;
+    for (const Opening& o : l_.plan().openings) {
+        if (o.kind != Opening::Kind::window) continue;
+        const WallFace face = l_.plan().wall(o.wall);
+        for (const float off : {0.12f, 0.3f, 0.5f})
+            for (const float u : {o.u0 - 0.1f, o.u1 + 0.1f, o.u0 + 0.25f * (o.u1 - o.u0), o.u0 + 0.75f * (o.u1 - o.u0)})
+                places.push_back(flat(face.point(u, 0) + face.inward * (reach + off)));
+    }
+    for (const float off : {0.12f, 0.4f, 0.8f})
+        for (const float sx : {-1.f, 1.f})
+            for (const float sz : {1.f, -1.f}) places.push_back({sx * (0.5f * l_.plan().width - reach - off), sz * (0.5f * l_.plan().depth - reach - off)});
+    // Not all at one window.
+    std::stable_sort(places.begin(), places.end(), [&](Vec2f a, Vec2f b) {
+        const auto crowded = [&](Vec2f p) {
+            return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& q) { return q.piece.klass == "hanging_plant" && length(flat(q.position) - p) < 0.7f; });
+        };
+        return !crowded(a) && crowded(b);
+    });
+    for (const float size : {1.f, 0.8f}) {
+        PieceRequest smaller = r;
+        smaller.size_factor *= size;
+        for (const Vec2f p : places)
+            if (const auto i = l_.hanging(smaller, p, wish)) return i;
+    }
+    return {};
+}
+
 // By what kind of piece it is.
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
@@ -217,6 +271,8 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
                 if (const auto i = l_.on_floor_near({0, 0}, r, wish)) return i;
             return on_a_table_of_its_own(r, wish);
         case Mount::wall:
+            if (wish.klass == "wall_lamp")
+                if (const auto i = wall_lamp(r, wish)) return i;
             // On a wall full of other things in a smaller size.
             for (const float size : {1.f, 0.78f, 0.6f, 0.45f}) {
                 PieceRequest smaller = r;
@@ -229,6 +285,8 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
             if (wish.klass == "cobweb") return l_.in_upper_corner(r, wish);
             if (const auto cot = l_.find("crib"); wish.klass == "cot_mobile" && cot)
                 if (const auto i = l_.hanging(r, flat(at(*cot).position), wish)) return l_.join(*i, *cot), i;
+            if (wish.klass == "hanging_plant")
+                if (const auto i = hung_aside(r, wish)) return i;
             for (const Vec2f p : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
                 if (const auto i = l_.hanging(r, p, wish)) return i;
             return {};

@@ -167,8 +167,9 @@ int Furnisher::wall_opposite(int anchor) const {
 void Furnisher::finish() {
     const std::string& room = l_.spec().room;
     const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
-    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !wet && is_furnished()) l_.at_windows(l_.request("curtain"));
-    if (!l_.find("pendant_lamp") && !l_.find("chandelier") && !l_.find("ceiling_lamp")) {
+    const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return is_blind(a.wish->klass); });
+    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished()) l_.at_windows(l_.request("curtain"));
+    if (std::none_of(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
         put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
             return l_.hanging(r, {0, 0.2f}, o);

@@ -234,8 +234,10 @@ void Furnisher::eating_place(int seats) {
         if (i) l_.join(*i, table);
         return i;
     };
-    if (wishes_.asked("chandelier")) put("chandelier", 0, over_it);
-    else put("pendant_lamp", 0.8f, over_it);
+    const char* over = "pendant_lamp";
+    for (const char* lamp : {"chandelier", "bulb_pendant", "paper_lantern", "track_light", "ceiling_fan"})
+        if (wishes_.asked(lamp)) over = lamp;
+    put(over, std::string_view(over) == "pendant_lamp" ? 0.8f : 0.f, over_it);
     rug(table, 0.5f, size(table).x + 1.3f, size(table).z + 1.3f, 0);
 }
 

@@ -17,6 +17,10 @@ bool is_small(std::string_view klass);
 bool lies_on_seats(std::string_view klass);  // small things that need no table
 // What one sits or lies on: nothing is put there by itself.
 bool is_seat(std::string_view klass);
+// Blinds and shutters: they hang in windows, in all of them.
+bool is_blind(std::string_view klass);
+// What lights a room from its ceiling when it was asked for: the usual lamp is left out.
+bool lights_from_above(std::string_view klass);
 
 // What stands in a child's room in place of what grown-ups like to see.
 std::string_view for_a_child(std::string_view thing);
@@ -142,6 +146,11 @@ class Furnisher {
     std::optional<int> next_screen(int desk, const PieceRequest& r, const PromptObject& wish);
     std::optional<int> television(const PieceRequest& r, const PromptObject& wish);
     bool stands_on_others(const PromptObject& wish) const;
+    // A lamp on the wall beside a bed, a mirror, a picture, a fire: the emptier side of the first that has not two.
+    std::optional<int> wall_lamp(const PieceRequest& r, const PromptObject& wish);
+    std::optional<int> wall_lamp_at(int anchor, const PieceRequest& r, const PromptObject& wish);
+    // Where nobody's head is: beside windows, in corners.
+    std::optional<int> hung_aside(const PieceRequest& r, const PromptObject& wish);
     bool on_a_seat(const PromptObject& wish);
 
     // ---- layout_groups.cc: what belongs into which room

@@ -15,7 +15,7 @@ constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is lo
 // What a room keeps even when nobody asked for it.
 bool makes_the_room(std::string_view klass) {
     return is_bed(klass) || is_one_of(klass, {"sofa", "loveseat", "dining_table", "dining_table_round", "desk", "kitchen_counter", "fridge",
-                             "kitchen_island", "bathtub", "shower", "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain", "blind"});
+                             "kitchen_island", "bathtub", "shower", "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain"});
 }
 
 }  // namespace

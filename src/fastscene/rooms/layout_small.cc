@@ -261,6 +261,65 @@ std::optional<int> Layout::in_upper_corner(const PieceRequest& request, const Pr
     return {};
 }
 
+std::optional<int> Layout::beside_on_wall(int anchor, const PieceRequest& request, int side, const PromptObject& from) {
+    const Placed a = placed_[static_cast<std::size_t>(anchor)];
+    Placed p;
+    p.piece = make_piece(request);
+    if (p.piece.mount != Mount::wall) return {};
+    const Vec3f size = p.piece.size_m;
+    const bool hung = a.piece.mount == Mount::wall;
+    constexpr float kLowest = 1.1f, kHighest = 1.75f;
+    const float y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, kLowest, kHighest) : p.piece.hang_height_m;
+    for (const WallFace& face : faces_) {
+        const float off = dot(a.position - face.origin, face.inward) - (hung ? 0.f : a.piece.size_m.z / 2);
+        if (dot(face.inward, front_of(a.yaw)) < 0.99f || std::abs(off) > 0.3f) continue;
+        p.yaw = yaw_of(face.inward);
+        const float middle = dot(a.position - face.origin, face.along), way = dot(right_of(a.yaw), face.along) > 0 ? 1.f : -1.f;
+        if (middle < 0 || middle > face.length) continue;
+        // A hand beside it; beside a bed over its nightstand.
+        for (const float gap : {hung ? 0.1f : 0.22f, 0.16f, 0.08f, 0.3f, 0.42f}) {
+            const float u = middle + way * static_cast<float>(side) * (a.piece.size_m.x / 2 + size.x / 2 + gap);
+            if (u < size.x / 2 + 0.05f || u > face.length - size.x / 2 - 0.05f || !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
+            p.position = face.point(u, y) + face.inward * 0.002f;
+            const Footprint box = footprint_of(p, 0.02f);
+            bool free = plan_.holds(footprint_of(p));
+            for (const Placed& other : placed_)
+                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.03f : 0.f)) && !hides(other, p);
+            if (!free || !leaves_way(p) || !std::isfinite(as_asked(p, from))) continue;
+            p.with = anchor;
+            return keep(p, from);
+        }
+    }
+    return {};
+}
+
+int Layout::in_windows(const PieceRequest& request, const PromptObject& from) {
+    constexpr float kOffFrame = 0.008f, kBeside = 0.004f;
+    int hung = 0;
+    for (int window = 0; window < static_cast<int>(plan_.openings.size()); ++window) {
+        const Opening& o = plan_.openings[static_cast<std::size_t>(window)];
+        if (o.kind != Opening::Kind::window) continue;
+        const WallFace face = plan_.wall(o.wall);
+        for (const float low : {o.y0, o.y0 + 0.3f * (o.y1 - o.y0), o.y0 + 0.55f * (o.y1 - o.y0)}) {
+            PieceRequest r = request;
+            r.size_factor = 1.f;
+            r.size_m = {o.u1 - o.u0 - 2 * kBeside, o.y1 - low, 0};
+            Placed p;
+            p.piece = make_piece(r);
+            p.sill = window;
+            p.yaw = yaw_of(face.inward);
+            p.position = face.point((o.u0 + o.u1) / 2, o.y1 - p.piece.size_m.y) - face.inward * (kRevealDepth - kOffFrame);
+            const Footprint box = footprint_of(p);
+            if (std::any_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); })) continue;
+            if (!hangs_in_window(plan_, p)) continue;
+            keep(p, from);
+            ++hung;
+            break;
+        }
+    }
+    return hung;
+}
+
 int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     int hung = 0;
     for (const Opening& o : plan_.openings) {

@@ -11,25 +11,34 @@ namespace {
 bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
 // Hangs where it is asked to: what stands below it is placed first.
 bool is_hung(std::string_view klass) {
-    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "chandelier", "pendant_lamp", "ceiling_lamp"});
+    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "wall_lamp", "neon_sign", "whiteboard", "chalkboard", "pin_board", "tapestry", "macrame",
+                             "flag", "antlers", "deer_head", "world_map", "dartboard", "chandelier", "pendant_lamp", "ceiling_lamp", "ceiling_fan", "paper_lantern",
+                             "bulb_pendant", "track_light", "disco_ball", "hanging_plant"});
 }
 
 }  // namespace
 
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 40> kSmall{
+    static constexpr std::array<std::string_view, 43> kSmall{
         "monitor",    "ship_model",  "table_lamp",  "vase",        "vase_small",  "book_stack",    "bowl",
         "candle",     "plant_small", "picture",     "mirror",      "tv",          "clock",         "rug",
         "cushion",    "guitar",      "cat",         "alarm_clock", "bottles",     "cup",           "cutting_board",
         "globe",      "kettle",      "laptop",      "magazines",   "photo_frame", "picture_ledge", "place_setting",
         "pot",        "sculpture",   "storage_box", "teddy_bear",  "toaster",     "toiletries",    "towel_stack",
-        "toy_blocks", "tray",        "utensils",    "bouquet",     "throw"};
+        "toy_blocks", "tray",        "utensils",    "bouquet",     "throw",       "cactus",        "lantern",
+        "fish_bowl"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 
 bool is_seat(std::string_view klass) {
     return is_bed(klass) || is_easy_chair(klass) ||
            is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf", "hammock", "chaise_longue", "throne"});
+}
+
+bool is_blind(std::string_view klass) { return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"}); }
+
+bool lights_from_above(std::string_view klass) {
+    return is_one_of(klass, {"pendant_lamp", "chandelier", "ceiling_lamp", "ceiling_fan", "paper_lantern", "bulb_pendant", "track_light"});
 }
 
 bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat"}); }

@@ -56,7 +56,8 @@ class Checker {
                 add("unsupported", name(i) + " is too tall for its place under " + name(static_cast<std::size_t>(p.below)));
         }
         if (p.sill >= 0) {
-            if (!stands_on_sill(plan_, p)) add("unsupported", name(i) + " does not stand on its window's sill");
+            if (p.piece.mount == Mount::wall && !hangs_in_window(plan_, p)) add("unsupported", name(i) + " does not hang in its window");
+            if (p.piece.mount != Mount::wall && !stands_on_sill(plan_, p)) add("unsupported", name(i) + " does not stand on its window's sill");
             return;
         }
         switch (p.piece.mount) {
@@ -103,7 +104,7 @@ class Checker {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
             Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
             if (window) zone.y0 = o.y0 + 0.25f, zone.y1 = o.y1 - 0.02f;
-            if (window && (p.piece.klass == "curtain" || p.piece.klass == "blind" || p.on >= 0 || p.sill >= 0)) continue;
+            if (window && (p.piece.klass == "curtain" || p.on >= 0 || p.sill >= 0)) continue;
             if (overlap(box, zone)) add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
         }
     }
