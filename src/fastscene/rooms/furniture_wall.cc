@@ -188,7 +188,7 @@ void neon_sign(Kit& k) {
     const char* figure = kFigures[static_cast<std::size_t>(k.dice.index(static_cast<int>(kFigures.size())))];
     const bool known = is_one_of(asked, {"heart", "hello", "bolt", "love", "moon", "dream", "star", "open", "cactus", "bar"});
     const int gas = k.main(plain("neon", kGases[static_cast<std::size_t>(k.dice.index(4))], 0.3f)), clip = k.material(plain("clear clip", {0.6f, 0.6f, 0.6f}, 0.2f)),
-              wire = k.material(plain("wire", {0.05f, 0.05f, 0.05f}, 0.6f));
+              wire = k.material(plain("white wire", {0.66f, 0.65f, 0.63f}, 0.5f));
     Material& m = k.piece.materials[static_cast<std::size_t>(gas)];
     // A gas is purer than paint.
     const float most = std::max(max_component(m.color_a), 0.05f);
@@ -196,21 +196,21 @@ void neon_sign(Kit& k) {
     for (std::size_t a = 0; a < 3; ++a) hue[a] = std::pow(m.color_a[a] / most, 1.8f);
     const Vec3f dye = m.color_a;
     m = plain(m.name, dye, 0.3f);
-    m.emission = (hue + Vec3f{0.02f, 0.02f, 0.02f}) * (5.f / std::max(luminance(hue), 0.2f));
+    m.emission = (hue + Vec3f{0.02f, 0.02f, 0.02f}) * (0.9f / std::max(luminance(hue), 0.25f));   // brighter, the wall behind it would be as white as the tube
     m.pattern = Pattern::screen;   // a sign is on by day too
     float low = 1e9f;
     const std::vector<Stroke> strokes = neon_figure(known ? asked : figure);
     for (const Stroke& s : strokes) {
-        const std::vector<Vec3f> path = bent(s, 0.035f, 0.022f);
-        k.add(shapes::tube(path, 0.0065f, 8), gas);
-        for (std::size_t i = path.size() / 6; i < path.size(); i += std::max<std::size_t>(8, path.size() / 3)) k.rod(clip, {path[i].x, path[i].y, 0}, {path[i].x, path[i].y, 0.03f}, 0.004f, -1, 8);
+        const std::vector<Vec3f> path = bent(s, 0.042f, 0.022f);
+        k.add(shapes::tube(path, 0.008f, 8), gas);
+        for (std::size_t i = path.size() / 6; i < path.size(); i += std::max<std::size_t>(8, path.size() / 3)) k.rod(clip, {path[i].x, path[i].y, 0}, {path[i].x, path[i].y, 0.038f}, 0.004f, -1, 8);
         for (const Vec3f p : path) low = std::min(low, p.y);
     }
     // From its lowest point a wire goes to a small transformer.
     const Vec2f from = *std::min_element(strokes.back().begin(), strokes.back().end(), [](Vec2f a, Vec2f b) { return a.y < b.y; });
     const std::array<Vec3f, 4> lead{Vec3f{from.x, from.y, 0.03f}, {from.x + 0.01f, from.y - 0.03f, 0.008f}, {from.x + 0.015f, low - 0.07f, 0.005f}, {from.x + 0.015f, low - 0.1f, 0.005f}};
     k.add(shapes::tube(lead, 0.003f, 6), wire);
-    k.board(wire, {from.x + 0.015f, low - 0.135f, 0.012f}, {0.09f, 0.04f, 0.024f}, 0.004f);
+    k.board(wire, {from.x + 0.015f, low - 0.128f, 0.009f}, {0.06f, 0.03f, 0.018f}, 0.004f);
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.42f;
 }
@@ -500,12 +500,12 @@ void macrame(Kit& k) {
         const int count = kPairs - j;
         for (int i = 0; i < count; ++i) {
             const float x = x_of(static_cast<float>(i) + 0.5f * static_cast<float>(j));
-            tie(x, knot_y(j), 0.0115f);
+            tie(x, knot_y(j), 0.0145f);
             if (j + 1 == kRows) continue;
             for (const float way : {-0.5f, 0.5f}) {
                 const float to = static_cast<float>(i) + 0.5f * static_cast<float>(j) + way;
                 if (to < 0.5f * static_cast<float>(j + 1) - 0.01f || to > static_cast<float>(kPairs - 1) - 0.5f * static_cast<float>(j + 1) + 0.01f) continue;
-                shapes::append(all, shapes::rod({x, knot_y(j), 0.03f}, {x_of(to), knot_y(j + 1), 0.03f}, 0.0048f, 0.0048f, 6));
+                shapes::append(all, shapes::rod({x, knot_y(j), 0.03f}, {x_of(to), knot_y(j + 1), 0.03f}, 0.0065f, 0.0065f, 6));
             }
         }
     }
@@ -516,7 +516,7 @@ void macrame(Kit& k) {
                     to = (0.34f * s.y) * std::abs(x) / half + k.dice.uniform(0.f, 0.018f);
         if (to > from - 0.06f) continue;
         const float sway = k.dice.uniform(-0.006f, 0.006f);
-        shapes::append(all, shapes::tube(std::array{Vec3f{x, from, 0.026f}, Vec3f{x + sway, 0.5f * (from + to), 0.022f}, Vec3f{x + 0.4f * sway, to + 0.03f, 0.02f}, Vec3f{x, to, 0.02f}}, 0.0046f, 6));
+        shapes::append(all, shapes::tube(std::array{Vec3f{x, from, 0.026f}, Vec3f{x + sway, 0.5f * (from + to), 0.022f}, Vec3f{x + 0.4f * sway, to + 0.03f, 0.02f}, Vec3f{x, to, 0.02f}}, 0.0058f, 6));
     }
     k.add(std::move(all), cord);
     k.piece.mount = Mount::wall;
@@ -541,13 +541,13 @@ void flag(Kit& k) {
     };
     const int middle = one_color ? main : dyed({0.72f, 0.71f, 0.67f}), last = one_color ? main : dyed(k.style.palette[2 % k.style.palette.size()]);
     const float p = k.dice.uniform(0, kTau), staff = s.y - 0.012f;
-    const auto wave = [&](float x, float y) { return 0.02f + 0.009f * std::sin(13.f * x / s.x + p + 1.5f * y) * std::min(1.f, (staff - y) / 0.25f); };
+    const auto wave = [&](float x, float y) { return 0.03f + (0.016f * std::sin(15.f * x / s.x + p + 1.1f * y) + 0.007f * std::sin(31.f * x / s.x + 2 * p - 2.f * y)) * std::min(1.f, 0.15f + (staff - y) / 0.3f); };
     for (int band = 0; band < 3; ++band) {
         const float x0 = s.x * (static_cast<float>(band) / 3.f - 0.5f);
-        k.add(shapes::slab(16, 12, 0.002f, [&](float u, float v) { const float x = x0 + s.x * u / 3.f, y = staff * v; return Vec3f{x, y, wave(x, y)}; }), band == 0 ? main : band == 1 ? middle : last);
+        k.add(shapes::slab(24, 12, 0.002f, [&](float u, float v) { const float x = x0 + s.x * u / 3.f, y = staff * v; return Vec3f{x, y, wave(x, y)}; }), band == 0 ? main : band == 1 ? middle : last);
     }
-    k.rod(metal, {-0.5f * s.x - 0.03f, staff, 0.02f}, {0.5f * s.x + 0.03f, staff, 0.02f}, 0.009f, -1, 12);
-    for (const float x : {-0.4f * s.x, 0.4f * s.x}) k.rod(metal, {x, staff, 0}, {x, staff, 0.02f}, 0.006f, -1, 8);
+    k.rod(metal, {-0.5f * s.x - 0.03f, staff, 0.03f}, {0.5f * s.x + 0.03f, staff, 0.03f}, 0.009f, -1, 12);
+    for (const float x : {-0.4f * s.x, 0.4f * s.x}) k.rod(metal, {x, staff, 0}, {x, staff, 0.03f}, 0.006f, -1, 8);
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.2f;
 }

@@ -124,11 +124,12 @@ void Layout::find_ways() {
 }
 
 bool hides(const Placed& floor, const Placed& hung) {
-    constexpr float kBefore = 0.15f;   // metres before it
-    if (hung.piece.mount != Mount::wall || floor.piece.mount != Mount::floor || floor.flat || floor.on >= 0 || floor.piece.klass == "curtain") return false;
+    const bool overhead = floor.piece.klass == "hanging_plant";
+    const float before_m = overhead ? 0.4f : 0.15f;   // metres before it
+    if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) || floor.flat || floor.on >= 0 || floor.piece.klass == "curtain") return false;
     Footprint before = footprint_of(hung);
-    before.half.y += kBefore / 2;
-    before.center = before.center + flat(front_of(hung.yaw)) * (kBefore / 2);
+    before.half.y += before_m / 2;
+    before.center = before.center + flat(front_of(hung.yaw)) * (before_m / 2);
     return overlap(before, footprint_of(floor));
 }
 

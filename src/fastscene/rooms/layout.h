@@ -43,7 +43,7 @@ bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const P
 bool hangs_in_window(const Plan& plan, const Placed& placed);
 // On the sill of its window, between the frame and the sill's edge.
 bool stands_on_sill(const Plan& plan, const Placed& placed);
-// Whether a piece on the floor stands close before what hangs on a wall, and reaches up to it.
+// Whether a piece on the floor, or a plant from the ceiling, is close before what hangs on a wall, and reaches to its height.
 bool hides(const Placed& floor, const Placed& hung);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);

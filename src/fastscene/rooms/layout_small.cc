@@ -234,9 +234,23 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     p.piece = make_piece(request);
     p.overhead = true;
     p.position = {at.x, plan_.height, at.y};
+    // A rail goes along the nearest beam, below it.
+    if (plan_.beams && plan_.knee <= 0 && request.klass == "track_light") {
+        const auto count = static_cast<float>(beam_count(plan_));
+        const float step = plan_.depth / count, nearest = std::clamp(std::round((at.y + plan_.depth / 2) / step - 0.5f), 0.f, count - 1);
+        p.position.z = (nearest + 0.5f) * step - plan_.depth / 2;
+        p.position.y -= kBeamDepth;
+    }
     if (!plan_.holds(footprint_of(p))) return {};
     for (const Placed& other : placed_)
-        if (!other.flat && overlap(footprint_of(p, 0.05f), footprint_of(other))) return {};
+        if (!other.flat && (overlap(footprint_of(p, 0.05f), footprint_of(other)) || hides(p, other))) return {};
+    // Nobody walks into it who comes through a door.
+    for (const Opening& o : plan_.openings) {
+        constexpr float kDeep = 0.75f;
+        const WallFace face = plan_.wall(o.wall);
+        const Vec3f before = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kDeep / 2);
+        if (o.kind != Opening::Kind::window && overlap(footprint_of(p), {flat(before), {(o.u1 - o.u0) / 2, kDeep / 2}, yaw_of(face.inward), 0, o.y1})) return {};
+    }
     if (!leaves_way(p)) return {};
     return keep(p, from);
 }
@@ -321,6 +335,7 @@ int Layout::in_windows(const PieceRequest& request, const PromptObject& from) {
 }
 
 int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
+    constexpr float kOffWall = 0.045f;
     int hung = 0;
     for (const Opening& o : plan_.openings) {
         if (o.kind != Opening::Kind::window) continue;
@@ -332,11 +347,16 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
             Placed p;
             p.piece = make_piece(r);
             p.yaw = yaw_of(face.inward);
-            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) + face.inward * 0.045f;
+            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) + face.inward * kOffWall;
             if (p.piece.mount != Mount::wall) p.position = p.position + face.inward * (p.piece.size_m.z / 2);
             const Footprint box = footprint_of(p);
             bool free = plan_.holds(box);
-            for (const Placed& other : placed_) free = free && (other.flat || !overlap(box, footprint_of(other)));
+            // Nothing hangs between it and the wall.
+            Footprint to_wall = box;
+            to_wall.half.y += kOffWall / 2;
+            to_wall.center = to_wall.center - flat(face.inward) * (kOffWall / 2);
+            for (const Placed& other : placed_)
+                free = free && (other.flat || !overlap(other.piece.mount == Mount::wall && other.sill < 0 ? to_wall : box, footprint_of(other)));
             free = free && leaves_way(p);
             if (free) keep(p, from);
             return free;

@@ -2,6 +2,7 @@
 // center is the origin. Walls are numbered 0 far (+z), 1 right (+x), 2 near (-z), 3 left (-x).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ inline constexpr float kWallThickness = 0.22f;
 // A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
 inline constexpr float kRevealDepth = 0.12f;   // of a window: from the wall's face to the frame
+inline constexpr float kBeamDepth = 0.18f;     // from the ceiling down
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.
 inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;
@@ -111,6 +113,9 @@ void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
 
 // Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
 // Adds to spec.assumed what it chose.
+// Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
+inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }
+
 Plan make_plan(PromptSpec& spec, Random& dice);
 
 // Walls, floor, ceiling, mouldings, window frames, door: meshes in the room frame. Materials and objects are appended to

@@ -233,7 +233,7 @@ TEST(PromptWords, PronounsAndEachFindTheirPiece) {
     EXPECT_EQ(std::count_if(beds.objects.begin(), beds.objects.end(), [](const PromptObject& o) { return o.klass.starts_with("bed"); }), 1);
     EXPECT_EQ(object_of(beds, "picture")->count, 2);
     const PromptSpec coffee = read("a kitchen, coffee steaming on the counter, sun through the blinds");
-    EXPECT_EQ(object_of(coffee, "curtain")->relation, "");
+    EXPECT_EQ(object_of(coffee, "venetian_blind")->relation, "");
     EXPECT_TRUE(coffee.colors.empty());
     const PromptSpec wardrobe = read("a bed under the window, a wardrobe on the opposite wall");
     EXPECT_EQ(object_of(wardrobe, "wardrobe")->relation_to, "bed");

@@ -65,8 +65,8 @@ void build_beams(const Plan& plan, Room& room) {
     wood.color_c = wood.color_b;
     wood.bump_m = std::max(wood.bump_m, 0.001f);
     const int material = add_material(room, wood);
-    const int object = part_object(plan, room, "beams", {plan.width, 0.18f, plan.depth});
-    const int count = std::max(2, static_cast<int>(plan.depth / 1.1f));
+    const int object = part_object(plan, room, "beams", {plan.width, kBeamDepth, plan.depth});
+    const int count = beam_count(plan);
     for (int i = 0; i < count; ++i) {
         const float z = -plan.depth / 2 + plan.depth * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
         if (plan.knee > 0) {
@@ -75,7 +75,7 @@ void build_beams(const Plan& plan, Room& room) {
             if (y > 2.25f && i % 2 == 0) room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
             continue;
         }
-        Mesh beam = box_mesh({-plan.width / 2, plan.height - 0.18f, z - 0.08f}, {plan.width / 2, plan.height, z + 0.08f}, material, object);
+        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - 0.08f}, {plan.width / 2, plan.height, z + 0.08f}, material, object);
         // The grain runs along the beam, and no two are cut from the same place.
         for (Vec3f& c : beam.coords) c = {c.z + 0.37f * static_cast<float>(i), c.x, c.y};
         room.meshes.push_back(std::move(beam));
