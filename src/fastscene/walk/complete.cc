@@ -15,6 +15,7 @@ constexpr int kRim = 2;             // pixels about a hole that make its rim
 constexpr std::size_t kMostHits = 64;
 constexpr int kOpeningSteps = 6;  // looks on the way through a wall
 constexpr float kThickestWall_m = 0.6f;
+constexpr float kNearer_m = 0.02f;  // of planes side by side the one that was seen nearer by goes on, if it was nearer by so much
 constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
 
 // Would panorama 0 have seen this point, had it been a surface? Then there is none.
@@ -51,10 +52,30 @@ Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const
     return sky ? Ending{Ending::sky, std::numeric_limits<float>::infinity(), kNoPlane, {}} : Ending{};
 }
 
+using Hits = std::array<std::pair<float, std::size_t>, kMostHits>;  // range, plane; nearest first
+
+bool is_open(Vec3f p, std::size_t index, const WalkWorld& world) {
+    return is_known_free(p, world.first_range) || (world.planes[index].plane.hull && world.planes[index].wall_at(p) != Wall::solid);
+}
+
+// A ray ends at hit k, or at one just behind it that is likelier to be there.
+std::size_t likeliest(const Hits& hits, std::size_t count, std::size_t k, Vec3f position, Vec3f d, const WalkWorld& world) {
+    const ScenePlane& first = world.planes[hits[k].second].plane;
+    std::size_t best = k;
+    float least = world.planes[hits[k].second].unseen_at(position + d * hits[k].first);
+    for (std::size_t j = k + 1; j < count; ++j) {
+        const PlanePicture& other = world.planes[hits[j].second];
+        const Vec3f p = position + d * hits[j].first;
+        if (!are_side_by_side(other.plane, first) || is_open(p, hits[j].second, world)) continue;
+        if (const float unseen = other.unseen_at(p); unseen < least - kNearer_m) least = unseen, best = j;
+    }
+    return best;
+}
+
 // Follows a ray from plane to plane. Furniture's faces end where they were last seen; the room ends at its first wall,
 // unless panorama 0 saw through that.
 Ending follow(Vec3f position, Vec3f d, const WalkWorld& world) {
-    std::array<std::pair<float, std::size_t>, kMostHits> hits;
+    Hits hits;
     std::size_t count = 0;
     for (std::size_t i = 0; i < world.planes.size() && count < kMostHits; ++i) {
         const PlanePicture& picture = world.planes[i];
@@ -69,8 +90,10 @@ Ending follow(Vec3f position, Vec3f d, const WalkWorld& world) {
         const auto [t, index] = hits[k];
         const Vec3f p = position + d * t;
         const bool hull = world.planes[index].plane.hull;
-        const bool open = is_known_free(p, world.first_range) || (hull && world.planes[index].wall_at(p) != Wall::solid);
-        if (!open) return on_surface(p, t, index, world);
+        if (!is_open(p, index, world)) {
+            const auto [range, plane] = hits[likeliest(hits, count, k, position, d, world)];
+            return on_surface(position + d * range, range, plane, world);
+        }
         if (!hull || !world.planes[index].openings.any()) continue;
         const Ending ending = beyond_opening(position, d, t, index, world);
         if (ending.what != Ending::unknown) return ending;

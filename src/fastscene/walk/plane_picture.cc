@@ -1,6 +1,8 @@
 #include "fastscene/walk/plane_picture.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/range_edges.h"
@@ -15,7 +17,7 @@ constexpr float kMargin_m = 0.3f;      // hidden part of a furniture face that w
 constexpr float kWidestGap_m = 0.8f;   // hidden part between two seen ones
 
 PlanePicture blank(ScenePlane plane) {
-    PlanePicture picture{plane, 0.01f, {}, {}, {}};
+    PlanePicture picture{plane, 0.01f, {}, {}, {}, {}};
     Vec2f& low = picture.plane.low;
     Vec2f& high = picture.plane.high;
     low = {std::max(low.x - kMargin_m, -kReach_m), std::max(low.y - kMargin_m, -kReach_m)};
@@ -37,39 +39,68 @@ bool is_inside(const Image<std::int16_t>& label, const ImageMask& cuts, int x, i
     return true;
 }
 
-// Steps to the last nonzero pixel before each pixel of a line, in both directions; `far` where there is none.
-struct Steps {
-    std::vector<int> before, after;
-};
-template <class SeenAt>
-Steps steps_along(int n, int far, SeenAt seen_at) {
-    Steps out{std::vector<int>(static_cast<std::size_t>(n)), std::vector<int>(static_cast<std::size_t>(n))};
-    for (int i = 0, steps = far; i < n; ++i) out.before[static_cast<std::size_t>(i)] = steps = seen_at(i) ? 0 : std::min(far, steps + 1);
-    for (int i = n - 1, steps = far; i >= 0; --i) out.after[static_cast<std::size_t>(i)] = steps = seen_at(i) ? 0 : std::min(far, steps + 1);
+enum class Place : std::uint8_t { seen, hidden, empty };   // empty: panorama 0 looked past the plane there, or saw another close to it
+
+// What panorama 0 says of the place `p` of a plane, which it sees, or what hides it, in pixel (x, y).
+Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes, const ImageF& range, const Image<std::int16_t>& label, int x, int y) {
+    const ScenePlane& plane = planes[index];
+    const int there = label.at(x, y);
+    const float far = length(p), seen = range.at(x, y), behind = (seen / far - 1.f) * -plane.offset;   // along the normal
+    if (there == static_cast<int>(index) && std::fabs(seen - far) < 0.02f + 0.03f * far) return Place::seen;
+    const bool beside = there >= 0 && there != static_cast<int>(index) && are_side_by_side(planes[static_cast<std::size_t>(there)], plane);
+    return beside || behind > plane_tolerance(far) ? Place::empty : Place::hidden;
+}
+
+// Metres from each place to the nearest one seen, on ways that cross nothing empty (infinite where there is none): rounds of equal
+// distance, steps of 3 and, across, of 4 thirds of a pixel (Borgefors 1986).
+ImageF distance_to_seen(const Image<Place>& places, float metres_per_pixel) {
+    constexpr int kStraight = 3, kDiagonal = 4;
+    constexpr int kNever = std::numeric_limits<int>::max();
+    Image<int> least(places.width, places.height, kNever);
+    std::array<std::vector<std::pair<int, int>>, kDiagonal + 1> rounds;   // by distance, modulo their number
+    std::size_t waiting = 0;
+    for (int y = 0; y < places.height; ++y)
+        for (int x = 0; x < places.width; ++x)
+            if (places.at(x, y) == Place::seen) least.at(x, y) = 0, rounds[0].push_back({x, y}), ++waiting;
+    for (int distance = 0; waiting > 0; ++distance) {
+        auto& now = rounds[static_cast<std::size_t>(distance % (kDiagonal + 1))];
+        for (const auto& [x, y] : now)
+            for (int j = std::max(0, y - 1); least.at(x, y) == distance && j <= std::min(places.height - 1, y + 1); ++j)
+                for (int i = std::max(0, x - 1); i <= std::min(places.width - 1, x + 1); ++i) {
+                    const int further = distance + (i != x && j != y ? kDiagonal : kStraight);
+                    if (further >= least.at(i, j) || places.at(i, j) == Place::empty) continue;
+                    least.at(i, j) = further;
+                    rounds[static_cast<std::size_t>(further % (kDiagonal + 1))].push_back({i, j});
+                    ++waiting;
+                }
+        waiting -= now.size();
+        now.clear();
+    }
+    ImageF out(places.width, places.height);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out.pixels[i] = least.pixels[i] == kNever ? std::numeric_limits<float>::infinity() : static_cast<float>(least.pixels[i]) * metres_per_pixel / kStraight;
     return out;
 }
 
-// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and
-// between places seen that are not far apart.
-ImageMask face_of(const ImageMask& hole, float metres_per_pixel) {
-    const int margin = static_cast<int>(kMargin_m / metres_per_pixel), gap = static_cast<int>(kWidestGap_m / metres_per_pixel), far = 1 << 20;
-    ImageMask face(hole.width, hole.height), beside(hole.width, hole.height);
-    for (int y = 0; y < hole.height; ++y) {
-        const Steps steps = steps_along(hole.width, far, [&](int x) { return !hole.at(x, y); });
-        for (int x = 0; x < hole.width; ++x) {
-            const int before = steps.before[static_cast<std::size_t>(x)], after = steps.after[static_cast<std::size_t>(x)];
-            beside.at(x, y) = std::min(before, after) <= margin;
-            face.at(x, y) = before + after <= gap;
+// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between places seen that
+// are not far apart, but never across a place where panorama 0 looked past it.
+ImageMask face_of(const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
+    const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
+    ImageMask face(places.width, places.height);
+    for (std::size_t i = 0; i < face.size(); ++i) face.pixels[i] = unseen_m.pixels[i] <= kMargin_m;
+    const auto bridge = [&](int count, auto&& place, auto&& mark) {   // one line
+        for (int i = 0, last = -1; i < count; ++i) {
+            if (place(i) == Place::empty) last = -1;
+            if (place(i) != Place::seen) continue;
+            if (last >= 0 && i - last <= gap)
+                for (int k = last + 1; k < i; ++k) mark(k);
+            last = i;
         }
-    }
-    for (int x = 0; x < hole.width; ++x) {
-        const Steps seen = steps_along(hole.height, far, [&](int y) { return !hole.at(x, y); });
-        const Steps near = steps_along(hole.height, far, [&](int y) { return beside.at(x, y) != 0; });
-        for (int y = 0; y < hole.height; ++y) {
-            const auto i = static_cast<std::size_t>(y);
-            if (seen.before[i] + seen.after[i] <= gap || std::min(near.before[i], near.after[i]) <= margin) face.at(x, y) = 1;
-        }
-    }
+    };
+    for (int y = 0; y < places.height; ++y)
+        bridge(places.width, [&](int x) { return places.at(x, y); }, [&](int x) { face.at(x, y) = 1; });
+    for (int x = 0; x < places.width; ++x)
+        bridge(places.height, [&](int y) { return places.at(x, y); }, [&](int y) { face.at(x, y) = 1; });
     return face;
 }
 
@@ -81,9 +112,15 @@ Vec3f PlanePicture::color_at(Vec3f point) const {
 
 bool PlanePicture::reaches(Vec3f point) const {
     if (plane.hull) return true;
+    if (plane.all_along && std::isfinite(unseen_at(point))) return true;
     const float a = (dot(plane.u, point) - plane.low.x) / metres_per_pixel, b = (dot(plane.v, point) - plane.low.y) / metres_per_pixel;
     if (!(a >= 0 && b >= 0 && a < static_cast<float>(face.width) && b < static_cast<float>(face.height))) return false;
     return face.at(static_cast<int>(a), static_cast<int>(b)) != 0;
+}
+
+float PlanePicture::unseen_at(Vec3f point) const {
+    const auto cell = [&](float from_low, int count) { return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1); };
+    return unseen_m.at(cell(dot(plane.u, point) - plane.low.x, unseen_m.width), cell(dot(plane.v, point) - plane.low.y, unseen_m.height));
 }
 
 Wall PlanePicture::wall_at(Vec3f point) const {
@@ -101,6 +138,7 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
         const auto index = static_cast<std::size_t>(begin);
         PlanePicture picture = blank(planes[index]);
         ImageMask hole(picture.color.width, picture.color.height, std::uint8_t{1});
+        Image<Place> places(hole.width, hole.height);
         bool any = false;
         for (int y = 0; y < hole.height; ++y)
             for (int x = 0; x < hole.width; ++x) {
@@ -109,6 +147,7 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
                 const Vec2f at = pixel_of_direction(p, size);
                 const int px = wrap_column(static_cast<int>(at.x), size.width), py = std::min(static_cast<int>(at.y), size.height - 1);
                 const float seen = range.at(px, py), wanted = length(p);
+                places.at(x, y) = place_at(p, index, planes, range, label, px, py);
                 if (!is_inside(label, cuts, px, py, static_cast<std::int16_t>(index))) continue;
                 if (!(std::fabs(seen - wanted) < 0.02f + 0.03f * wanted)) continue;
                 picture.color.at(x, y) = sample_equirect(color, at);
@@ -117,7 +156,8 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
             }
         if (!any) picture.color = {};
         else picture.color = inpainter.fill(picture.color, hole, run);
-        if (any && !picture.plane.hull) picture.face = face_of(hole, picture.metres_per_pixel);
+        if (any) picture.unseen_m = distance_to_seen(places, picture.metres_per_pixel);
+        if (any && !picture.plane.hull) picture.face = face_of(places, picture.unseen_m, picture.metres_per_pixel);
         if (any && picture.plane.hull)
             picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
         pictures[index] = std::move(picture);

@@ -13,13 +13,16 @@ struct PlanePicture {
     ScenePlane plane;
     float metres_per_pixel = 0.01f;
     ImageColor color;
+    ImageF unseen_m;           // metres, in the plane, to the nearest place where it was seen, around what panorama 0 saw to be empty
     Openings openings;         // walls only
-    ImageMask face;            // furniture only: nonzero where it was seen, close by, and between
+    ImageMask face;            // not of walls: nonzero where it was seen, close by, and between
     bool empty() const { return color.empty(); }
     // Bilinear; beyond the picture, its border.
     Vec3f color_at(Vec3f point) const;
     // Lies the point (in the plane) within what was seen of it, with a margin? Walls have no end.
     bool reaches(Vec3f point) const;
+    // How far from what was seen of it (metres); beyond the picture, as at its border.
+    float unseen_at(Vec3f point) const;
     // Is there wall at the point (its foot on the plane)?
     Wall wall_at(Vec3f point) const;
 };

@@ -15,7 +15,14 @@ constexpr float kLeastShare = 0.0025f;     // of the sphere that a plane must co
 constexpr float kAligned = 0.9f;           // cosine between a pixel's normal and its plane's
 constexpr float kHullShare = 0.03f;        // of the scene may lie behind a hull plane: what windows and doors show
 // A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the room ends.
-constexpr float kOnWall_m = 0.2f, kOnWallAligned = 0.97f;
+constexpr float kOnWall_m = 0.2f;
+// The wall that shows beside its tiles or a little above the cupboards is a strip: layers behind a hull plane may be small. What is before it is a thing.
+constexpr float kLeastLayer = 0.0005f;
+constexpr float kAllAlong = 0.9f;          // of the width or height of what was seen of the plane it lies on
+constexpr int kMostLayers = 3, kLayerDraws = 64;
+// What is built is parallel to a larger plane when it nearly is. Leaning by more than kExact it must have that much more support to be believed:
+// of few normals, or in relief, it leans by chance.
+constexpr float kExact = 0.9998f, kLeaning = 0.985f, kLeaningGains = 1.5f;
 
 struct Sample {
     Vec3f point, normal;
@@ -59,13 +66,23 @@ float support_of(const std::vector<Sample>& samples, Vec3f normal, float offset)
     return sum;
 }
 
+// The normal of the first larger plane from which this one leans little.
+Vec3f straightened(Vec3f normal, const std::vector<ScenePlane>& larger, float least_cosine) {
+    for (const ScenePlane& p : larger)
+        if (const float c = dot(p.normal, normal); std::fabs(c) > least_cosine) return c > 0 ? p.normal : -p.normal;
+    return normal;
+}
+
 // Weighted mean of normals, then of offsets: twice is enough.
-void refine(const std::vector<Sample>& samples, ScenePlane& plane) {
+// What is parallel to a larger plane stays so.
+void refine(const std::vector<Sample>& samples, const std::vector<ScenePlane>& larger, ScenePlane& plane) {
+    const bool parallel = std::any_of(larger.begin(), larger.end(), [&](const ScenePlane& p) { return std::fabs(dot(p.normal, plane.normal)) > kExact; });
+    const float least_cosine = parallel ? kLeaning : kExact;
     for (int round = 0; round < 2; ++round) {
         Vec3f normal;
         for (const Sample& s : samples)
             if (belongs(s, plane.normal, plane.offset)) normal += s.normal * s.weight;
-        normal = normalize(normal);
+        normal = straightened(normalize(normal), larger, least_cosine);
         double offset = 0, weight = 0;
         for (const Sample& s : samples)
             if (belongs(s, plane.normal, plane.offset)) {
@@ -83,12 +100,48 @@ void measure_extent(const std::vector<Sample>& samples, ScenePlane& plane) {
     plane.low = {1e9f, 1e9f};
     plane.high = {-1e9f, -1e9f};
     for (const Sample& s : samples) {
-        // A wall goes on wherever the room does; a face of furniture only as far as it was seen.
-        if (!plane.hull && !belongs(s, plane.normal, plane.offset)) continue;
+        // A wall goes on wherever the room does, and what lies on it may; a face of furniture only as far as it was seen.
+        if (!plane.hull && !plane.on_hull && !belongs(s, plane.normal, plane.offset)) continue;
         const float a = dot(plane.u, s.point), b = dot(plane.v, s.point);
         plane.low = {std::min(plane.low.x, a), std::min(plane.low.y, b)};
         plane.high = {std::max(plane.high.x, a), std::max(plane.high.y, b)};
     }
+}
+
+// Along the axes of `hull`: how far what was seen of a plane parallel to it spreads, metres.
+Vec2f spread_of(const std::vector<Sample>& samples, const ScenePlane& hull, float offset) {
+    ScenePlane plane = hull;
+    plane.hull = plane.on_hull = false;
+    plane.offset = offset;
+    measure_extent(samples, plane);
+    return {std::max(0.f, plane.high.x - plane.low.x), std::max(0.f, plane.high.y - plane.low.y)};
+}
+// A wall behind its tiles that shows as wide as they do has no end beside a cupboard; things before a wall, however many, end.
+bool spreads_all_along(const std::vector<Sample>& samples, const ScenePlane& hull, float offset) {
+    if (offset > hull.offset) return false;
+    const Vec2f whole = spread_of(samples, hull, hull.offset), part = spread_of(samples, hull, offset);
+    return part.x >= kAllAlong * whole.x || part.y >= kAllAlong * whole.y;
+}
+
+// The next layer of a hull plane: parallel, a little behind it, on samples that belong to no plane so far. False: there is none.
+bool find_layer(const std::vector<Sample>& left, const ScenePlane& hull, ScenePlane& layer) {
+    std::vector<Sample> near;
+    for (const Sample& s : left) {
+        const float before = dot(hull.normal, s.point) - hull.offset;
+        if (dot(hull.normal, s.normal) > kAligned && before > -kOnWall_m && before < 0) near.push_back(s);
+    }
+    layer = hull;
+    layer.hull = false;
+    layer.on_hull = true;
+    float most = 0;
+    const std::size_t step = std::max<std::size_t>(1, near.size() / kLayerDraws);
+    for (std::size_t i = step / 2; i < near.size(); i += step) {
+        const float offset = dot(hull.normal, near[i].point), support = support_of(near, hull.normal, offset);
+        if (support > most) most = support, layer.offset = offset;
+    }
+    if (!(most > 0)) return false;
+    refine(near, {hull}, layer);
+    return support_of(near, layer.normal, layer.offset) >= kLeastLayer * 4.f * std::numbers::pi_v<float>;
 }
 
 }  // namespace
@@ -106,25 +159,40 @@ std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed) {
         float most = 0;
         for (int draw = 0; draw < kDraws; ++draw) {
             const Sample& s = left[static_cast<std::size_t>(random.index(static_cast<int>(left.size())))];
-            const float offset = dot(s.normal, s.point), support = support_of(few, s.normal, offset);
-            if (support > most) {
+            const auto judge = [&](Vec3f normal, float gains) {
+                const float offset = dot(normal, s.point), support = support_of(few, normal, offset) / gains;
+                if (!(support > most)) return;
                 most = support;
-                best = {s.normal, offset, false, {}, {}, {}, {}};
-            }
+                best = {normal, offset, false, false, false, {}, {}, {}, {}};
+            };
+            const Vec3f straight = straightened(s.normal, planes, kLeaning);
+            judge(straight, 1);
+            if (dot(straight, s.normal) < kExact) judge(s.normal, kLeaningGains);
         }
         if (!(most > 0)) break;
-        refine(left, best);
+        refine(left, planes, best);
         if (support_of(left, best.normal, best.offset) < kLeastShare * sphere) break;
         float behind = 0;
         for (const Sample& s : all)
             if (dot(best.normal, s.point) - best.offset < -0.1f) behind += s.weight;
-        const bool on_wall = std::any_of(planes.begin(), planes.end(), [&](const ScenePlane& wall) {
-            return wall.hull && dot(wall.normal, best.normal) > kOnWallAligned && std::fabs(wall.offset - best.offset) < kOnWall_m;
+        const auto wall = std::find_if(planes.begin(), planes.end(), [&](const ScenePlane& p) {
+            return p.hull && are_side_by_side(p, best);
         });
-        best.hull = behind < kHullShare * sphere && !on_wall;
-        measure_extent(best.hull ? all : left, best);
+        best.on_hull = wall != planes.end();
+        best.all_along = best.on_hull && spreads_all_along(all, *wall, best.offset);
+        best.hull = behind < kHullShare * sphere && !best.on_hull;
+        measure_extent(best.hull || best.on_hull ? all : left, best);
         std::erase_if(left, [&](const Sample& s) { return belongs(s, best.normal, best.offset); });
         planes.push_back(best);
+    }
+    for (std::size_t i = 0, found = planes.size(); i < found; ++i) {
+        ScenePlane layer;
+        for (int k = 0; k < kMostLayers && planes[i].hull && find_layer(left, planes[i], layer); ++k) {
+            measure_extent(all, layer);
+            layer.all_along = spreads_all_along(all, planes[i], layer.offset);
+            std::erase_if(left, [&](const Sample& s) { return belongs(s, layer.normal, layer.offset); });
+            planes.push_back(layer);
+        }
     }
     return planes;
 }

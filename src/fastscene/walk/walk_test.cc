@@ -227,6 +227,53 @@ TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
     EXPECT_GE(good, all * 95 / 100) << all;
 }
 
+// Of the pixels that a walk invents where truly the wall at z = `wall` is: how many, and how many have its color.
+struct WallPainted {
+    int all = 0, right = 0;
+};
+WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m) {
+    WalkParams params;
+    params.viewpoints = 8;
+    params.inpainter = "harmonic";
+    params.reach_m = reach_m;
+    WallPainted out;
+    for (const Panorama& panorama : walk_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
+        const Vec3f from = panorama.world_from_pano.translation;
+        const Panorama truth = render_synthetic(world, from, kSize);
+        const ImageMask edges = near_edges(truth.range, 2);
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) {
+                if (edges.at(x, y) || panorama.known.at(x, y) == Known::original) continue;
+                if ((from + direction_of_pixel(x, y, kSize) * truth.range.at(x, y)).z < wall - 0.01f) continue;
+                ++out.all;
+                out.right += length(panorama.color.at(x, y) - truth.color.at(x, y)) < 0.05f;
+            }
+    }
+    return out;
+}
+
+// Dark tiles as wide as the wall end behind cupboards; above those a strip of the pale wall shows, 5 cm behind the tiles.
+TEST(Walk, TheWallAboveItsTilesGoesOnBehindACupboard) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const float wall = world.room.high.z, floor = world.room.high.y, side = world.room.high.x;
+    world.boxes = {{{-side, floor - 1.5f, wall - 0.05f}, {side, floor, wall + 0.1f}, {0.05f, 0.1f, 0.3f}, SyntheticPaint::plain},
+                   {{-1.6f, floor - 2.25f, wall - 0.9f}, {0.7f, floor - 1.4f, wall + 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain}};
+    const WallPainted painted = invented_wall(world, wall, 1);
+    EXPECT_GT(painted.all, 150);
+    EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
+}
+
+// Between a cupboard and the hood beside it, which stands back, the wall is seen: there the hood ends, and behind the cupboard's edge is wall too.
+TEST(Walk, AFaceDoesNotGoOnBeyondAGapThatWasLookedThrough) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const float wall = world.room.high.z;
+    world.boxes = {{{0.2f, -0.8f, wall - 0.8f}, {1.f, 0.8f, wall + 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain},
+                   {{1.38f, -0.8f, wall - 0.25f}, {2.1f, 0.8f, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain}};
+    const WallPainted painted = invented_wall(world, wall, 0.8f);
+    EXPECT_GT(painted.all, 60);
+    EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
+}
+
 // A box room whose far wall (0.25 m thick, with a bar across) has a window; outside, the color is the direction's.
 struct Seen {
     Vec3f color;
