@@ -50,7 +50,10 @@ Bunk::Bunk(Kit& kit) : k(kit), form(bunk_form(kit)) {
     const bool light = k.style.name == "modern" || k.style.name == "scandinavian";
     Material wood = form == bunk_pipes ? k.style.metal : k.style.name == "modern" ? k.style.wood2 : k.style.wood;
     if (light && form != bunk_pipes && k.dice.chance(0.45f)) wood = *material_named("lacquer");
-    frame = k.main(wood);
+    const Pattern grain = wood.pattern;
+    frame = k.main(std::move(wood));
+    // What was said to be striped is the bedding.
+    if (!k.request.pattern.empty()) k.piece.materials[static_cast<std::size_t>(frame)].pattern = grain;
     linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f}));
 }
 
@@ -178,10 +181,12 @@ void Bunk::guard(float base) {
 // Cloth for the nth bed: no two alike.
 int Bunk::duvet(int nth) {
     const std::size_t count = k.style.palette.size(), first = static_cast<std::size_t>(k.dice.index(static_cast<int>(count)));
+    const auto asked = color_named(k.request.holder_color);
     const Vec3f color = k.style.palette[(first + 2 * static_cast<std::size_t>(nth)) % count];
-    Material m = tinted(k.style.fabric, lerp(color, {0.72f, 0.69f, 0.64f}, 0.3f));
+    Material m = tinted(k.style.fabric, asked ? *asked : lerp(color, {0.72f, 0.69f, 0.64f}, 0.3f));
     m.name = "duvet", m.pattern = Pattern::fabric;
-    if ((nth + k.dice.index(2)) % 2 == 0) m.pattern = Pattern::stripes, m.scale_m = 0.07f, m.color_b = {0.72f, 0.7f, 0.65f}, m.color_c = m.color_a;
+    const bool striped = (nth + k.dice.index(2)) % 2 == 0;
+    if (k.request.pattern == "striped" || (striped && !asked && k.request.pattern.empty())) m.pattern = Pattern::stripes, m.scale_m = 0.07f, m.color_b = {0.72f, 0.7f, 0.65f}, m.color_c = m.color_a;
     return k.material(m);
 }
 

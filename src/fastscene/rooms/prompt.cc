@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
 #include "fastscene/rooms/prompt_text.h"
 
@@ -11,7 +12,7 @@ using namespace reading;
 
 std::string described(const PromptObject& object) {
     std::string text = object.klass;
-    for (const auto& [name, value] : {std::pair{"color", &object.color}, {"and", &object.color2}, {"vase in color", &object.holder_color}, {"vase of", &object.holder_material}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}, {"style", &object.style}})
+    for (const auto& [name, value] : {std::pair{"color", &object.color}, {"and", &object.color2}, {is_bed(object.klass) ? "bedding in color" : "vase in color", &object.holder_color}, {"vase of", &object.holder_material}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}, {"style", &object.style}})
         if (!value->empty()) text += std::string(", ") + name + " " + *value;
     if (object.count > 1) text += ", " + std::to_string(object.count) + " of them";
     if (!object.relation.empty()) text += ", " + object.relation + (object.relation_to.empty() ? "" : " the " + object.relation_to);

@@ -248,7 +248,19 @@ void pass_on_cloth(Reading& r) {
         for (std::size_t k = 0; k < r.m.size(); ++k)
             if (r.m[k].noun == static_cast<int>(i) && !r.m[k].is(WordKind::count)) {
                 r.m[k].noun = -1;
-                give(r, k, *owner);
+                // Of a bunk the frame takes what is said of the piece; its bedding has a color of its own.
+                PromptObject& bed = r.object_of(*owner);
+                const bool framed = is_one_of(bed.klass, {"bunk_bed", "loft_bed", "cabin_bed"});
+                if (framed && r.m[k].is(WordKind::color) && bed.holder_color.empty()) {
+                    r.m[k].noun = static_cast<int>(*owner);
+                    bed.holder_color = r.m[k].word->meaning;
+                    r.tell(k, "bedding in color " + bed.holder_color + " of " + bed.klass, bed.id);
+                } else if (framed && r.m[k].is(WordKind::material)) {
+                    r.m[k].noun = static_cast<int>(*owner);
+                    r.tell_near(k, "of the " + r.m[i].words + ", which is as the piece has it");
+                } else {
+                    give(r, k, *owner);
+                }
             }
         r.tell(i, "cloth of " + r.object_of(*owner).klass, r.m[*owner].object);
     }

@@ -516,6 +516,35 @@ TEST(PromptWords, RareWishesStandOrHangWhereTheyBelong) {
     }
 }
 
+// What is said of a bunk is its frame's, what is said of the bedding the duvets'; what is underneath is under what was named before.
+TEST(PromptWords, BedsOfManyPartsTakeTheirWords) {
+    const PromptSpec spec = read("a kids room with a red metal bunk bed with blue bedding");
+    const PromptObject* bunk = object_of(spec, "bunk_bed");
+    ASSERT_TRUE(bunk);
+    EXPECT_EQ(bunk->color, "red");
+    EXPECT_EQ(bunk->material, "metal");
+    EXPECT_EQ(bunk->holder_color, "blue");
+    const Furnished f = furnished("a kids room with a white bunk bed with blue bedding");
+    const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(), [](const Placed& x) { return x.piece.klass == "bunk_bed"; });
+    ASSERT_TRUE(p != f.room.placed.end());
+    int blue = 0;
+    for (const Material& m : p->piece.materials) blue += m.name == "duvet" && m.color_a.z > 1.5f * m.color_a.x;
+    EXPECT_EQ(blue, 2);
+    const Vec3f frame = p->piece.materials[static_cast<std::size_t>(p->piece.main_material)].color_a;
+    EXPECT_LT(frame.z, 1.1f * frame.x);
+    for (const char* text : {"a room with a loft bed with a desk underneath", "a loft bed with a desk underneath and a bean bag", "a loft bed with a desk below it"}) {
+        const PromptSpec lofty = read(text);
+        ASSERT_TRUE(object_of(lofty, "desk")) << text;
+        EXPECT_EQ(object_of(lofty, "desk")->relation_to, "loft_bed") << text;
+    }
+    // One bed, whatever is said of its mattress.
+    EXPECT_EQ(read("a bed with a soft mattress").objects.size(), 1u);
+    EXPECT_TRUE(object_of(read("a mattress on the floor"), "floor_bed"));
+    // Other languages.
+    for (const char* text : {"ein kinderzimmer mit etagenbett", "une chambre d'enfant avec lits superposes", "una cameretta con letto a castello", "un dormitorio con una litera"})
+        EXPECT_TRUE(object_of(read(text), "bunk_bed")) << text;
+}
+
 // A blanket lies folded on what one sits or lies on, in its own cloth.
 TEST(PromptWords, BlanketsLieOnSeats) {
     for (const auto& [text, on, pattern] : {std::tuple{"a living room with a gray sofa and a red knit throw on the sofa", "sofa", Pattern::knit},

@@ -32,7 +32,7 @@ struct PromptObject {
     int count = 1;
     std::string color, material, pattern, size;
     std::string color2;     // "a black and white floor"
-    std::string holder_color, holder_material;  // of the vase that flowers stand in: "a blue vase with roses"
+    std::string holder_color, holder_material;  // of the vase that flowers stand in: "a blue vase with roses"; of a bunk's bedding
     std::string not_color;  // "not brown": any other, when none is said
     Vec3f size_m;           // width, height, depth that were said, in metres; 0: as such pieces are
     std::string style;      // "an art deco lamp": its own, else the room's
