@@ -120,11 +120,14 @@ std::string name_of(const Placed& placed) {
 bool is_burning(const Placed& placed, float lamps) { return lamps > 0 || !placed.wish.klass.empty() || placed.piece.klass == "fireplace"; }
 
 void add_piece(const Placed& placed, float lamps, Room& room) {
+    constexpr float kSignByNight = 0.15f;
     const auto object = static_cast<int>(room.objects.size());
     const auto first_material = static_cast<int>(room.materials.size());
     for (Material material : placed.piece.materials) {
         // Screens and flames glow by day too; lamps only as the hour asks.
         if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * lamps;
+        // Eyes and cameras open up by night: a sign as bright as by day would burn out the wall that it stands before, and itself with it.
+        if (placed.piece.klass == "neon_sign" && lamps > 0) material.emission = material.emission * kSignByNight;
         room.materials.push_back(std::move(material));
     }
     const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
