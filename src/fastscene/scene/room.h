@@ -90,6 +90,7 @@ struct Look {
     bool automatic = true;
     Vec3f white{1, 1, 1};           // divides the color
     float contrast = 1.f, saturation = 1.f;
+    float outside_seen = 1.f;       // times Sky::seen: what a camera sees of the outside, when the room is so bright that it would look like dusk
     float sun_seen = 1.f;           // share of the sun's own light that a camera sees on what it falls on; all of it lights the room
 };
 

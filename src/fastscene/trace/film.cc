@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/trace/sky.h"
 
 namespace fastscene {
 namespace {
@@ -93,10 +94,17 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
         constexpr float kSunDoubling = 0.12f;
         look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
     }
+    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: its ground is seen at least about as bright as walls are.
+    if (!night && !dusk) {
+        constexpr float kGround = 0.55f, kMost = 4.f;
+        look.outside_seen = std::clamp(kGround / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f, kMost);
+    }
     look.contrast = wish.contrast * 1.1f;
     look.saturation = wish.saturation * 1.06f;
     return look;
 }
+
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) { return sky_radiance(sky, direction) * (sky.seen * look.outside_seen); }
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
     constexpr float kDoubling = 0.15f;   // what each doubling of its light still adds, once it is brighter than white

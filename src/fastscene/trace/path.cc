@@ -90,7 +90,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
         float by_chance = 1;
         if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
-        if (!hit) return sum + throughput * sky_radiance(scene.room.sky, direction) * (by_chance * (clearly ? scene.room.sky.seen : 1.f));
+        if (!hit) return sum + throughput * (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction) : sky_radiance(scene.room.sky, direction)) * by_chance;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), first);

@@ -19,7 +19,7 @@ struct Mirrored {
 // Its light comes from the cache, its own gloss is taken for matt. `sharp`: seen as clearly as by the camera itself.
 Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, float angle, bool sharp, int mirrors) {
     const RayHit hit = sharp && mirrors > 0 ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
-    if (!hit) return {sky_radiance(scene.room.sky, direction) * (sharp ? scene.room.sky.seen : 1.f), {}, hit};
+    if (!hit) return {sharp ? outside_as_seen(scene.room.sky, scene.room.look, direction) : sky_radiance(scene.room.sky, direction), {}, hit};
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, angle * hit.distance, false);
     const Material& m = *s.material;
     if (m.mirror > 0.5f && mirrors > 0) {
@@ -107,7 +107,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const RayHit hit = scene.bvh.first_hit(origin, direction);
     Shaded out{};
     if (!hit) {
-        out.radiance = sky_radiance(scene.room.sky, direction) * scene.room.sky.seen;
+        out.radiance = outside_as_seen(scene.room.sky, scene.room.look, direction);
         return out;
     }
     // A surface seen at a slant lies under a longer footprint; the geometric mean keeps patterns crisp and calm.
