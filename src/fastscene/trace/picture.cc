@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -47,6 +48,15 @@ struct LightSum {
     }
 };
 
+// Off a hit's plane, or turned away from it: another surface. The sky is a surface of its own.
+bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_normal) {
+    const bool outside = dot(normal, normal) < 0.5f, there = dot(other_normal, other_normal) < 0.5f;
+    if (outside || there) return outside != there;
+    const Vec3f to = other - position;
+    const float off = dot(to, normal);
+    return !(dot(other_normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f);
+}
+
 // What some of a pixel's rays found on one surface: that of the first of them.
 struct SurfaceSum {
     int count = 0;
@@ -54,15 +64,7 @@ struct SurfaceSum {
     std::array<LightSum, 3> lights;   // diffuse, sun, mirrored
     MeanError texture;
 
-    // Off the first hit's plane, or turned away from it: another surface. The sky is a surface of its own.
-    bool takes(const Shaded& s) const {
-        if (count == 0) return true;
-        const bool outside = dot(normal, normal) < 0.5f, there = dot(s.normal, s.normal) < 0.5f;
-        if (outside || there) return outside && there;
-        const Vec3f to = s.position - position;
-        const float off = dot(to, normal);
-        return dot(s.normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f;
-    }
+    bool takes(const Shaded& s) const { return count == 0 || !another_surface(position, normal, s.position, s.normal); }
     void add(const Shaded& s, Vec3f developed) {
         if (count++ == 0) position = s.position, normal = s.normal;
         color += developed;
@@ -152,6 +154,31 @@ struct NoisyPicture {
                                                         other.radiance * of_other, other.position, other.normal, other.through(0), other.light(0)});
     }
 
+    // Replaces a pixel that had no second surface.
+    void set_again(int x, int y, const PixelSum& p) {
+        set(x, y, p);
+        auto& row = seconds[static_cast<std::size_t>(y)];
+        std::sort(row.begin(), row.end(), [](const SecondSurface& a, const SecondSurface& b) { return a.x < b.x; });
+    }
+
+    // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several, or (`others`) another one.
+    std::vector<int> beside_outlines(int y, int rays, bool others) const {
+        const auto whole = [&](int x, int row) { return own_share.at(x, row) == 1.f; };
+        std::vector<int> found;
+        for (int x = 0; x < own_share.width; ++x) {
+            if (!whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays)) continue;
+            bool outline = false;
+            for (int k = 0; k < 9 && !outline; ++k) {
+                const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
+                const int qx = guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1);
+                outline = !whole(qx, qy) || (others && another_surface(guides.position.at(x, y), guides.normal.at(x, y), guides.position.at(qx, qy),
+                                                                       guides.normal.at(qx, qy)));
+            }
+            if (outline) found.push_back(x);
+        }
+        return found;
+    }
+
     // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one pixel know it too badly.
     std::optional<Vec3f> light_around(const SecondSurface& s, int y) const {
         constexpr int reach = 2;
@@ -229,29 +256,67 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
     if (parts.denoise) noisy.emplace(eye);
+    const auto key_of_pixel = [&](int x, int y) {
+        return mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+    };
+    const auto towards = [&](int x, int y, Sampler& sampler) {
+        const Vec2f offset = sampler.next2();
+        return world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+    };
+    const Vec3f from = eye.world_from_camera.translation;
+    // At least so many rays.
+    const auto trace = [&](int x, int y, int least) {
+        PixelSum pixel;
+        do {
+            for (int s = 0; s < round; ++s) {
+                Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(pixel.taken));
+                const Vec3f direction = towards(x, y, sampler);
+                const Shaded shaded = shade_ray(scene, from, direction, eye.pixel_angle, sampler);
+                // Samples are developed before they are averaged: edges against a bright window stay smooth.
+                pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
+            }
+        } while (pixel.taken < least || needs_more(pixel, parts, samples));
+        out.at(x, y) = pixel.color();
+        if (albedo) albedo->at(x, y) = pixel.albedo();
+        return pixel;
+    };
     Progress progress(run, "picture", eye.height);
     parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < eye.width; ++x) {
-                const std::uint64_t key = mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
-                PixelSum pixel;
-                do {
-                    for (int s = 0; s < round; ++s) {
-                        Sampler sampler(key, static_cast<std::uint32_t>(pixel.taken));
-                        const Vec2f offset = sampler.next2();
-                        const Vec3f direction = world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
-                        const Shaded shaded = shade_ray(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, sampler);
-                        // Samples are developed before they are averaged: edges against a bright window stay smooth.
-                        pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
-                    }
-                } while (needs_more(pixel, parts, samples));
-                out.at(x, y) = pixel.color();
-                if (albedo) albedo->at(x, y) = pixel.albedo();
+                const PixelSum pixel = trace(x, y, round);
                 if (noisy) noisy->set(x, y, pixel);
             }
         progress.advance(end - begin);
     });
+    // A second look beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
+    // that come next meet another surface costs little to know; where they do, it is asked beside that pixel too.
+    constexpr int kLooks = 4;
+    const int next = samples / 4;
+    Image<std::uint8_t> looked(noisy ? eye.width : 0, noisy ? eye.height : 0);
+    const auto meets_another = [&](int x, int y) {
+        for (int s = round; s < next; ++s) {
+            Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
+            const Met met = met_by_ray(scene, from, towards(x, y, sampler));
+            if (another_surface(noisy->guides.position.at(x, y), noisy->guides.normal.at(x, y), met.position, met.normal)) return true;
+        }
+        return false;
+    };
+    for (int look_number = 0; noisy && look_number < kLooks; ++look_number) {
+        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
+        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
+            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = noisy->beside_outlines(y, round, look_number == 0);
+        });
+        parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+            run.check_stop();
+            for (auto y = static_cast<int>(begin); y < end; ++y)
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) {
+                    if (std::exchange(looked.at(x, y), std::uint8_t{1})) continue;
+                    if (meets_another(x, y)) noisy->set_again(x, y, trace(x, y, next));
+                }
+        });
+    }
     if (noisy) noisy->denoise_into(out, look);
     return out;
 }

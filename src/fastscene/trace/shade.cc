@@ -87,6 +87,7 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 namespace {
 
 constexpr int kMostPanes = 8;   // surfaces of glass that are looked through
+constexpr float kBehindPane_m = 1e-3f;
 
 // `travelled`: how far the ray has come through glass.
 Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes, Sampler& sampler);
@@ -95,7 +96,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
 Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction, float pixel_angle, float travelled,
                     int panes, Sampler& sampler) {
     const Pane pane = pane_of(s, direction);
-    Shaded out = shade_from(scene, s.position + direction * 1e-3f, direction, pixel_angle, travelled, panes - 1, sampler);
+    Shaded out = shade_from(scene, s.position + direction * kBehindPane_m, direction, pixel_angle, travelled, panes - 1, sampler);
     for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine}) *light = *light * pane.through;
     const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
     const Mirrored seen = mirrored_radiance(scene, offset_from(s.position, s.normal), mirror, pixel_angle, true, 1);
@@ -147,6 +148,20 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
 
 Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler) {
     return shade_from(scene, origin, direction, pixel_angle, 0.f, kMostPanes, sampler);
+}
+
+Met met_by_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction) {
+    for (int panes = kMostPanes;; --panes) {
+        const RayHit hit = scene.bvh.first_hit(origin, direction);
+        if (!hit) return {};
+        const Mesh& mesh = scene.room.meshes[static_cast<std::size_t>(hit.mesh)];
+        const Vec3f position = origin + direction * hit.distance;
+        if (panes == 0 || !is_clear(scene.room.materials[static_cast<std::size_t>(mesh.material)])) {
+            const Vec3f normal = shading_normal(mesh, hit);
+            return {position, hit.back ? -normal : normal};
+        }
+        origin = position + direction * kBehindPane_m;
+    }
 }
 
 }  // namespace fastscene

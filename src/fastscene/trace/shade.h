@@ -30,4 +30,10 @@ struct Shaded {
 // `pixel_angle`: how wide the sample is, radians; patterns finer than that fade to their mean.
 Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler);
 
+// Where it would meet a surface, and how that faces, as Shaded has them: a tenth of the work.
+struct Met {
+    Vec3f position, normal;
+};
+Met met_by_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction);
+
 }  // namespace fastscene

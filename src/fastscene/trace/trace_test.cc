@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -303,6 +304,32 @@ TEST(Trace, FewRaysAreDenoisedToo) {
     };
     const double raw = error(picture(3, false, 5));
     for (const int samples : {1, 4, 8, 24}) EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
+}
+
+// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss it.
+TEST(Trace, ThinLinesDoNotBreak) {
+    Room room = empty_room(diffuse({0, 0, 0}, {0.05f, 0.05f, 0.05f}));
+    room.materials.push_back(diffuse({0, 0, 0}, {0.6f, 0.6f, 0.6f}));
+    constexpr int kSide = 96;
+    const float far = 2, pixel = 2 * far * std::tan(kPi / 6) / kSide;
+    room.meshes.push_back(box({-1.9f, 0.2f, far}, {1.9f, 0.2f + 0.12f * pixel, far + 0.001f}, false, 1));
+    TracedRoom traced(std::move(room));
+    traced.gather_light(quick(), {});
+    const float lean = 0.03f;
+    const Rigid leaning{Mat3f::from_columns({std::cos(lean), std::sin(lean), 0}, {-std::sin(lean), std::cos(lean), 0}, {0, 0, 1}), {}};
+    const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f};
+    const ImageColor seen = traced.perspective(leaning, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color;
+    std::vector<float> columns;
+    for (int x = 0; x < kSide; ++x) {
+        float sum = 0;
+        for (int y = 0; y < kSide; ++y) sum += luminance(seen.at(x, y)) - luminance(seen.at(x, 0));
+        columns.push_back(sum);
+    }
+    std::vector<float> sorted = columns;
+    std::sort(sorted.begin(), sorted.end());
+    const float middle = sorted[kSide / 2];
+    ASSERT_GT(middle, 0.008f);
+    for (int x = 0; x < kSide; ++x) EXPECT_NEAR(columns[static_cast<std::size_t>(x)] / middle, 1, 0.6) << x;
 }
 
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
