@@ -79,7 +79,7 @@ IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) con
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);
-    Vec3f sum{};
+    Vec3f sum{}, sun{};
     float weight = 0, trust = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // A rounded surface fades from one main direction to the next.
@@ -96,13 +96,16 @@ IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) con
             const float near = (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz);
             const float w = share * same * near * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
             sum += (cell.direct + cell.indirect) * w;
+            sun += cell.sun * w;
             weight += w;
             trust += w * same * cell.trust;
         }
     }
-    if (weight > 0) return {sum / weight, trust / weight};
+    if (weight > 0) return {sum / weight, sun / weight, trust / weight};
     const int c = nearest(position, normal);
-    return {c < 0 ? Vec3f{} : cells_[static_cast<std::size_t>(c)].direct + cells_[static_cast<std::size_t>(c)].indirect, 0.f};
+    if (c < 0) return {};
+    const Cell& cell = cells_[static_cast<std::size_t>(c)];
+    return {cell.direct + cell.indirect, cell.sun, 0.f};
 }
 
 }  // namespace fastscene

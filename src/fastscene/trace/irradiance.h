@@ -30,10 +30,11 @@ class IrradianceCache {
     // has steps, so that light changes within a cell.
     struct Reading {
         Vec3f irradiance;
+        Vec3f sun;   // the sun's own, as blurred as the cells are wide
         float trust = 0;
     };
     Reading read(Vec3f position, Vec3f normal) const;
-    // From the nearest entry only: for light that bounces or is mirrored. `sun`: what share of the sun's is wanted.
+    // From the nearest entry only: for light that bounces, many times over. `sun`: what share of the sun's is wanted.
     Vec3f near(Vec3f position, Vec3f normal, float sun) const;
     std::size_t size() const { return cells_.size(); }
 

@@ -205,8 +205,8 @@ Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f posit
     if (!(far > 1e-4f)) return out;
     out.direction = to / far;
     const Vec3f emission = emission_of(room, triangle.mesh);
-    // A thin shade shines to both sides.
-    const float there = std::abs(dot(normalize(cross(b - a, c - a)), out.direction));
+    // A thin shade shines to both sides. The back of a solid does not, though its front may be too near it to stop the ray of shadow (a screen).
+    const float away = dot(normalize(cross(b - a, c - a)), out.direction), there = part.one_sided ? -away : std::abs(away);
     if (!(there > 1e-5f)) return out;
     out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
     out.radiance = emission;
@@ -218,7 +218,7 @@ float Lights::density(const Room& room, const Choice& choice, Vec3f position, Ve
     if (choice.count == 0) return 0;
     if (!hit) return portal_density(room, choice, position, direction);
     const int i = light_of_mesh_[static_cast<std::size_t>(hit.mesh)];
-    if (i < 0) return 0;
+    if (i < 0 || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) return 0;
     const Light& light = lights_[static_cast<std::size_t>(i)];
     const auto [a, b, c] = corners(room, hit.mesh, hit.triangle);
     const std::int8_t found = light.part_of_facing[facing_of(cross(b - a, c - a), closed_[static_cast<std::size_t>(hit.mesh)])];

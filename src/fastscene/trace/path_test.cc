@@ -70,6 +70,30 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     EXPECT_LT(deviation / mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
 }
 
+// The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would count again, by rare loud samples that
+// leave clouds on far walls.
+TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
+    Room room = box_room(diffuse({0, 0, 0}));
+    room.materials.push_back(diffuse({0, 0, 0}, {1, 1, 1}));
+    const float half = 0.15f, front = 1.2f;
+    room.meshes.push_back(box_mesh({-half, -half, front}, {half, half, front + 0.001f}, 1, -1, false));
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    const Vec3f place{0, 0, -2}, ahead{0, 0, 1};
+    const Lights::Choice choice = lights.choice_at(place, ahead);
+    double sum = 0, largest = 0;
+    constexpr int kSamples = 8192;
+    for (int i = 0; i < kSamples; ++i) {
+        Random random(4, "screen", static_cast<std::uint64_t>(i));
+        const double e =
+            luminance(lights.sample(room, bvh, choice, place, ahead, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
+        sum += e, largest = std::max(largest, e);
+    }
+    const double far = front + 2, wanted = 4 * half * half / (far * far);   // the form factor of a small square, times pi
+    EXPECT_NEAR(sum / kSamples / wanted, 1, 0.03);
+    EXPECT_LT(largest, 2 * wanted);
+}
+
 // A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed form of a
 // parallel rectangle (Howell, B-3).
 TEST(Path, LightAskedAndFoundIsCountedOnce) {

@@ -32,8 +32,13 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         const Vec3f dye = dye_of(s);
         return {behind.light * dye, behind.rest * dye, hit};
     }
-    Vec3f front = scene.light.near(s.position, s.normal, scene.room.look.sun_seen), back{};
-    if (m.transmission > 0) back = scene.light.near(s.position, -s.normal, scene.room.look.sun_seen);
+    // Between cells, or a polished floor would show them.
+    const auto lit = [&](Vec3f normal) {
+        const IrradianceCache::Reading reading = scene.light.read(s.position, normal);
+        return reading.irradiance + reading.sun * scene.room.look.sun_seen;
+    };
+    Vec3f front = lit(s.normal), back{};
+    if (m.transmission > 0) back = lit(-s.normal);
     return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission,
             mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
 }

@@ -282,6 +282,25 @@ TEST(Trace, GlassIsSeenThroughInMirrors) {
     EXPECT_GT(luminance(seen), 0.4f * luminance(red));
 }
 
+// A mirror shows light as even as it is seen without: no borders of cells.
+TEST(Trace, MirrorsShowNoCells) {
+    Room room = empty_room(diffuse({0.7f, 0.7f, 0.7f}));
+    Material mirror = diffuse({0.9f, 0.9f, 0.9f});
+    mirror.mirror = 1;
+    mirror.roughness = 0.05f;
+    room.materials.insert(room.materials.end(), {mirror, diffuse({0, 0, 0}, {9, 9, 9})});
+    room.meshes.push_back(box({-1, -0.5f, 1}, {1, 0.5f, 1.02f}, false, 1));
+    room.meshes.push_back(box({-1.9f, -0.2f, -2}, {-1.7f, 0.2f, -1.8f}, false, 2));   // beside the wall behind the camera, outside of the picture
+    TracedRoom traced(std::move(room));
+    traced.gather_light(quick(), {});
+    const ShotParts parts{.color = true, .range = false, .pixel_samples = 8, .radiance = true, .contacts = true};
+    const ImageColor seen = traced.perspective({}, Pinhole::with_fov(384, 8, 40), parts, {}).color;
+    const auto first = luminance(seen.at(0, 4)), last = luminance(seen.at(383, 4));
+    ASSERT_GT(std::max(first, last), 1.5f * std::min(first, last));   // the light does change along the wall
+    for (int x = 0; x + 1 < seen.width; ++x)
+        for (int y = 0; y < seen.height; ++y) EXPECT_NEAR(luminance(seen.at(x + 1, y)) / luminance(seen.at(x, y)), 1, 0.03) << x << " " << y;
+}
+
 // However few rays are asked for, the denoiser learns how much chance is in them.
 TEST(Trace, FewRaysAreDenoisedToo) {
     TracedRoom room(furnished_room());
