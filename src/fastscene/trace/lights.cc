@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/trace/irradiance_cells.h"
+#include "fastscene/trace/response.h"
 
 namespace fastscene {
 namespace {
@@ -16,6 +18,18 @@ constexpr float kNearest = 0.03f;
 std::size_t pick(const float* cumulative, std::size_t count, float u) {
     const float wanted = u * cumulative[count - 1];
     return std::min(count - 1, static_cast<std::size_t>(std::upper_bound(cumulative, cumulative + count, wanted) - cumulative));
+}
+
+// Radiance of all that is seen through a window that shines along `into`, the root of its mean square: what is uneven is to be asked more often. Not the
+// sky's alone: by night it is far darker than a town's lit windows, and a light that is asked a hundred times too seldom leaves clouds.
+float brightness_behind(const SkyTable& sky, Vec3f into) {
+    constexpr std::uint32_t kWays = 1024;
+    float squares = 0;
+    for (std::uint32_t i = 0; i < kWays; ++i) {
+        const float bright = luminance(sky.at(cosine_direction(-into, irradiance::r2_point(i, {0.5f, 0.5f}))));
+        squares += bright * bright;
+    }
+    return std::max(1e-6f, std::sqrt(squares / kWays));
 }
 
 std::array<Vec3f, 3> corners(const Room& room, int mesh, int triangle) {
@@ -115,7 +129,7 @@ Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large
         light.area = length(across);
         if (!(light.area > 0)) continue;
         light.direction = across / light.area;
-        light.power = light.area * (luminance(room.sky.horizon) + luminance(room.sky.zenith) + 0.5f * luminance(room.sky.ground)) * 0.4f;
+        light.power = light.area * brightness_behind(*sky_, light.direction);
         lights_.push_back(std::move(light));
     }
     if (lights_.size() <= static_cast<std::size_t>(kMost)) return;

@@ -94,6 +94,38 @@ TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     EXPECT_LT(largest, 2 * wanted);
 }
 
+// By night a town's windows are most of what shines in: they are asked by what they give, not by the dark sky above them.
+TEST(Lights, ALitTownIsNoRareSpark) {
+    Room room = box_room(diffuse({0, 0, 0}));
+    room.sky.time = Sky::Time::night;
+    room.sky.view = Sky::View::city;
+    room.sky.horizon = room.sky.zenith = room.sky.ground = {1e-4f, 1e-4f, 1e-4f};
+    room.materials.push_back(diffuse({0, 0, 0}, {0.2f, 0.2f, 0.2f}));
+    room.meshes = {box_mesh({-0.1f, -1, -2}, {0.1f, -0.9f, -1.8f}, 1, -1, false)};   // a lamp; no walls
+    room.portals.push_back({{-0.6f, -0.6f, 2.5f}, {0, 1.2f, 0}, {1.2f, 0, 0}});
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    const Vec3f place{0, 0, -2}, ahead{0, 0, 1};
+    ASSERT_LT(dot(cross(room.portals[0].edge_u, room.portals[0].edge_v), ahead), 0);
+    const Lights::Choice choice = lights.choice_at(place, ahead);
+    double light = 0, from_town = 0, asked = 0;
+    constexpr int kSamples = 20'000;
+    for (int i = 0; i < kSamples; ++i) {
+        Random random(6, "town", static_cast<std::uint64_t>(i));
+        const Lights::Towards drawn =
+            lights.draw(room, choice, place, ahead, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()});
+        const float here = dot(drawn.direction, ahead);
+        const double e = drawn.density > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.density : 0;
+        light += e;
+        if (drawn.far < kFar) continue;
+        from_town += e;
+        ++asked;
+    }
+    const double share = from_town / light;
+    ASSERT_GT(share, 0.02);
+    EXPECT_GT(asked / kSamples, 0.25 * share);
+}
+
 // A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed form of a
 // parallel rectangle (Howell, B-3).
 TEST(Path, LightAskedAndFoundIsCountedOnce) {

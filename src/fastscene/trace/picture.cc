@@ -293,7 +293,7 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     // A second look beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
     // that come next meet another surface costs little to know; where they do, it is asked beside that pixel too.
     constexpr int kLooks = 4;
-    const int next = samples / 4;
+    const int next = samples / 2;
     Image<std::uint8_t> looked(noisy ? eye.width : 0, noisy ? eye.height : 0);
     const auto meets_another = [&](int x, int y) {
         for (int s = round; s < next; ++s) {
