@@ -75,7 +75,7 @@ Room room_of(const Flags& flags) {
     fastscene::Run run;
     run.seed = flags.seed;
     Room room = make_room(spec, run);
-    room.sky.sun_limit = 0;   // light itself is measured: references know no exposure
+    room.sky.sun_limit = room.sky.ground_least = 0;   // light itself is measured: references know no exposure
     if (flags.plain) make_plain(room);
     return room;
 }

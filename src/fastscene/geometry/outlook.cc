@@ -115,13 +115,17 @@ void solve(Level& level) {
 
 ImageColor outside_picture(const ImageColor& color, const ImageF& range) {
     Level level{color, ImageMask(color.width, color.height)};
-    bool any = false;
-    for (int y = 0; y < color.height; ++y)
-        for (int x = 0; x < color.width; ++x) {
-            level.known.at(x, y) = is_outside(range, x, y);
-            any |= level.known.at(x, y) != 0;
-        }
-    if (!any) return {};
+    const auto mark = [&](auto&& is_known) {
+        bool any = false;
+        for (int y = 0; y < color.height; ++y)
+            for (int x = 0; x < color.width; ++x) {
+                level.known.at(x, y) = is_known(x, y);
+                any |= level.known.at(x, y) != 0;
+            }
+        return any;
+    };
+    // Where all of the outside is slits and specks, their mixed colors must do.
+    if (!mark([&](int x, int y) { return is_outside(range, x, y); }) && !mark([&](int x, int y) { return !std::isfinite(range.at(x, y)); })) return {};
     solve(level);
     return level.color;
 }

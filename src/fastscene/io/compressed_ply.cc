@@ -11,6 +11,7 @@
 #include "fastscene/io/packed.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/math/morton.h"
 
 // PlayCanvas' compressed PLY: chunks of 256 splats share the bounds between which positions, scales and
 // colors are stored with 8 to 11 bits. Splats come in Morton order, so that a chunk is small in space.
@@ -44,22 +45,13 @@ std::uint32_t bits_of_rotation(Quatf q) {
     return out;
 }
 
-// Interleaves the lower 21 bits of three numbers.
-std::uint64_t spread_bits(std::uint64_t v) {
-    v = (v | v << 32) & 0x1f00000000ffffull;
-    v = (v | v << 16) & 0x1f0000ff0000ffull;
-    v = (v | v << 8) & 0x100f00f00f00f00full;
-    v = (v | v << 4) & 0x10c30c30c30c30c3ull;
-    return (v | v << 2) & 0x1249249249249249ull;
-}
-
 void sort_in_space(const std::vector<Vec3f>& points, std::span<std::uint32_t> order) {
     Bounds3 box;
     for (const std::uint32_t i : order) box.add(points[i]);
     std::vector<std::uint64_t> code(points.size());
     for (const std::uint32_t i : order) {
         const Vec3f s = box.share(points[i]);
-        code[i] = spread_bits(unorm(s.x, 21)) | spread_bits(unorm(s.y, 21)) << 1 | spread_bits(unorm(s.z, 21)) << 2;
+        code[i] = morton_code(unorm(s.x, 21), unorm(s.y, 21), unorm(s.z, 21));
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return code[a] < code[b]; });
 }

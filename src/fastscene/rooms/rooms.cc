@@ -78,6 +78,7 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     // At dusk the room is exposed for its lamps: what is outside is deep blue.
     sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.22f : 0.13f;
     sky.sun_limit = 3.5f;
+    if (light->time != Sky::Time::night && light->time != Sky::Time::dusk) sky.ground_least = 0.55f;
     sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.

@@ -119,7 +119,9 @@ TEST(WallThings, LampsShineAtNightAndSignsAlways) {
         const Room room = lit_room("a living room with a pink neon sign " + time);
         // By night the picture is exposed for lamps: as bright as by day it would burn out its wall.
         EXPECT_GT(brightest(room, "neon_sign"), time == "at noon" ? 0.5f : 0.1f) << time;
-        if (time == "at night") EXPECT_LT(brightest(room, "neon_sign"), 0.4f);
+        if (time == "at night") {
+            EXPECT_LT(brightest(room, "neon_sign"), 0.4f);
+        }
         for (const Material& m : room.materials)
             if (m.name == "pink neon") {
                 EXPECT_GT(m.emission.x, 1.5f * m.emission.y);

@@ -81,6 +81,7 @@ struct Sky {
     float seen = 1.f;               // share of its radiance that a camera sees: windows burn out less, as behind a photographer's filter
     float sun_limit = 0.f;          // as bright as this a camera sees white in full sun, 1 = white by the room's light; what is more it sees
                                     // with restraint (Look::sun_seen); 0: the sun is seen as it is
+    float ground_least = 0.f;       // as bright as this, at least, a camera sees the ground, 1 = white by the room's light (Look::outside_seen); 0: as it is
     std::uint32_t seed = 0;         // of what stands outside
 };
 

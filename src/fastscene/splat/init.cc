@@ -5,6 +5,7 @@
 
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
+#include "fastscene/math/morton.h"
 #include "fastscene/splat/splat.h"
 
 namespace fastscene {
@@ -35,18 +36,10 @@ std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size
     return chosen;
 }
 
-// Interleaves the bits of a 21-bit grid position: neighbours in space become neighbours in memory, so that
-// the splats of one vector are seen or unseen together.
+// Neighbours in space become neighbours in memory, so that the splats of one vector are seen or unseen together.
 std::uint64_t morton(Vec3f p, Vec3f low, float cell) {
-    const auto spread = [](float v) {
-        std::uint64_t x = static_cast<std::uint64_t>(std::clamp(v, 0.f, 2097151.f));
-        x = (x | x << 32) & 0x1f00000000ffffull;
-        x = (x | x << 16) & 0x1f0000ff0000ffull;
-        x = (x | x << 8) & 0x100f00f00f00f00full;
-        x = (x | x << 4) & 0x10c30c30c30c30c3ull;
-        return (x | x << 2) & 0x1249249249249249ull;
-    };
-    return spread((p.x - low.x) / cell) | spread((p.y - low.y) / cell) << 1 | spread((p.z - low.z) / cell) << 2;
+    const auto step = [&](float v) { return static_cast<std::uint64_t>(std::clamp(v / cell, 0.f, 2097151.f)); };
+    return morton_code(step(p.x - low.x), step(p.y - low.y), step(p.z - low.z));
 }
 
 void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::size_t>& chosen) {

@@ -94,11 +94,9 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
         constexpr float kSunDoubling = 0.12f;
         look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
     }
-    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: its ground is seen at least about as bright as walls are.
-    if (!night && !dusk) {
-        constexpr float kGround = 0.55f, kMost = 4.f;
-        look.outside_seen = std::clamp(kGround / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f, kMost);
-    }
+    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: all outside is lifted with its ground.
+    constexpr float kMostLift = 4.f;
+    look.outside_seen = std::clamp(sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f, kMostLift);
     look.contrast = wish.contrast * 1.1f;
     look.saturation = wish.saturation * 1.06f;
     return look;

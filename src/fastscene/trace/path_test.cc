@@ -37,6 +37,25 @@ Room box_room(const Material& walls) {
 // Closed room, albedo 1/2, emission 1/2: radiance 1 everywhere.
 TEST(Path, Furnace) { EXPECT_NEAR(mean_radiance(box_room(diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})), normalize(Vec3f{0.3f, 0.2f, 1}), 4096), 1.f, 0.01f); }
 
+// What samples of the light that falls on a place say: their mean, how far they stray from it, the largest.
+struct Samples {
+    double mean, deviation, largest;
+};
+Samples sampled_light(const Room& room, Vec3f place, Vec3f normal, int count, std::uint64_t seed) {
+    const SceneBvh bvh(room);
+    const Lights lights(room);
+    const Lights::Choice choice = lights.choice_at(place, normal);
+    double sum = 0, squares = 0, largest = 0;
+    for (int i = 0; i < count; ++i) {
+        Random random(seed, "samples of light", static_cast<std::uint64_t>(i));
+        const double e =
+            luminance(lights.sample(room, bvh, choice, place, normal, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
+        sum += e, squares += e * e, largest = std::max(largest, e);
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt(squares / count - mean * mean), largest};
+}
+
 // The ceiling sees one narrow side of a flat lamp under it, a twentieth of what glows: most samples must go there, not to the underside.
 TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     Room room = box_room(diffuse({0, 0, 0}));
@@ -44,19 +63,7 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     const float half = 0.2f, deep = 0.05f, ceiling = 1.4f;
     room.meshes.push_back(box_mesh({-2, ceiling, -2}, {2, 1.45f, 2}, 0, -1, false));
     room.meshes.push_back(box_mesh({-half, ceiling - deep, -half}, {half, ceiling - 0.001f, half}, 1, -1, false));
-    const SceneBvh bvh(room);
-    const Lights lights(room);
-    const Vec3f place{0.8f, ceiling, 0}, down{0, -1, 0};
-    const Lights::Choice choice = lights.choice_at(place, down);
-    double sum = 0, squares = 0;
-    constexpr int kSamples = 4096;
-    for (int i = 0; i < kSamples; ++i) {
-        Random random(3, "flat lamp", static_cast<std::uint64_t>(i));
-        const double e =
-            luminance(lights.sample(room, bvh, choice, place, down, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
-        sum += e, squares += e * e;
-    }
-    const double mean = sum / kSamples, deviation = std::sqrt(squares / kSamples - mean * mean);
+    const Samples light = sampled_light(room, {0.8f, ceiling, 0}, {0, -1, 0}, 4096, 3);
     // The lamp's side, parallel strips by quadrature.
     double wanted = 0;
     constexpr int kStrips = 200;
@@ -66,8 +73,8 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
             const double d2 = x * x + y * y + z * z;
             wanted += 10 * (y * x) / (d2 * d2) * (deep - 0.001) * 2 * half / (kStrips * kStrips);
         }
-    EXPECT_NEAR(mean / wanted, 1, 0.03);
-    EXPECT_LT(deviation / mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
+    EXPECT_NEAR(light.mean / wanted, 1, 0.03);
+    EXPECT_LT(light.deviation / light.mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
 }
 
 // The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would count again, by rare loud samples that
@@ -77,21 +84,10 @@ TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     room.materials.push_back(diffuse({0, 0, 0}, {1, 1, 1}));
     const float half = 0.15f, front = 1.2f;
     room.meshes.push_back(box_mesh({-half, -half, front}, {half, half, front + 0.001f}, 1, -1, false));
-    const SceneBvh bvh(room);
-    const Lights lights(room);
-    const Vec3f place{0, 0, -2}, ahead{0, 0, 1};
-    const Lights::Choice choice = lights.choice_at(place, ahead);
-    double sum = 0, largest = 0;
-    constexpr int kSamples = 8192;
-    for (int i = 0; i < kSamples; ++i) {
-        Random random(4, "screen", static_cast<std::uint64_t>(i));
-        const double e =
-            luminance(lights.sample(room, bvh, choice, place, ahead, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
-        sum += e, largest = std::max(largest, e);
-    }
+    const Samples light = sampled_light(room, {0, 0, -2}, {0, 0, 1}, 8192, 4);
     const double far = front + 2, wanted = 4 * half * half / (far * far);   // the form factor of a small square, times pi
-    EXPECT_NEAR(sum / kSamples / wanted, 1, 0.03);
-    EXPECT_LT(largest, 2 * wanted);
+    EXPECT_NEAR(light.mean / wanted, 1, 0.03);
+    EXPECT_LT(light.largest, 2 * wanted);
 }
 
 // By night a town's windows are most of what shines in: they are asked by what they give, not by the dark sky above them.

@@ -498,12 +498,11 @@ TEST(Film, LampsKeepTheirHue) {
     EXPECT_EQ(lamp_as_seen({}, {0.4f, 0.4f, 0.4f}), (Vec3f{0.4f, 0.4f, 0.4f})) << "what is no brighter than white is seen as it is";
 }
 
-// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
-// A garden in the sun does not look like dusk because the room before it is bright; a dim room sees it as before, and nights stay dark.
+// A garden in the sun does not look like dusk because the room before it is bright; a dim room sees it as before, and so does one under a sky that asks for nothing.
 TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     const Vec3f gray{0.5f, 0.5f, 0.5f};
     Sky sky;
-    sky.ground = {0.8f, 0.8f, 0.7f}, sky.zenith = sky.horizon = {2, 2.2f, 2.5f}, sky.seen = 0.13f;
+    sky.ground = {0.8f, 0.8f, 0.7f}, sky.zenith = sky.horizon = {2, 2.2f, 2.5f}, sky.seen = 0.13f, sky.ground_least = 0.55f;
     const auto ground_in = [&](float light) {
         ImageColor seen(32, 16, gray * light), albedo(32, 16, gray);
         const Look look = automatic_look({}, sky, seen, albedo);
@@ -513,10 +512,11 @@ TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     EXPECT_EQ(ground_in(0.05f).second, 1.f);
     EXPECT_GT(ground_in(1.5f).second, 1.5f);
     EXPECT_LT(ground_in(0.6f).first, 1.2f);
-    sky.time = Sky::Time::night;
+    sky.ground_least = 0;
     EXPECT_EQ(ground_in(1.5f).second, 1.f);
 }
 
+// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
 TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
     const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f}, white{0.8f, 0.8f, 0.8f};
     Sky sky;

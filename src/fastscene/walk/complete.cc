@@ -194,7 +194,7 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
             }
         color = world.inpainter->fill(color, hole, run);
         ImageColor surfaces;  // inverse range without the outside; empty where there is none, or nothing else
-        if (const ImageMask open = without_outside(hole, inverse); open != hole && has(open, false)) surfaces = reference->fill(inverse, open, run);
+        if (const ImageMask open = without_outside(hole, inverse); !world.outside.empty() && open != hole && has(open, false)) surfaces = reference->fill(inverse, open, run);
         inverse = reference->fill(inverse, hole, run);
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "fastscene/base/shortest.h"
+#include "fastscene/geometry/outlook.h"
 #include "fastscene/walk/complete.h"
 #include "fastscene/walk/free_space.h"
-#include "fastscene/geometry/outlook.h"
 #include "fastscene/walk/published_walk.h"
 #include "fastscene/walk/ready.h"
 

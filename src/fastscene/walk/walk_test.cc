@@ -322,6 +322,18 @@ TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
     EXPECT_EQ(floating, 0);
 }
 
+// Single pixels without a range: an outside of which no pixel is free of something else.
+TEST(Walk, AnOutsideOfSpecksIsWalkedToo) {
+    WalkParams params;
+    params.viewpoints = 2;
+    params.inpainter = "harmonic";
+    Panorama panorama = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, kSize);
+    for (int y = 2; y < kSize.height; y += 5)
+        for (int x = 2; x < kSize.width; x += 5) panorama.range.at(x, y) = std::numeric_limits<float>::infinity();
+    for (const Panorama& walked : walk_through(panorama, params, {}).panoramas)
+        for (const Vec3f c : walked.color.pixels) ASSERT_TRUE(std::isfinite(c.x + c.y + c.z));
+}
+
 TEST(Walk, ThroughAWindowHolesAreTheOutside) {
     WalkParams params;
     params.viewpoints = 8;
