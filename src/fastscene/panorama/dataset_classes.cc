@@ -26,7 +26,7 @@ constexpr std::array kParts{
     Entry{"crib", 4}, Entry{"chair", 5}, Entry{"stool", 5}, Entry{"bench", 5}, Entry{"ottoman", 39}, Entry{"pouf", 39}, Entry{"desk", 14}, Entry{"dresser", 17}, Entry{"wardrobe", 3}, Entry{"sideboard", 3},
     Entry{"cabinet", 3}, Entry{"table", 7}, Entry{"shelf", 15}, Entry{"shelves", 15}, Entry{"rack", 15}, Entry{"picture", 11}, Entry{"painting", 11}, Entry{"poster", 11}, Entry{"cushion", 18}, Entry{"pillow", 18},
     Entry{"toy_box", 29}, Entry{"box", 29}, Entry{"basket", 29}, Entry{"bag", 37}, Entry{"clothes", 21}, Entry{"piano", 39}, Entry{"radiator", 38}, Entry{"fireplace", 38}, Entry{"beam", 38},
-    Entry{"column", 38}, Entry{"stairs", 38}, Entry{"alcove", 1}, Entry{"wainscoting", 1}, Entry{"wall", 1}, Entry{"moulding", 1}, Entry{"skirting", 1}, Entry{"floor", 2}, Entry{"ceiling", 22}};
+    Entry{"column", 38}, Entry{"stairs", 38}, Entry{"alcove", 1}, Entry{"wainscoting", 1}, Entry{"wall", 1}, Entry{"moulding", 1}, Entry{"skirting", 1}, Entry{"recessed_lights", 35}, Entry{"floor", 2}, Entry{"ceiling", 22}};
 
 }  // namespace
 

@@ -24,6 +24,21 @@ void hang_up(Piece& piece, float height) {
     piece.hang_height_m = height;
 }
 
+// A rail runs along the nearest beam, below it; a lamp with a plate goes between two beams; what hangs by a rod or a cord that meets a beam hangs
+// from that.
+void hang_among_beams(const Plan& plan, Placed& p) {
+    constexpr float kRod = 0.08f;  // half of what covers its end
+    const bool rail = p.piece.klass == "track_light", plate = p.piece.klass == "ceiling_lamp";
+    const float spacing = plan.depth / static_cast<float>(beam_count(plan)), offset = p.position.z - beam_z(plan, 0);
+    const float beam = beam_z(plan, std::clamp(static_cast<int>(std::lround(offset / spacing)), 0, beam_count(plan) - 1));
+    const int gap = std::clamp(static_cast<int>(std::floor(offset / spacing)), 0, beam_count(plan) - 2);
+    const bool meets = std::abs(p.position.z - beam) < kBeamWidth / 2 + (plate ? p.piece.size_m.z / 2 : kRod);
+    if (rail) p.position.z = beam;
+    else if (!meets) return;
+    if (plate) p.position.z = beam_z(plan, gap) + spacing / 2;
+    else p.position.y -= kBeamDepth;
+}
+
 }  // namespace
 
 bool Layout::free_on_top(const Placed& p, int self) const {
@@ -234,13 +249,7 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     p.piece = make_piece(request);
     p.overhead = true;
     p.position = {at.x, plan_.height, at.y};
-    // A rail goes along the nearest beam, below it.
-    if (plan_.beams && plan_.knee <= 0 && request.klass == "track_light") {
-        const auto count = static_cast<float>(beam_count(plan_));
-        const float step = plan_.depth / count, nearest = std::clamp(std::round((at.y + plan_.depth / 2) / step - 0.5f), 0.f, count - 1);
-        p.position.z = (nearest + 0.5f) * step - plan_.depth / 2;
-        p.position.y -= kBeamDepth;
-    }
+    if (plan_.beams && !(plan_.knee > 0)) hang_among_beams(plan_, p);
     if (!plan_.holds(footprint_of(p))) return {};
     for (const Placed& other : placed_)
         if (!other.flat && (overlap(footprint_of(p, 0.05f), footprint_of(other)) || hides(p, other))) return {};

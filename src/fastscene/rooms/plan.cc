@@ -170,10 +170,10 @@ float room_for_wishes(const PromptSpec& spec) {
 }  // namespace
 
 bool is_shell(std::string_view klass) {
-    static constexpr std::array<std::string_view, 16> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
+    static constexpr std::array<std::string_view, 17> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
                                                              "wall",   "floor",       "ceiling",  "beams",  "sloped_ceiling",
                                                              "alcove", "wainscoting", "moulding", "column", "mezzanine",
-                                                             "fittings"};
+                                                             "fittings", "recessed_lights"};
     return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
 }
 

@@ -21,6 +21,7 @@ inline constexpr float kWallThickness = 0.22f;
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
 inline constexpr float kRevealDepth = 0.12f;   // of a window: from the wall's face to the frame
 inline constexpr float kBeamDepth = 0.18f;     // from the ceiling down
+inline constexpr float kBeamWidth = 0.16f;
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.
 inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;
@@ -74,7 +75,7 @@ struct Plan {
     bool tray = false;         // the ceiling steps down along the walls
     bool neon = false;         // strips of colored light below the ceiling
     std::optional<Vec3f> neon_color;  // an albedo of that hue; nothing: pink and blue
-    bool spots = false;        // small lamps sunk into the ceiling
+    bool spots = false;        // small lamps sunk into the ceiling (recessed lights)
     bool coffers = false;      // a grid of beams in the color of the trim
     bool bay = false;          // the recess of the far wall is all window
     bool panelling = false;    // walls are panelled to the height of a chair's back
@@ -115,6 +116,8 @@ void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
 // Adds to spec.assumed what it chose.
 // Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
 inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }
+// Its middle in z.
+inline float beam_z(const Plan& plan, int i) { return plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(beam_count(plan)) - 0.5f); }
 
 Plan make_plan(PromptSpec& spec, Random& dice);
 

@@ -52,7 +52,7 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 25> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
+    static constexpr std::array<std::string_view, 26> kNeverMore{"recessed_lights", "kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
                                                                  "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding",
                                                                  "string_lights",   "pipes",   "gears",       "hung_pans", "fittings",    "venetian_blind", "roller_blind", "roman_blind",
                                                                  "shutters",        "shoji",   "antlers",     "track_light", "bulb_pendant"};

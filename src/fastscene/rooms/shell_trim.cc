@@ -68,26 +68,35 @@ void build_beams(const Plan& plan, Room& room) {
     const int object = part_object(plan, room, "beams", {plan.width, kBeamDepth, plan.depth});
     const int count = beam_count(plan);
     for (int i = 0; i < count; ++i) {
-        const float z = -plan.depth / 2 + plan.depth * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+        const float z = beam_z(plan, i);
         if (plan.knee > 0) {
             // Collar beams hang below the flat part of the roof.
             const float half = plan.width / 2 - plan.slope_run * 0.62f, y = plan.knee + (plan.height - plan.knee) * 0.86f;
             if (y > 2.25f && i % 2 == 0) room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
             continue;
         }
-        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - 0.08f}, {plan.width / 2, plan.height, z + 0.08f}, material, object);
+        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - kBeamWidth / 2}, {plan.width / 2, plan.height, z + kBeamWidth / 2}, material,
+                             object);
         // The grain runs along the beam, and no two are cut from the same place.
         for (Vec3f& c : beam.coords) c = {c.z + 0.37f * static_cast<float>(i), c.x, c.y};
         room.meshes.push_back(std::move(beam));
     }
 }
 
+struct Coffers {
+    int columns = 2, rows = 2;  // along x and z
+};
+
+Coffers coffers_of(const Plan& plan) {
+    const auto count = [](float side) { return std::max(2, static_cast<int>(std::lround(side / 1.25f))); };
+    return {count(plan.width), count(plan.depth)};
+}
+
 // A grid of shallow beams along the ceiling.
 void build_coffers(const Plan& plan, Room& room, int trim) {
     constexpr float kDeep = 0.12f, kWide = 0.16f;
     const float w = plan.width / 2, d = plan.depth / 2;
-    const int columns = std::max(2, static_cast<int>(std::lround(plan.width / 1.25f))),
-              rows = std::max(2, static_cast<int>(std::lround(plan.depth / 1.25f)));
+    const auto [columns, rows] = coffers_of(plan);
     for (int i = 0; i <= columns; ++i) {
         const float x = -w + plan.width * static_cast<float>(i) / static_cast<float>(columns);
         room.meshes.push_back(
@@ -118,29 +127,49 @@ void build_tray(const Plan& plan, Room& room, int ceiling) {
     }
 }
 
-// Small lamps sunk into the ceiling along the walls; how bright they are by the hour is the room's business.
-void build_spots(const Plan& plan, Room& room) {
+// Where small lamps are sunk into the ceiling: in rows along the walls, between beams, in the middle of coffers, within the flat part
+// between two slopes.
+std::vector<Vec3f> recessed_places(const Plan& plan) {
+    const float y = plan.height - (plan.tray ? kTrayStep : 0.f), in = plan.tray ? 0.5f * kTrayBorder : 0.75f;
+    float x = plan.width / 2 - (plan.knee > 0 ? plan.slope_run + 0.3f : in);
+    bool two_rows = plan.width > 3.4f && x > 0.4f;
+    std::vector<float> along;
+    if (plan.beams && !(plan.knee > 0)) {
+        for (int i = 0; i + 1 < beam_count(plan); ++i) along.push_back((beam_z(plan, i) + beam_z(plan, i + 1)) / 2);
+    } else if (plan.coffers) {
+        const Coffers grid = coffers_of(plan);
+        x = plan.width / 2 * (1.f - 1.f / static_cast<float>(grid.columns));
+        two_rows = true;
+        for (int i = 0; i < grid.rows; ++i) along.push_back(plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(grid.rows) - 0.5f));
+    } else {
+        const float z = plan.depth / 2 - in;
+        const int count = std::max(2, static_cast<int>(std::lround(2 * z / 1.5f)));
+        for (int i = 0; i < count; ++i) along.push_back(z * ((2.f * static_cast<float>(i) + 1.f) / static_cast<float>(count) - 1.f));
+    }
+    std::vector<Vec3f> places;
+    for (const float z : along)
+        for (const float side : two_rows ? std::vector{-x, x} : std::vector{0.f})
+            if (std::none_of(plan.blocks.begin(), plan.blocks.end(), [&](const Block& b) {
+                    return side > b.low.x - 0.1f && side < b.high.x + 0.1f && z > b.low.y - 0.1f && z < b.high.y + 0.1f;
+                }))
+                places.push_back({side, y, z});
+    return places;
+}
+
+// How bright they are by the hour is the room's business.
+void build_recessed_lights(const Plan& plan, Room& room) {
     Material light;
     light.name = "spotlight";
     light.color_a = light.color_b = light.color_c = {0.7f, 0.68f, 0.64f};
     light.emission = plan.style.lamp_light * 1.5f;
     const int rim = add_material(room, plan.style.metal), glow = add_material(room, light);
-    const float y = plan.height - (plan.tray ? kTrayStep : 0.f), in = plan.tray ? 0.5f * kTrayBorder : 0.75f;
-    const float x = plan.width / 2 - in, z = plan.depth / 2 - in;
-    const int along = std::max(2, static_cast<int>(std::lround(2 * z / 1.5f))), across = plan.width > 3.4f ? 2 : 1;
-    for (int i = 0; i < along; ++i)
-        for (int j = 0; j < across; ++j) {
-            const float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(along);
-            const Vec3f at{across == 1 ? 0.f : j == 0 ? -x : x, y, z * (2 * share - 1)};
-            if (std::any_of(plan.blocks.begin(), plan.blocks.end(), [&](const Block& b) {
-                    return at.x > b.low.x - 0.1f && at.x < b.high.x + 0.1f && at.z > b.low.y - 0.1f && at.z < b.high.y + 0.1f;
-                }))
-                continue;
-            for (const auto& [radius, low, material] : {std::tuple{0.05f, 0.005f, rim}, std::tuple{0.038f, 0.008f, glow}}) {
-                Mesh disc = shapes::prism(shapes::circle(radius, 20), -low, 0.f, 0.001f);
-                disc.material = material;
-                room.meshes.push_back(shapes::move(disc, at));
-            }
+    const int object = part_object(plan, room, "recessed_lights", {plan.width, 0.008f, plan.depth});
+    for (const Vec3f at : recessed_places(plan))
+        for (const auto& [radius, low, material] : {std::tuple{0.05f, 0.005f, rim}, std::tuple{0.038f, 0.008f, glow}}) {
+            Mesh disc = shapes::prism(shapes::circle(radius, 20), -low, 0.f, 0.001f);
+            disc.material = material;
+            disc.object = object;
+            room.meshes.push_back(shapes::move(disc, at));
         }
 }
 
@@ -199,7 +228,7 @@ void build_trim(const Plan& plan, const Materials& m, Room& room) {
     if (plan.beams) build_beams(plan, room);
     if (plan.coffers) build_coffers(plan, room, m.trim);
     if (plan.tray) build_tray(plan, room, m.ceiling);
-    if (plan.spots) build_spots(plan, room);
+    if (plan.spots) build_recessed_lights(plan, room);
     if (plan.neon) build_neon(plan, room);
 }
 

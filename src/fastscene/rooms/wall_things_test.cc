@@ -37,6 +37,7 @@ float brightest(const Room& room, const std::string& klass) {
             most = std::max(most, luminance(room.materials[static_cast<std::size_t>(m.material)].emission));
     return most;
 }
+Room built(Hung h) { return room_of(h.spec, h.room, {1, nullptr, {}}); }
 Room lit_room(const std::string& text) {
     PromptSpec spec = read(text);
     return make_room(spec, {1, nullptr, {}});
@@ -149,6 +150,49 @@ TEST(WallThings, WhatHangsIsSeen) {
             for (const Placed& other : h.room.placed) EXPECT_FALSE(hides(*plant, other)) << other.piece.klass;
     }
 }
+
+// What hangs from a ceiling of beams hangs from one of them or between two, in none.
+TEST(WallThings, LampsStandInNoBeam) {
+    int below = 0, between = 0;
+    for (const std::string style : {"rustic", "mediterranean", "industrial"})
+        for (const std::string lamp : {"a ceiling lamp", "a pendant lamp", "a chandelier"})
+            for (const std::uint64_t seed : {1u, 2u, 3u}) {
+                const Hung h = hung_room("a " + style + " bedroom with " + lamp, seed);
+                const Plan& plan = h.room.plan;
+                if (!plan.beams || plan.knee > 0) continue;
+                for (const Placed& p : h.room.placed) {
+                    if (!furnishing::lights_from_above(p.piece.klass)) continue;
+                    const bool hangs_from_beam = p.position.y < plan.height - kBeamDepth + 1e-3f;
+                    const float half = p.piece.klass == "ceiling_lamp" ? p.piece.size_m.z / 2 : 0.05f;
+                    for (int i = 0; i < beam_count(plan) && !hangs_from_beam; ++i)
+                        EXPECT_GT(std::abs(p.position.z - beam_z(plan, i)), kBeamWidth / 2 + half) << h.room.plan.style.name << " " << lamp;
+                    ++(hangs_from_beam ? below : between);
+                }
+            }
+    EXPECT_GT(below, 0);
+    EXPECT_GT(between, 0);
+}
+
+// Lights sunk into the ceiling, wherever it has room for them: between beams, in coffers, between slopes; no plate of a lamp beside them.
+TEST(WallThings, RecessedLightsAreInTheCeiling) {
+    int coffers = 0, beams = 0;
+    for (const std::string room : {"a modern kitchen", "a rustic living room", "a classic dining room", "a classic study", "an attic bedroom", "a bathroom"})
+        for (const std::uint64_t seed : {1u, 2u}) {
+            const Hung h = hung_room(room + " with recessed lighting at night", seed);
+            const Plan& plan = h.room.plan;
+            coffers += plan.coffers, beams += plan.beams && !(plan.knee > 0);
+            EXPECT_TRUE(h.all("ceiling_lamp").empty()) << room;
+            const Room shown = built(h);
+            const auto object = std::find_if(shown.objects.begin(), shown.objects.end(), [](const RoomObject& o) { return o.klass == "recessed_lights"; });
+            ASSERT_NE(object, shown.objects.end()) << room;
+            EXPECT_TRUE(object->requested);
+            EXPECT_GT(brightest(shown, "recessed_lights"), 0.f) << room;
+        }
+    EXPECT_GT(coffers, 0);
+    EXPECT_GT(beams, 0);
+    for (const RoomObject& o : built(hung_room("a modern living room without recessed lights")).objects) EXPECT_NE(o.klass, "recessed_lights");
+}
+
 // No cloth hangs before what hangs on the wall.
 TEST(WallThings, CurtainsHangBesideSigns) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
