@@ -16,6 +16,7 @@ namespace fastscene::furnishing {
 bool is_small(std::string_view klass);
 bool lies_on_seats(std::string_view klass);  // small things that need no table
 // What one sits or lies on: nothing is put there by itself.
+bool hangs_over(std::string_view klass);  // whether a lamp above such a piece hangs from the ceiling
 bool is_seat(std::string_view klass);
 // Blinds and shutters: they hang in windows, in all of them.
 bool is_blind(std::string_view klass);

@@ -35,6 +35,10 @@ bool is_seat(std::string_view klass) {
            is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf", "hammock", "chaise_longue", "throne"});
 }
 
+bool hangs_over(std::string_view klass) {
+    return is_seat(klass) || klass.ends_with("table") || is_one_of(klass, {"dining_table_round", "desk", "kitchen_island", "bathtub", "pool_table", "rug", "piano", "grand_piano"});
+}
+
 bool is_blind(std::string_view klass) { return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"}); }
 
 bool lights_from_above(std::string_view klass) {

@@ -91,7 +91,8 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
     int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || is_loft(spec) ? 3 : dice.chance(0.45f) ? 2 : 1;
     if (spec.room == "hallway" && !wish) count = 1;
-    if (!spec.next_room.empty() && !wish) count = std::min(count, 2);  // a wall is left for the doorway
+    const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
+    if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
     const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;

@@ -61,6 +61,14 @@ void add_columns(Plan& plan, int count, Random& dice) {
     }
 }
 
+// Who names a skylight wants a roof above: where nothing speaks against it, the ceiling slopes.
+bool slopes_for_skylight(const PromptSpec& spec) {
+    if (!wish_for(spec, "skylight") || wish_for(spec, "sloped_ceiling", true) || !spec.next_room.empty()) return false;
+    return std::none_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) {
+        return !o.forbidden && is_one_of(o.klass, {"bay_window", "alcove", "doorway", "column", "beams"});
+    });
+}
+
 void report(PromptSpec& spec, const PromptObject& wish, int count, const std::string& why) {
     for (int i = 0; i < count; ++i) spec.not_placed.push_back(wish.words + ": " + why);
 }
@@ -178,7 +186,10 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         if (!wish.forbidden && is_shell(wish.klass)) plan.asked_parts.push_back(wish.klass);
     const Habits& habit = habits_of(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
-    if (decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) && (is_attic(spec) || wish_for(spec, "sloped_ceiling"))) {
+    const bool lit_from_above = slopes_for_skylight(spec);
+    const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) && (is_attic(spec) || wish_for(spec, "sloped_ceiling"));
+    if (lit_from_above && !sloped) spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
+    if (sloped || lit_from_above) {
         constexpr float kNarrowest = 3.4f;  // between two slopes
         plan.width = plan.measured ? std::max(plan.width, kNarrowest) : std::max(plan.width + 0.7f, 4.9f);
         if (!(spec.size_m.y > 0)) plan.height = std::max(plan.height, 2.7f);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -128,6 +129,10 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (a.word->adds.starts_with("color=") && object.color.empty()) object.color = a.word->adds.substr(6);
     } else if (a.is(WordKind::pattern)) {
         take(&PromptObject::pattern, "pattern");
+        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_one_of(a.word->meaning, {"striped", "floral", "damask", "checkered", "plain"});
+        if (!shown) r.tell_near(at, "pattern " + a.word->meaning + whose + ": no paper of ours has it", object.id);
+    } else if (a.is(WordKind::size) && a.words == "open") {
+        r.tell_near(at, "of the " + object.words + ": as such pieces are", object.id);  // rooms are large when they are open, shelves are not
     } else if (a.is(WordKind::size)) {
         if (object.size.empty()) object.size = a.word->meaning == "small" ? "small" : "large";
         r.tell(at, "size " + object.size + whose, object.id);
@@ -139,8 +144,14 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (object.color.empty()) object.color = shade_of(a.words, object), r.tell(at, "color " + object.color + whose, object.id);
         else r.tell_near(at, "the color" + whose + " stays " + object.color, object.id);
     } else if (a.is(WordKind::count)) {
+        // "a dozen red roses" are one bouquet, "two bouquets of roses" are two.
+        const bool flowers = object.klass == "bouquet" && n.word->meaning == "bouquet" &&
+                             !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements", "centerpiece", "centerpieces", "posy", "posies"});
         if (is_article(a) && (a.words == "a" || a.words == "an")) {
             if (!object.counted) object.count = 1;
+        } else if (flowers) {
+            if (!object.counted) object.count = 1;
+            r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
             object.counted = true;
@@ -278,6 +289,15 @@ void name_lounge_chairs(Reading& r) {
         if (o.klass == "chair" && o.material == "rattan" && o.count <= 2 && !o.forbidden) o.klass = "armchair";
 }
 
+// "fifty sofas in a small bathroom": of the room.
+bool leads_to_a_room(const Reading& r, std::size_t at) {
+    for (std::size_t k = at + 1; k < r.m.size(); ++k) {
+        if (r.m[k].is(WordKind::room)) return !r.m[k].negated;
+        if (!modifies(r.m[k]) && !r.m[k].is(WordKind::mood) && !r.m[k].is(WordKind::light) && !is_and(r.m[k])) return false;
+    }
+    return false;
+}
+
 }  // namespace
 
 bool modifies(const Match& m) {
@@ -293,7 +313,7 @@ void bind_adjectives(Reading& r) {
             bind_before(r, i);
         }
     for (std::size_t i = 0; i < r.m.size(); ++i)
-        if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])))
+        if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])) && !leads_to_a_room(r, i))
             if (const auto noun = noun_behind(r, i); noun && (!r.m[*noun].negated || r.m[i].negated)) give(r, i, *noun);
     pass_on_cloth(r);
     name_lounge_chairs(r);

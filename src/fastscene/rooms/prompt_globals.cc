@@ -126,8 +126,14 @@ void read_nuance(Reading& r, std::size_t i) {
         if (r.spec.outlook.empty() || (r.m[i].word->exact && outlook_is_a_guess(r, i))) r.spec.outlook = view;
         if (r.spec.outlook == view && r.m[i].word->exact) r.tell(i, "outlook: " + view);
         else r.tell_near(i, "outlook: " + r.spec.outlook);
-    } else if (what == "outside") r.tell_near(i, "what lies outside");
-    else if (what == "next room") {
+    } else if (what == "outside") {
+        // "overlooking the garden", "facing a forest": the word itself only leads on to what is seen.
+        std::size_t next = i + 1;
+        while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is(WordKind::function)) && !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what)) ++next;
+        const bool leads = next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what && r.m[next].word->adds.starts_with(kView);
+        if (leads) r.tell(i, "what the windows show");
+        else r.tell_near(i, "what lies outside");
+    } else if (what == "next room") {
         const std::string title = "a " + room_title(r.spec.next_room) + " behind a doorway";
         if (r.m[i].word->exact) r.tell(i, title);
         else r.tell_near(i, title);
@@ -243,6 +249,13 @@ void read_globals(Reading& r) {
         if (!word || !word->adds.starts_with(kStyle)) continue;
         r.spec.style = word->adds.substr(kStyle.size());
         r.spec.assumed.push_back("style: " + r.spec.style + ", as " + m.words + " suggests");
+    }
+    // So does what the room is for: "a speakeasy", "a smithy".
+    for (const Match& m : r.m) {
+        const std::string style = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "style") : "";
+        if (style.empty() || !r.spec.style.empty()) continue;
+        r.spec.style = style;
+        r.spec.assumed.push_back("style: " + style + ", as a " + m.words + " suggests");
     }
     // A style that only a piece has is a good guess for its room.
     for (const PromptObject& o : r.spec.objects)

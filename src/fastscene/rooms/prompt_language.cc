@@ -78,9 +78,13 @@ Language read_language(const std::vector<std::string>& tokens) {
     };
     Language best;
     auto most = known({});
+    const auto articles = std::count_if(tokens.begin(), tokens.end(), [](const std::string& t) { return t == "a" || t == "an"; });
+    const std::size_t english = little_words(tokens, {}) + static_cast<std::size_t>(articles);
     for (const Language language : kRead) {
         // A borrowed word or two ("salon", "futon") make no foreign sentence: more must be understood than in English.
-        if (const auto words = known(language); little_words(tokens, language) > 0 && words > most) most = words, best = language;
+        // Nor do they where the little words are English: "a bedrom with a bleu duvet".
+        const std::size_t little = little_words(tokens, language);
+        if (const auto words = known(language); little > 0 && little >= english && words > most) most = words, best = language;
     }
     return best;
 }

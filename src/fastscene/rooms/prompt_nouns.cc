@@ -130,22 +130,34 @@ void mark_negated(Matches& m) {
     }
 }
 
-// "A round marble table": whether an adjective of noun i says that it is round; told as understood then.
+// What "round" is called.
+bool is_round(const std::string& words) {
+    return is_one_of(words, {"round", "circular", "rund", "runde", "runder", "rundes", "runden", "rond", "ronde", "ronds", "rondes", "redondo", "redonda", "redondos", "redondas", "rotondo",
+                             "rotonda", "rotondi", "rotonde", "tondo", "tonda"});
+}
+
+// "A round marble table", "une table ronde": whether an adjective of noun i says that it is round; told as understood then.
 bool take_round(Matches& m, std::size_t i) {
-    for (std::size_t k = i; k-- > 0 && (is_adjective(m[k]) || m[k].is(WordKind::nuance) || m[k].is(WordKind::style));)
-        if (is_one_of(m[k].words, {"round", "circular"})) {
-            m[k].word = Word{WordKind::nuance, "round"};
-            return true;
-        }
+    const auto describes = [](const Match& x) { return is_adjective(x) || x.is(WordKind::nuance) || x.is(WordKind::style); };
+    const auto take = [&](std::size_t k) {
+        if (!is_round(m[k].words)) return false;
+        m[k].word = Word{WordKind::nuance, "round"};
+        return true;
+    };
+    for (std::size_t k = i; k-- > 0 && describes(m[k]);)
+        if (take(k)) return true;
+    for (std::size_t k = i + 1; k < m.size() && describes(m[k]); ++k)
+        if (!is_one_of(m[k].words, {"round", "circular"}) && take(k)) return true;
     return false;
 }
 
 // "A table" is the table one expects in that room.
 void name_tables(Matches& m) {
     std::string room, meaning;
+    bool works = false;  // "a laboratory", "a workshop": one stands at its tables
     for (const Match& x : m)
-        if (x.is(WordKind::room) && room.empty()) room = x.word->meaning;
-    if (room == "dining" || room == "kitchen") meaning = "dining_table";
+        if (x.is(WordKind::room) && room.empty()) room = x.word->meaning, works = room == "study" && !x.word->exact;
+    if (works || room == "dining" || room == "kitchen") meaning = "dining_table";
     if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
     if (room == "kids") meaning = "play_table";
     for (std::size_t i = 0; i < m.size(); ++i) {
@@ -157,7 +169,9 @@ void name_tables(Matches& m) {
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
             chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
         const std::string here = round ? "dining_table_round" : chairs ? "dining_table" : meaning;
-        if (!here.empty()) m[i].word = Word{WordKind::object, here};
+        if (here.empty()) continue;
+        m[i].word = Word{WordKind::object, here};
+        m[i].misspelt_plural = m[i].words == "tables";  // the plural is of another table
     }
 }
 
@@ -182,6 +196,7 @@ void heed_the_room(Matches& m) {
         if (w == "carpet" || w == "carpets") {
             std::size_t k = i;
             while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style))) --k;
+            m[i].misspelt_plural = w == "carpets";  // the plural is of a rug
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
         if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
@@ -235,6 +250,11 @@ void name_likenesses(Matches& m) {
 void name_kinds(Matches& m) {
     name_likenesses(m);
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        // "a fan shaped mirror": no fan is there.
+        if (m[i].is(WordKind::object) && m[i + 1].words == "shaped") m[i].word = Word{WordKind::nuance, "shape"};
+        // "a violin maker's workshop": what is made there says who works there.
+        if (m[i].is(WordKind::object) && m[i + 1].is(WordKind::nuance) && m[i + 1].word->meaning == "owner" && (m[i + 1].words.ends_with("ers") || m[i + 1].words.ends_with("ors") || m[i + 1].words.ends_with("ists")))
+            m[i].word = Word{WordKind::nuance, "owner"};
         // "Barcelona chairs" look out on nothing.
         if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))
             m[i].word = Word{WordKind::nuance, "kind", false};
@@ -286,6 +306,51 @@ void take_added(const Word& word, PromptObject& object) {
     if (key == "color") object.color = value;
     if (key == "size") object.size = value;
     if (key == "pattern") object.pattern = value;
+    if (key == "count") object.count = std::stoi(value), object.counted = true;
+}
+
+// "tulips in a vase": the flowers that stand in the vase of match i, -1: none.
+int held_by(const Reading& r, std::size_t i) {
+    if (!r.m[i].is(WordKind::object) || !is_one_of(r.m[i].word->meaning, {"vase", "vase_small"}) || r.m[i].negated) return -1;
+    std::size_t k = i;
+    while (k > 0 && modifies(r.m[k - 1])) --k;
+    if (k < 2 || !(r.m[k - 1].is_function("in") || r.m[k - 1].is_function("inside")) || !has_object(r.m[k - 2])) return -1;
+    return r.m[k - 2].is(WordKind::object) && r.m[k - 2].word->meaning == "bouquet" ? r.m[k - 2].object : -1;
+}
+
+// "a shop full of clocks, vases and mirrors": of what fills a room there is more than a pair; not "shelves full of books".
+bool fills_the_room(const Reading& r, std::size_t i) {
+    if (!is_one_of(r.m[i].words, {"full of", "filled with", "packed with", "crammed with", "stuffed with", "crowded with", "bursting with", "overflowing with"})) return false;
+    for (std::size_t k = i; k-- > 0 && !r.m[k].comma;)
+        if (has_object(r.m[k])) return false;
+        else if (r.m[k].is(WordKind::room) || r.m[k].is(WordKind::filler)) return true;
+    return false;
+}
+
+// "nothing on the walls", "bare walls", "a bare floor": what rooms have there by themselves is not there.
+void clear_surfaces(Reading& r) {
+    constexpr std::array<std::string_view, 7> kOnWalls{"picture", "mirror", "clock", "picture_ledge", "tapestry", "shelf", "photo_frame"};
+    for (std::size_t i = 0; i + 1 < r.m.size(); ++i) {
+        std::size_t surface = i + 1;
+        const bool nothing = r.m[i].words == "nothing" && r.m[i + 1].is(WordKind::relation) && r.m[i + 1].word->meaning == "on";
+        if (nothing)
+            do ++surface;
+            while (surface < r.m.size() && (r.m[surface].is_function("the") || modifies(r.m[surface])));
+        else if (!is_one_of(r.m[i].words, {"bare", "empty", "blank", "undecorated"}) || r.m[i].negated) continue;
+        if (surface >= r.m.size() || !r.m[surface].is(WordKind::structure)) continue;
+        const std::string& klass = r.m[surface].word->meaning;
+        if (klass != "wall" && klass != "floor") continue;
+        const auto asked = [&](std::string_view what) {
+            return std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == what; });
+        };
+        if (klass == "floor" && !asked("rug")) r.add_object("rug", r.m[i].words).forbidden = true;
+        if (klass == "wall")
+            for (const std::string_view what : kOnWalls)
+                if (!asked(what)) r.add_object(std::string(what), r.m[i].words).forbidden = true;
+        r.tell(i, klass == "wall" ? "nothing hangs on the walls but what is named" : "no rug lies there but what is named");
+        r.m[i].settled = true;
+        if (nothing) r.m[i + 1].word = Word{WordKind::function, ""};
+    }
 }
 
 // "a vase of tulips", "a vase with pink roses": the vase that the flowers of match i stand in, -1: none. It is one thing.
@@ -309,9 +374,23 @@ void settle_double_meanings(Reading& r) {
     name_kinds(r.m);
 }
 
+// "a chapel", "a hat shop": the nearest room of ours has a screen, and that one has none.
+void leave_out(Reading& r) {
+    for (const Match& m : r.m) {
+        const std::string klass = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "without") : "";
+        const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
+        const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) { return x.is(WordKind::object) && is_it(x.word->meaning); });
+        const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return is_it(o.klass); });
+        if (!klass.empty() && !asked && !there) r.add_object(klass, m.words).forbidden = true;
+    }
+}
+
 void find_nouns(Reading& r) {
+    bool fills = false;
+    leave_out(r);
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         Match& m = r.m[i];
+        if (m.is(WordKind::relation) || m.is(WordKind::negation) || m.is(WordKind::function)) fills = fills_the_room(r, i) || (fills && m.is_function("and"));
         if (!m.is(WordKind::object) && !m.is(WordKind::structure)) continue;
         if (is_definite(r.m, i) && m.is(WordKind::object) && !m.negated)
             if (const int before = spoken_of_before(r, i); before >= 0) {
@@ -344,13 +423,20 @@ void find_nouns(Reading& r) {
             m.object = holder;
             continue;
         }
+        if (const int held = held_by(r, i); held >= 0) {
+            m.object = held;
+            r.spec.objects[static_cast<std::size_t>(held)].count = is_plural(m, r.language) ? 2 : 1;
+            continue;
+        }
         PromptObject& object = r.add_object(m.word->meaning, m.words);
         if (object.klass == "window_seat") object.relation = "under", object.relation_to = "window";
         object.forbidden = m.negated;
-        if (is_plural(m, r.language)) object.count = 2;
+        constexpr int kManyFill = 4;
+        if (is_plural(m, r.language)) object.count = fills ? kManyFill : 2;
         take_added(*m.word, object);
         m.object = object.id;
     }
+    clear_surfaces(r);
     // "a lamp on the desk, a desk under the window": the desk is one desk.
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         if (!has_object(r.m[i]) || !r.m[i].is(WordKind::object) || r.m[i].negated || !is_definite(r.m, i)) continue;

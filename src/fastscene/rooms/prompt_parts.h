@@ -1,6 +1,7 @@
 // The workbench of the prompt reader: what the prompt_*.cc files hand to each other.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -111,6 +112,17 @@ void read_scopes(Reading& r);             // "only a bed", "everything is pink"
 void read_themes(Reading& r);             // "a pirate bedroom", "dinosaurs": what the room shows of them
 void read_globals(Reading& r);            // room, style, time … and adjectives that no noun took
 void relate(Reading& r);                  // "under the window"
+
+// "style=art deco;without=tv": what a word adds under this name; "": nothing.
+inline std::string added_by(const Word& word, std::string_view name) {
+    std::string_view left = word.adds;
+    while (!left.empty()) {
+        const std::string_view part = left.substr(0, left.find(';'));
+        if (part.size() > name.size() && part.starts_with(name) && part[name.size()] == '=') return std::string(part.substr(name.size() + 1));
+        left.remove_prefix(std::min(left.size(), part.size() + 1));
+    }
+    return {};
+}
 
 // Whether an adjective or its like may stand between an article and its noun.
 bool modifies(const Match& m);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/prompt_parts.h"
 
@@ -77,6 +78,10 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         return r.tell_near(at, "where: stands at no piece that was named");
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     object.relation = relation;
+    // "a lamp above the table" hangs, "a lamp in the corner" stands on the floor.
+    const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}), at_piece = placed && r.m[target].is(WordKind::object);
+    if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pendant_lamp";
+    if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
     std::string to;
     constexpr int kCorners = 4;
     if (says_every_corner(r.m[at]))
@@ -211,8 +216,22 @@ bool ends_its_phrase(const Reading& r, std::size_t at) {
     return at + 1 == r.m.size() || r.m[at + 1].comma || r.m[at + 1].is_function("and") || r.m[at + 1].is_function("with");
 }
 
+// "on a foggy morning", "on a rainy night": when, not where.
+bool says_when(const Reading& r, std::size_t at) {
+    if (r.m[at].words != "on") return false;
+    bool when = false;
+    std::size_t k = at + 1;
+    for (; k < r.m.size(); ++k) {
+        const Match& m = r.m[k];
+        if (m.is(WordKind::time) || m.is(WordKind::weather)) when = true;
+        else if (!modifies(m) && !m.is(WordKind::light) && !m.is(WordKind::mood) && !m.is_function("the")) break;
+    }
+    return when && (k == r.m.size() || !is_noun(r.m[k]));
+}
+
 void relate_one(Reading& r, std::size_t at) {
-    const std::string relation = r.m[at].word->meaning;
+    std::string relation = r.m[at].word->meaning;
+    if (says_when(r, at)) return;
     if (relation == "both sides") return relate_both_sides(r, at);
     if (relation == "in a row") return relate_row(r, at);
     // "a flat above a shop", "a room next to the park": where the house stands.
@@ -236,6 +255,11 @@ void relate_one(Reading& r, std::size_t at) {
         const auto place = it ? meant_by(r, *subject, false) : target;
         if (place && r.m[*place].is(WordKind::object)) return attach(r, at, *subject, place, "on");
     }
+    // "a throw over the armchair", "a blanket across the bed": it lies there.
+    if (subject && target && is_one_of(r.m[at].words, {"over", "across"}) && furnishing::lies_on_seats(r.object_of(*subject).klass)) relation = "on";
+    // "a washing machine under the dryer": of two alike the other stands on top.
+    if (subject && target && relation == "under" && r.m[*subject].object != r.m[*target].object && r.object_of(*subject).klass == r.object_of(*target).klass)
+        return attach(r, at, *target, subject, "on");
     if (takes_no_target(relation)) {
         const bool inverted = opens_clause(r, at) || !subject;
         if (inverted) subject = noun_after(r, at);

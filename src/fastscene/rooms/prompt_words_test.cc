@@ -69,6 +69,121 @@ TEST(PromptWords, TyposInCompoundsAreRead) {
     EXPECT_EQ(object_of(read("two bed side tables"), "nightstand")->count, 2);
 }
 
+TEST(PromptWords, ABorrowedWordMakesNoForeignSentence) {
+    const PromptSpec spec = read("bedrom with a bleu duvet, whitte wardobe and a wodden floor");
+    EXPECT_EQ(spec.language, "");
+    EXPECT_EQ(spec.room, "bedroom");
+    ASSERT_TRUE(object_of(spec, "wardrobe"));
+    EXPECT_EQ(object_of(spec, "wardrobe")->color, "white");
+    EXPECT_TRUE(spec.words_with(PromptWord::Fate::not_understood).empty());
+    EXPECT_EQ(read("une petite cuisine avec une table ronde").language, "fr");
+    EXPECT_EQ(read("un letto a castello con una coperta rossa").language, "it");
+}
+
+TEST(PromptWords, RoundIsRoundInEveryLanguageThatIsRead) {
+    for (const char* text : {"a kitchen with a round table", "une cuisine avec une table ronde", "una cocina con una mesa redonda", "eine Kueche mit einem runden Tisch"})
+        EXPECT_TRUE(object_of(read(text), "dining_table_round")) << text;
+}
+
+TEST(PromptWords, TheLastWordOfATermBelongsToThePieceBehind) {
+    for (const auto& [text, klass] : {std::pair{"hanging pendant lights", "pendant_lamp"}, {"a dark wood floor lamp", "floor_lamp"}, {"a standing desk lamp", "table_lamp"}})
+        EXPECT_TRUE(object_of(read(text), klass)) << text;
+    EXPECT_GT(object_of(read("a bakery with hanging pendant lights"), "pendant_lamp")->count, 1);
+    EXPECT_EQ(read("a home office chair").room, "study");
+    EXPECT_TRUE(object_of(read("a corner sofa by a coffee table"), "coffee_table"));
+}
+
+TEST(PromptWords, WhatIsMadeThereSaysWhoWorksThere) {
+    for (const char* text : {"a violin maker's workshop", "a piano tuner's study", "a clock collector's bedroom"}) {
+        const PromptSpec spec = read(text);
+        EXPECT_TRUE(spec.objects.empty()) << text;
+        EXPECT_FALSE(spec.room.empty()) << text;
+    }
+}
+
+TEST(PromptWords, AnAdjectiveRightBeforeTheRoomIsTheRooms) {
+    const PromptSpec spec = read("two sofas in a small living room");
+    EXPECT_EQ(spec.size, "small");
+    EXPECT_EQ(object_of(spec, "sofa")->size, "");
+    const PromptSpec painted = read("a bed in a green bedroom");
+    EXPECT_EQ(painted.colors, std::vector<std::string>{"green"});
+    EXPECT_EQ(object_of(painted, "bed")->color, "");
+    EXPECT_EQ(object_of(read("a sofa in green"), "sofa")->color, "green");
+}
+
+TEST(PromptWords, FlowersInAVaseAreOnePieceHoweverMany) {
+    for (const char* text : {"tulips in a vase", "a dozen red roses in a blue vase", "ten roses in a glass vase on a table"}) {
+        const PromptSpec spec = read(text);
+        ASSERT_TRUE(object_of(spec, "bouquet")) << text;
+        EXPECT_EQ(object_of(spec, "bouquet")->count, 1) << text;
+        EXPECT_FALSE(object_of(spec, "vase")) << text;
+    }
+    const PromptSpec spec = read("a dozen red roses in a blue vase");
+    EXPECT_EQ(object_of(spec, "bouquet")->color, "red");
+    EXPECT_EQ(object_of(spec, "bouquet")->holder_color, "blue");
+    EXPECT_EQ(object_of(read("two bouquets of roses"), "bouquet")->count, 2);
+}
+
+TEST(PromptWords, NothingOnTheWallsIsHeeded) {
+    for (const char* text : {"a study with one desk, one lamp, nothing on the walls", "one desk one lamp nothing on the walls", "a living room with bare walls"}) {
+        const Furnished f = furnished(text);
+        for (const Placed& p : f.room.placed) EXPECT_TRUE(p.piece.klass != "picture" && p.piece.klass != "mirror" && p.piece.klass != "clock") << text << ": " << p.piece.klass;
+    }
+    EXPECT_EQ(object_of(read("one lamp nothing on the walls"), "table_lamp")->relation, "");
+    const PromptSpec clock = read("a kitchen with a clock and nothing else on the walls");
+    EXPECT_TRUE(object_of(clock, "clock"));
+}
+
+TEST(PromptWords, WhatARoomIsForSaysWhatItLooksLikeAndWhatItHasNot) {
+    for (const std::uint64_t seed : {0u, 1u})
+        for (const char* text : {"an antique shop", "a meditation room", "a chapel with candles", "a white gallery space"}) {
+            const Furnished f = furnished(text, seed);
+            for (const Placed& p : f.room.placed) EXPECT_NE(p.piece.klass, "tv") << text;
+        }
+    EXPECT_EQ(read("a speakeasy").style, "art deco");
+    EXPECT_EQ(read("a scandinavian speakeasy").style, "scandinavian");
+    EXPECT_TRUE(object_of(read("a hat shop with a tv"), "tv"));
+    EXPECT_EQ(object_of(read("a laboratory with three steel tables"), "dining_table")->count, 3);
+    EXPECT_EQ(object_of(read("a restaurant with tables"), "dining_table")->count, 2);
+}
+
+TEST(PromptWords, ALampHangsOrStandsAsItsPlaceAsks) {
+    EXPECT_TRUE(object_of(read("a dining room with a lamp above the table"), "pendant_lamp"));
+    EXPECT_TRUE(object_of(read("a living room with a lamp in the corner"), "floor_lamp"));
+    EXPECT_TRUE(object_of(read("a lamp on the desk"), "table_lamp"));
+    EXPECT_FALSE(object_of(read("a bathroom with a fan shaped mirror"), "ceiling_lamp"));
+    EXPECT_EQ(object_of(read("a study with green walls"), "wall")->color, "green");
+    EXPECT_EQ(object_of(read("a cat naps on the armchair"), "cat")->relation, "on");
+    EXPECT_EQ(object_of(read("a kitchen with open shelves"), "shelf")->size, "");
+}
+
+TEST(PromptWords, OfWhatFillsARoomThereIsMoreThanAPair) {
+    const PromptSpec shop = read("an antique shop full of clocks, vases and mirrors");
+    for (const char* klass : {"clock", "vase", "mirror"}) EXPECT_GT(object_of(shop, klass)->count, 2) << klass;
+    EXPECT_EQ(object_of(read("a study with shelves full of books and plants"), "book_stack")->count, 2);
+    EXPECT_GT(object_of(read("a living room with a gallery wall"), "picture")->count, 3);
+}
+
+TEST(PromptWords, AThrowOverAChairLiesOnIt) {
+    for (const char* text : {"a throw over the armchair", "a knitted blanket thrown over an armchair", "a throw across the sofa"}) EXPECT_EQ(object_of(read(text), "throw")->relation, "on") << text;
+    EXPECT_EQ(object_of(read("a lamp over the table"), "pendant_lamp") ? object_of(read("a pendant lamp over the table"), "pendant_lamp")->relation : "above", "above");
+    const PromptSpec stacked = read("a washing machine under the dryer");
+    EXPECT_TRUE(std::any_of(stacked.objects.begin(), stacked.objects.end(), [](const PromptObject& o) { return o.words == "dryer" && o.relation == "on"; }));
+    EXPECT_EQ(told(read("a sofa on a foggy morning"), "on"), "");
+}
+
+TEST(PromptWords, ASkylightGetsItsSlopeAndAnArchwayItsWall) {
+    for (const std::uint64_t seed : {0u, 1u, 2u}) {
+        for (const char* text : {"a cat on a grey sofa beneath a large skylight", "a bathroom with a skylight"}) {
+            const Furnished sky = furnished(text, seed);
+            EXPECT_FALSE(sky.room.plan.skylights.empty()) << text;
+            for (const std::string& line : sky.spec.not_placed) EXPECT_FALSE(line.starts_with("skylight")) << line;
+        }
+        const Furnished arch = furnished("a loft apartment with an archway", seed);
+        EXPECT_TRUE(std::any_of(arch.room.plan.openings.begin(), arch.room.plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::doorway; }));
+    }
+}
+
 TEST(PromptWords, WordsOfTheirOwnAreNoTypos) {
     for (const char* word : {"whale", "mouse", "chain", "lives"}) {
         const PromptSpec spec = read(std::string("a room with a ") + word);
