@@ -13,7 +13,8 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/rooms/rooms.h"
-#include "fastscene/walk/planes.h"
+#include "fastscene/walk/coarse_view.h"
+#include "fastscene/walk/plane_picture.h"
 #include "fastscene/walk/walk.h"
 
 namespace fastscene {
@@ -106,6 +107,16 @@ int plane_at(Vec3f p, const std::vector<ScenePlane>& planes, Vec3f from) {
     return best;
 }
 
+// What the walk looks hidden surfaces up in, head on.
+void save_plane_pictures(const std::filesystem::path& folder, const Panorama& first, const std::vector<ScenePlane>& planes, const WalkParams& walk, const Run& run) {
+    const Image<std::int16_t> label = label_planes(first.range, planes);
+    const WarpSource source = make_warp_source(first.color, first.range, label, {}, {});
+    const auto inpainter = make_inpainter(walk.inpainter, walk.inpaint_weights);
+    const std::vector<PlanePicture> pictures = paint_planes(source.color, first.range, label, source.cuts, planes, *inpainter, run);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        if (!pictures[i].empty()) save_png(folder / fmt::format("plane-{:02}.png", i), srgb8_from_linear(pictures[i].color));
+}
+
 double cpu_seconds() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
@@ -126,7 +137,7 @@ int run(int argc, char** argv) {
     walk.viewpoints = 8;
     app.add_option("prompt", text, "The room.")->required();
     app.add_option("--keep", keep, "Folder of the traced pictures.")->required();
-    app.add_option("--pictures", pictures, "Folder for the walked panoramas, and where and how far they are wrong.");
+    app.add_option("--pictures", pictures, "Folder for the walked panoramas, where and how far they are wrong, and the planes' pictures.");
     app.add_option("--seed", seed, "")->capture_default_str();
     app.add_option("--viewpoints", walk.viewpoints, "")->capture_default_str();
     app.add_option("--inpainter", walk.inpainter, "")->capture_default_str();
@@ -136,13 +147,17 @@ int run(int argc, char** argv) {
     set_threads(threads);
     const Run how{seed, nullptr, {}};
     const Kept kept = true_views(keep, text, panorama, walk, how);
+    const std::vector<ScenePlane> planes = find_planes(kept.first.range, seed);
+    if (!pictures.empty()) {
+        make_directories(pictures);
+        save_plane_pictures(pictures, panorama_of(kept.first), planes, walk, how);
+    }
     const double before = cpu_seconds();
     const std::vector<Panorama> walked = walk_through(panorama_of(kept.first), walk, how).panoramas;
     const double seconds = cpu_seconds() - before;
     if (walked.size() != kept.views.size() + 1) throw Error("{}: expected {} views, found {}", keep, walked.size() - 1, kept.views.size());
     Mean all, unseen;
     std::map<std::string, double> errors, pairs;
-    const std::vector<ScenePlane> planes = find_planes(kept.first.range, seed);
     for (std::size_t k = 1; k < walked.size(); ++k) {
         const TrueView& truth = kept.views[k - 1];
         const ImageRgb8 ours = srgb8_from_linear(walked[k].color);
@@ -175,7 +190,6 @@ int run(int argc, char** argv) {
                         square(ours.at(x, y), truth.color.at(x, y)) * pixel_solid_angle(y, size);
                 }
         if (pictures.empty()) continue;
-        make_directories(pictures);
         const auto name = [&](const char* what) { return std::filesystem::path(pictures) / fmt::format("{:03}-{}.png", k, what); };
         save_png(name("walked"), ours);
         save_png(name("wrong"), wrong);
