@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/range_edges.h"
 #include "fastscene/geometry/reproject.h"
+#include "fastscene/walk/repeats.h"
 
 namespace fastscene {
 namespace {
@@ -51,9 +53,9 @@ Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes
     return beside || behind > plane_tolerance(far) ? Place::empty : Place::hidden;
 }
 
-// Metres from each place to the nearest one seen, on ways that cross nothing empty (infinite where there is none): rounds of equal
+// Metres from each place to the nearest one that is `goal`, on ways that cross nothing `barred` (infinite where there is none): rounds of equal
 // distance, steps of 3 and, across, of 4 thirds of a pixel (Borgefors 1986).
-ImageF distance_to_seen(const Image<Place>& places, float metres_per_pixel) {
+ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixel, std::optional<Place> barred = {}) {
     constexpr int kStraight = 3, kDiagonal = 4;
     constexpr int kNever = std::numeric_limits<int>::max();
     Image<int> least(places.width, places.height, kNever);
@@ -61,14 +63,14 @@ ImageF distance_to_seen(const Image<Place>& places, float metres_per_pixel) {
     std::size_t waiting = 0;
     for (int y = 0; y < places.height; ++y)
         for (int x = 0; x < places.width; ++x)
-            if (places.at(x, y) == Place::seen) least.at(x, y) = 0, rounds[0].push_back({x, y}), ++waiting;
+            if (places.at(x, y) == goal) least.at(x, y) = 0, rounds[0].push_back({x, y}), ++waiting;
     for (int distance = 0; waiting > 0; ++distance) {
         auto& now = rounds[static_cast<std::size_t>(distance % (kDiagonal + 1))];
         for (const auto& [x, y] : now)
             for (int j = std::max(0, y - 1); least.at(x, y) == distance && j <= std::min(places.height - 1, y + 1); ++j)
                 for (int i = std::max(0, x - 1); i <= std::min(places.width - 1, x + 1); ++i) {
                     const int further = distance + (i != x && j != y ? kDiagonal : kStraight);
-                    if (further >= least.at(i, j) || places.at(i, j) == Place::empty) continue;
+                    if (further >= least.at(i, j) || places.at(i, j) == barred) continue;
                     least.at(i, j) = further;
                     rounds[static_cast<std::size_t>(further % (kDiagonal + 1))].push_back({i, j});
                     ++waiting;
@@ -83,10 +85,12 @@ ImageF distance_to_seen(const Image<Place>& places, float metres_per_pixel) {
 }
 
 // Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between places seen that
-// are not far apart, but never across a place where panorama 0 looked past it.
+// are not far apart, but never across a place where panorama 0 looked past it, and not to where such a place is nearer than one that was seen:
+// what hides the edge of a seat hides the air beyond it too.
 ImageMask face_of(const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
     const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
     ImageMask face(places.width, places.height);
+    const ImageF empty_m = distance_to(Place::empty, places, metres_per_pixel);
     for (std::size_t i = 0; i < face.size(); ++i) face.pixels[i] = unseen_m.pixels[i] <= kMargin_m;
     const auto bridge = [&](int count, auto&& place, auto&& mark) {   // one line
         for (int i = 0, last = -1; i < count; ++i) {
@@ -101,6 +105,8 @@ ImageMask face_of(const Image<Place>& places, const ImageF& unseen_m, float metr
         bridge(places.width, [&](int x) { return places.at(x, y); }, [&](int x) { face.at(x, y) = 1; });
     for (int x = 0; x < places.width; ++x)
         bridge(places.height, [&](int y) { return places.at(x, y); }, [&](int y) { face.at(x, y) = 1; });
+    for (std::size_t i = 0; i < face.size(); ++i)
+        if (empty_m.pixels[i] < unseen_m.pixels[i]) face.pixels[i] = 0;
     return face;
 }
 
@@ -155,8 +161,11 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
                 any = true;
             }
         if (!any) picture.color = {};
-        else picture.color = inpainter.fill(picture.color, hole, run);
-        if (any) picture.unseen_m = distance_to_seen(places, picture.metres_per_pixel);
+        else {
+            fill_from_repeats(picture.color, hole, picture.metres_per_pixel);
+            picture.color = inpainter.fill(picture.color, hole, run);
+        }
+        if (any) picture.unseen_m = distance_to(Place::seen, places, picture.metres_per_pixel, Place::empty);
         if (any && !picture.plane.hull) picture.face = face_of(places, picture.unseen_m, picture.metres_per_pixel);
         if (any && picture.plane.hull)
             picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);

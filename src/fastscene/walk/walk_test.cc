@@ -7,12 +7,14 @@
 #include <limits>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/scene/synthetic.h"
 #include "fastscene/walk/coarse_view.h"
 #include "fastscene/walk/openings.h"
+#include "fastscene/walk/repeats.h"
 
 namespace fastscene {
 namespace {
@@ -272,6 +274,89 @@ TEST(Walk, AFaceDoesNotGoOnBeyondAGapThatWasLookedThrough) {
     const WallPainted painted = invented_wall(world, wall, 0.8f);
     EXPECT_GT(painted.all, 60);
     EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
+}
+
+// A bench with a tall side, which hides the air beyond it as it would hide more bench: there the bench ends.
+TEST(Walk, ASeatEndsWhereItIsNoLongerSeen) {
+    SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
+    const Vec3f seat{0.5f, 0.05f, 0.05f};
+    world.boxes = {{{0.1f, 0.5f, 1.f}, {0.75f, 0.55f, 1.3f}, seat, SyntheticPaint::plain},
+                   {{0.7f, 0.1f, 1.f}, {0.75f, 0.5f, 1.3f}, {0.05f, 0.1f, 0.3f}, SyntheticPaint::plain}};
+    WalkParams params;
+    params.viewpoints = 8;
+    params.inpainter = "harmonic";
+    params.reach_m = 1.5f;
+    int all = 0, bench = 0;
+    for (const Panorama& panorama : walk_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
+        const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
+        const ImageMask edges = near_edges(truth.range, 2);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (edges.pixels[i] || panorama.known.pixels[i] == Known::original || length(truth.color.pixels[i] - seat) < 0.1f) continue;
+            ++all;
+            bench += length(panorama.color.pixels[i] - seat) < 0.1f;
+        }
+    }
+    std::printf("%d pixels, %d of them bench\n", all, bench);
+    EXPECT_GT(all, 100);
+    EXPECT_LE(bench, all / 400);
+}
+
+// A rug, woven alike on both halves and nowhere else, on a floor; `grain`: of both, as in a photograph. 1 cm a pixel.
+ImageColor picture_of_rug(float grain) {
+    ImageColor out(320, 240);
+    Random random(1, "walk/test-rug");
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const float a = 0.3f, px = 0.01f * static_cast<float>(x) - 1.6f, py = 0.01f * static_cast<float>(y) - 1.2f;
+            const float u = std::fabs(std::cos(a) * px + std::sin(a) * py), v = std::cos(a) * py - std::sin(a) * px;
+            const bool rug = u < 1 && std::fabs(v) < 0.6f, rim = u > 0.9f || std::fabs(v) > 0.5f;
+            const bool dark = std::sin(18 * u + 9 * u * u) + std::sin(14 * v + 5 * v * v + 2 * u) > 0.3f;
+            const Vec3f c = !rug ? Vec3f{0.3f, 0.2f, 0.1f} : rim ? Vec3f{0.6f, 0.1f, 0.05f} : dark ? Vec3f{0.05f, 0.1f, 0.3f} : Vec3f{0.8f, 0.75f, 0.6f};
+            out.at(x, y) = c + Vec3f{1, 1, 1} * (grain * (random.uniform() - 0.5f));
+        }
+    return out;
+}
+
+TEST(Repeats, ARugsHiddenEndIsTheMirrorImageOfItsOther) {
+    const ImageColor truth = picture_of_rug(0.05f);
+    ImageColor color = truth;
+    ImageMask hole(truth.width, truth.height);
+    for (int y = 0; y < hole.height; ++y)
+        for (int x = 0; x < hole.width; ++x)
+            if (std::hypot(static_cast<float>(x - 240), static_cast<float>(y - 150)) < 45) hole.at(x, y) = 1, color.at(x, y) = {};
+    const ImageMask before = hole;
+    const ImageColor smooth = make_inpainter("harmonic")->fill(color, hole, {});
+    fill_from_repeats(color, hole, 0.01f);
+    double ours = 0, theirs = 0;
+    int all = 0, left = 0;
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+        if (!before.pixels[i]) {
+            ASSERT_FALSE(hole.pixels[i]);
+            ASSERT_EQ(color.pixels[i], truth.pixels[i]);
+            continue;
+        }
+        ++all, left += hole.pixels[i] != 0;
+        if (hole.pixels[i]) continue;
+        const Vec3f a = color.pixels[i] - truth.pixels[i], b = smooth.pixels[i] - truth.pixels[i];
+        ours += static_cast<double>(dot(a, a)), theirs += static_cast<double>(dot(b, b));
+    }
+    std::printf("%d of %d pixels left, error %.2f of the smoothest fill's\n", left, all, ours / theirs);
+    EXPECT_LE(left, all / 4);
+    EXPECT_LT(ours, 0.3 * theirs);
+}
+
+TEST(Repeats, WhatHasNoPatternIsLeft) {
+    for (const float grain : {0.f, 0.05f, 0.8f}) {   // a plain floor, its grain, and gravel
+        ImageColor color(200, 200);
+        Random random(2, "walk/test-gravel");
+        for (Vec3f& c : color.pixels) c = Vec3f{0.5f, 0.4f, 0.3f} + Vec3f{1, 1, 1} * (grain * (random.uniform() - 0.5f));
+        ImageMask hole(200, 200);
+        for (int y = 70; y < 130; ++y)
+            for (int x = 70; x < 130; ++x) hole.at(x, y) = 1;
+        const ImageMask before = hole;
+        fill_from_repeats(color, hole, 0.01f);
+        EXPECT_EQ(hole, before) << grain;
+    }
 }
 
 // A box room whose far wall (0.25 m thick, with a bar across) has a window; outside, the color is the direction's.
