@@ -86,11 +86,10 @@ ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixe
 
 // Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between places seen that
 // are not far apart, but never across a place where panorama 0 looked past it, and not to where such a place is nearer than one that was seen:
-// what hides the edge of a seat hides the air beyond it too.
-ImageMask face_of(const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
+// what hides the edge of a seat hides the air beyond it too. Only what lies on a wall goes on there: frames are slender, panes are looked through.
+ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
     const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
     ImageMask face(places.width, places.height);
-    const ImageF empty_m = distance_to(Place::empty, places, metres_per_pixel);
     for (std::size_t i = 0; i < face.size(); ++i) face.pixels[i] = unseen_m.pixels[i] <= kMargin_m;
     const auto bridge = [&](int count, auto&& place, auto&& mark) {   // one line
         for (int i = 0, last = -1; i < count; ++i) {
@@ -105,6 +104,8 @@ ImageMask face_of(const Image<Place>& places, const ImageF& unseen_m, float metr
         bridge(places.width, [&](int x) { return places.at(x, y); }, [&](int x) { face.at(x, y) = 1; });
     for (int x = 0; x < places.width; ++x)
         bridge(places.height, [&](int y) { return places.at(x, y); }, [&](int y) { face.at(x, y) = 1; });
+    if (plane.on_hull) return face;
+    const ImageF empty_m = distance_to(Place::empty, places, metres_per_pixel);
     for (std::size_t i = 0; i < face.size(); ++i)
         if (empty_m.pixels[i] < unseen_m.pixels[i]) face.pixels[i] = 0;
     return face;
@@ -166,7 +167,7 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
             picture.color = inpainter.fill(picture.color, hole, run);
         }
         if (any) picture.unseen_m = distance_to(Place::seen, places, picture.metres_per_pixel, Place::empty);
-        if (any && !picture.plane.hull) picture.face = face_of(places, picture.unseen_m, picture.metres_per_pixel);
+        if (any && !picture.plane.hull) picture.face = face_of(picture.plane, places, picture.unseen_m, picture.metres_per_pixel);
         if (any && picture.plane.hull)
             picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
         pictures[index] = std::move(picture);
