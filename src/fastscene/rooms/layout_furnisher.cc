@@ -169,9 +169,7 @@ void Furnisher::finish() {
     const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
     const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return is_blind(a.wish->klass); });
     if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished()) l_.at_windows(l_.request("curtain"));
-    const std::vector<std::string>& parts = l_.plan().asked_parts;
-    const bool recessed = std::find(parts.begin(), parts.end(), "recessed_lights") != parts.end();
-    if (!recessed && std::none_of(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
+    if (!l_.plan().asked("recessed_lights") && std::none_of(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
         put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
             return l_.hanging(r, {0, 0.2f}, o);

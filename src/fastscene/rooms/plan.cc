@@ -69,7 +69,6 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
             window.y0 = spec.room == "bathroom" ? 1.25f : 0.9f;
             window.y1 = std::min(plan.height - 0.25f, 2.2f);
             window.requested = wish != nullptr;
-            if (wish) window.color = wish->color;
             plan.openings.push_back(window);
         }
         return true;
@@ -131,7 +130,6 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
             }
         }
         window.requested = wish != nullptr;
-        if (wish) window.color = wish->color;
         plan.openings.push_back(window);
     }
 }
@@ -143,7 +141,6 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     door.wall = 2;
     const PromptObject* wish = wish_for(spec, "door");
     door.requested = wish != nullptr;
-    if (wish) door.color = wish->color;
     const auto [low, high] = plan.free_span(2, 2.1f);
     for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
     const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.wall == 2; });

@@ -34,7 +34,6 @@ struct Opening {
     int wall = 0;
     float u0 = 0, u1 = 0, y0 = 0, y1 = 0;
     bool requested = false;
-    std::string color;
 };
 
 // The inner face of a wall.
@@ -80,7 +79,7 @@ struct Plan {
     bool bay = false;          // the recess of the far wall is all window
     bool panelling = false;    // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;
-    std::vector<std::string> asked_parts;   // classes of is_shell that the prompt asks for
+    std::vector<PromptObject> asked_parts;   // what of is_shell the prompt asks for
     // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0 = flat.
     float knee = 0, slope_run = 0;
     std::vector<Skylight> skylights;
@@ -88,6 +87,8 @@ struct Plan {
     bool joined = false;                   // this is such a next room: its near wall (2) is built by the other
 
     WallFace wall(int i) const;
+    // What the prompt says of a part of the shell, or nothing.
+    const PromptObject* asked(std::string_view klass) const;
     // All pieces of wall where things may stand or hang, sides of blocks too.
     std::vector<WallFace> faces() const;
     float ceiling_at(Vec2f point) const;

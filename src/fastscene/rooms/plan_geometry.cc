@@ -71,6 +71,11 @@ std::vector<WallFace> Plan::faces() const {
     return out;
 }
 
+const PromptObject* Plan::asked(std::string_view klass) const {
+    const auto found = std::find_if(asked_parts.begin(), asked_parts.end(), [&](const PromptObject& o) { return o.klass == klass; });
+    return found != asked_parts.end() ? &*found : nullptr;
+}
+
 float Plan::ceiling_at(Vec2f p) const {
     if (!(knee > 0)) return height;
     return std::min(height, knee + std::max(0.f, width / 2 - std::abs(p.x)) * (height - knee) / slope_run);

@@ -1,4 +1,4 @@
-// Steps of make_plan. Private to rooms/plan*.cc.
+// Steps of make_plan. Private to rooms/plan*.cc; apply_wish also to the shell.
 #pragma once
 
 #include <algorithm>

@@ -142,6 +142,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.joined = true;
         p.height = plan.height;
         p.beams = plan.beams;
+        if (const PromptObject* beams = plan.asked("beams")) p.asked_parts = {*beams};
         p.width = std::min(face.length, dice.uniform(3.6f, 4.4f) - (wet ? 1.f : 0.f));
         p.depth = dice.uniform(3.4f, 4.2f) - (wet ? 0.6f : 0.f);
         p.accent = dice.chance(0.5f);
@@ -169,7 +170,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
                                   wet                       ? 1.25f
                                   : next->type == "kitchen" ? 1.05f
                                                             : 0.85f,
-                                  std::min(p.height - 0.25f, 2.25f), false, ""});
+                                  std::min(p.height - 0.25f, 2.25f), false});
         }
         plan.openings.push_back(o);
         plan.next = std::move(next);
@@ -183,7 +184,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
 
 void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     for (const PromptObject& wish : spec.objects)
-        if (!wish.forbidden && is_shell(wish.klass)) plan.asked_parts.push_back(wish.klass);
+        if (!wish.forbidden && is_shell(wish.klass)) plan.asked_parts.push_back(wish);
     const Habits& habit = habits_of(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
     const bool lit_from_above = slopes_for_skylight(spec);

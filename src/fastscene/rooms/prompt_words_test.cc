@@ -678,5 +678,25 @@ TEST(PromptWords, BlanketsLieOnSeats) {
     }
 }
 
+// "Velvet couch" is a term of its own and must not forget its velvet. What is made of that anyway need not say it.
+TEST(PromptWords, TermsThatNameTheirMaterialKeepIt) {
+    const std::vector<std::string> born_so{"barrel", "basket", "crate", "trunk", "rug", "beams", "chandelier", "moulding", "vase", "shower", "lantern", "tapestry", "curtain", "throw"};
+    const std::vector<std::string> not_of_it{"linen cupboard", "rubber plant", "rubber tree"};
+    int kept = 0;
+    for (const std::string& term : lexicon_terms()) {
+        const auto space = term.find(' ');
+        const auto word = look_up(term);
+        if (space == std::string::npos || !word || !word->exact || (word->kind != WordKind::object && word->kind != WordKind::structure)) continue;
+        const auto material = look_up(term.substr(0, space)), noun = look_up(term.substr(space + 1));
+        if (!material || material->kind != WordKind::material || !noun || noun->meaning != word->meaning) continue;
+        if (std::find(born_so.begin(), born_so.end(), word->meaning) != born_so.end() || std::find(not_of_it.begin(), not_of_it.end(), term) != not_of_it.end()) continue;
+        EXPECT_TRUE(word->adds.starts_with("material=")) << term;
+        ++kept;
+    }
+    EXPECT_GT(kept, 10);
+    EXPECT_EQ(read("a study with a glass desk").objects.front().material, "glass");
+    EXPECT_EQ(read("a modern hallway with a wooden door").objects.front().material, "wood");
+}
+
 }  // namespace
 }  // namespace fastscene

@@ -1,3 +1,5 @@
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/shell_kit.h"
 
 namespace fastscene {
@@ -57,6 +59,18 @@ void merge(Room& room, Room part, const Rigid& room_from_part) {
 }  // namespace
 
 namespace shell {
+
+Material as_asked(const Plan& plan, std::string_view klass, Material usual) {
+    const PromptObject* asked = plan.asked(klass);
+    if (!asked) return usual;
+    PromptObject wish = *asked;
+    // Just "wooden" is the room's own wood. What is built of steel is not polished, and of a glass door or window it is the pane.
+    if (wish.material == "wood" && usual.pattern != Pattern::wood) usual = plan.style.wood;
+    if (is_one_of(wish.material, {"wood", "glass"})) wish.material.clear();
+    if (is_one_of(wish.material, {"steel", "metal", "chrome", "aluminium"})) wish.material = "iron";
+    apply_wish(usual, wish);
+    return usual;
+}
 
 std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1, float margin) {
     std::vector<std::pair<float, float>> taken, out;

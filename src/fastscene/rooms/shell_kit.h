@@ -37,6 +37,9 @@ inline int add_material(Room& room, Material m) {
     return static_cast<int>(room.materials.size()) - 1;
 }
 
+// The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
+Material as_asked(const Plan& plan, std::string_view klass, Material usual);
+
 inline constexpr float kCasing = 0.08f;   // width of the frame about doors and windows
 
 // The parts of a face that no opening of these kinds takes between heights y0 and y1, with `margin` beside openings.

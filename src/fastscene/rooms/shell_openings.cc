@@ -7,19 +7,14 @@
 namespace fastscene::shell {
 namespace {
 
-Material painted(Material base, const std::string& color) {
-    if (const auto c = color.empty() ? std::nullopt : color_named(color)) base.color_a = base.color_b = base.color_c = *c;
-    return base;
-}
-
 // Object frame of a thing on a wall: x along (to the left as seen from inside, so that the frame is right-handed), y up, z inward.
 Rigid on_wall(const WallFace& face, Vec3f base) { return {Mat3f::from_columns(-face.along, {0, 1, 0}, face.inward), base}; }
 
-int add_object(Room& room, const char* klass, const Opening& o, const WallFace& face, float depth) {
+int add_object(const Plan& plan, Room& room, const char* klass, const Opening& o, const WallFace& face, float depth) {
     RoomObject object;
     object.klass = klass;
-    object.name = o.color.empty() ? klass : o.color + " " + klass;
-    object.color = o.color;
+    if (const PromptObject* wish = plan.asked(klass)) object.color = wish->color;
+    object.name = object.color.empty() ? klass : object.color + " " + klass;
     object.world_from_object = on_wall(face, face.point((o.u0 + o.u1) / 2, o.y0));
     object.size_m = {o.u1 - o.u0, o.y1 - o.y0, depth};
     object.source = "built-in";
@@ -35,8 +30,8 @@ void add_portal(Room& room, Vec3f corner, Vec3f u, Vec3f v, Vec3f inward) {
 void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(room, "window", o, face, kWallThickness);
-    const int frame = o.color.empty() ? trim : add_material(room, painted(plan.style.trim, o.color));
+    const int object = add_object(plan, room, "window", o, face, kWallThickness);
+    const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;
     wall.box(o.u0, o.u0 + bar, o.y0, o.y1, w0, w1, frame, object);
@@ -68,9 +63,9 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
 void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& dice) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(room, "door", o, face, 0.05f);
-    Material leaf = painted(dice.chance(0.5f) ? plan.style.trim : plan.style.wood, o.color);
-    const int door = add_material(room, leaf), metal = add_material(room, plan.style.metal);
+    const int object = add_object(plan, room, "door", o, face, 0.05f);
+    const Material leaf = dice.chance(0.5f) ? plan.style.trim : plan.style.wood;
+    const int door = add_material(room, as_asked(plan, "door", leaf)), metal = add_material(room, plan.style.metal);
     wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
     // Two panels stand proud of the leaf.
     const float inset = 0.13f, middle = 0.95f;
@@ -88,7 +83,7 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
 void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(room, "doorway", o, face, kWallThickness);
+    const int object = add_object(plan, room, "doorway", o, face, kWallThickness);
     constexpr float kJamb = 0.02f, kProud = 0.02f;
     for (const auto& [w0, w1] : {std::pair{0.f, kProud}, std::pair{-kWallThickness - kProud, -kWallThickness}}) {
         wall.box(o.u0 - kCasing, o.u0 + kJamb, 0, o.y1 + kCasing, w0, w1, trim, object);

@@ -21,11 +21,14 @@ void build_skirting(const Plan& plan, const WallFace& face, Room& room, int trim
 
 // Parts of the shell that a prompt may ask for are objects of the room, so that they can be found in it.
 int part_object(const Plan& plan, Room& room, const char* klass, Vec3f size) {
+    const PromptObject* wish = plan.asked(klass);
     RoomObject object;
-    object.klass = object.name = klass;
+    object.klass = klass;
+    object.color = wish ? wish->color : "";
+    object.name = object.color.empty() ? klass : object.color + " " + klass;
     object.source = "built-in";
     object.size_m = size;
-    object.requested = std::find(plan.asked_parts.begin(), plan.asked_parts.end(), klass) != plan.asked_parts.end();
+    object.requested = wish != nullptr;
     room.objects.push_back(object);
     return static_cast<int>(room.objects.size()) - 1;
 }
@@ -64,7 +67,7 @@ void build_beams(const Plan& plan, Room& room) {
     wood.color_b = lerp(wood.color_b * 0.6f, aged * 0.6f, 0.5f);
     wood.color_c = wood.color_b;
     wood.bump_m = std::max(wood.bump_m, 0.001f);
-    const int material = add_material(room, wood);
+    const int material = add_material(room, as_asked(plan, "beams", wood));
     const int object = part_object(plan, room, "beams", {plan.width, kBeamDepth, plan.depth});
     const int count = beam_count(plan);
     for (int i = 0; i < count; ++i) {
@@ -201,12 +204,15 @@ void build_neon(const Plan& plan, Room& room) {
 }
 
 // Base and capital.
-void build_columns(const Plan& plan, Room& room, int wall, int trim) {
+void build_columns(const Plan& plan, Room& room, int trim) {
+    const auto is_column = [](const Block& b) { return b.kind == Block::Kind::column; };
+    if (std::none_of(plan.blocks.begin(), plan.blocks.end(), is_column)) return;
+    const int shaft = add_material(room, as_asked(plan, "column", plan.style.wall));
     for (const Block& b : plan.blocks) {
-        if (b.kind != Block::Kind::column) continue;
+        if (!is_column(b)) continue;
         const int object = part_object(plan, room, "column", {b.high.x - b.low.x, plan.height, b.high.y - b.low.y});
         room.objects.back().world_from_object.translation = {(b.low.x + b.high.x) / 2, 0, (b.low.y + b.high.y) / 2};
-        room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, wall, object));
+        room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, shaft, object));
         const auto collar = [&](float y0, float y1, float out) {
             room.meshes.push_back(box_mesh({b.low.x - out, y0, b.low.y - out}, {b.high.x + out, y1, b.high.y + out}, trim, object));
         };
@@ -219,12 +225,13 @@ void build_columns(const Plan& plan, Room& room, int wall, int trim) {
 
 void build_trim(const Plan& plan, const Materials& m, Room& room) {
     const int panels = plan.panelling ? part_object(plan, room, "wainscoting", {plan.width, kDado, plan.depth}) : -1;
+    const int panel = plan.panelling ? add_material(room, as_asked(plan, "wainscoting", plan.style.trim)) : -1;
     for (const WallFace& face : plan.faces()) {
         if (plan.joined && face.wall == 2) continue;
         build_skirting(plan, face, room, m.trim);
-        if (plan.panelling) build_panelling(plan, face, room, m.trim, panels);
+        if (plan.panelling) build_panelling(plan, face, room, panel, panels);
     }
-    build_columns(plan, room, m.wall, m.trim);
+    build_columns(plan, room, m.trim);
     if (plan.beams) build_beams(plan, room);
     if (plan.coffers) build_coffers(plan, room, m.trim);
     if (plan.tray) build_tray(plan, room, m.ceiling);

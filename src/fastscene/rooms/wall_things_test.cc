@@ -193,6 +193,31 @@ TEST(WallThings, RecessedLightsAreInTheCeiling) {
     for (const RoomObject& o : built(hung_room("a modern living room without recessed lights")).objects) EXPECT_NE(o.klass, "recessed_lights");
 }
 
+// Parts of the shell come in the color and material they are asked for in.
+TEST(WallThings, PartsOfTheShellAreAsAsked) {
+    const auto mean_albedo = [](const Room& room, const std::string& klass) {
+        Vec3f sum{};
+        float count = 0;
+        for (const Mesh& m : room.meshes)
+            if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass) sum += room.materials[static_cast<std::size_t>(m.material)].color_a, ++count;
+        return count > 0 ? sum / count : Vec3f{-1, -1, -1};
+    };
+    for (const std::string room : {"a rustic living room", "an industrial bedroom"}) {
+        const float white = luminance(mean_albedo(lit_room(room + " with white beams"), "beams")), black = luminance(mean_albedo(lit_room(room + " with black steel beams"), "beams"));
+        EXPECT_GT(white, 0.5f) << room;
+        EXPECT_TRUE(black >= 0 && black < 0.05f) << room << " " << black;
+    }
+    const Vec3f panels = mean_albedo(lit_room("a classic study with dark green wainscoting"), "wainscoting");
+    EXPECT_TRUE(panels.y > panels.x && panels.y > panels.z && panels.y < 0.3f) << panels.x << " " << panels.y << " " << panels.z;
+    for (const std::string style : {"modern", "classic", "scandinavian"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            const Room room = built(hung_room("a " + style + " hallway with a wooden door", seed));
+            EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
+                return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == "door" && room.materials[static_cast<std::size_t>(m.material)].pattern == Pattern::wood;
+            })) << style;
+        }
+}
+
 // No cloth hangs before what hangs on the wall.
 TEST(WallThings, CurtainsHangBesideSigns) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
