@@ -9,11 +9,11 @@
 
 #include "fastscene/base/random.h"
 
-
 namespace fastscene {
 namespace {
 
 constexpr float kCell_m = 0.04f;              // motions are looked for on a coarse picture of such cells, then made exact
+constexpr int kMostCells = 256;               // a side of the coarse picture: there are as many shifts as cells; halls have larger ones
 constexpr float kAbout_m = 0.4f;              // what is seen so near to a hidden place judges the motions
 constexpr float kPattern = 0.002f;            // least variance there (linear color, three channels): plain surfaces need no motion
 constexpr float kAgrees = 0.4f;               // of that variance may be left between a picture and its moved self; chance leaves twice it
@@ -193,7 +193,7 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
 
 // Sums over windows in constant time: pairs of a pixel and its moved self, both seen.
 class Witnesses {
-public:
+  public:
     Witnesses(const Motion& motion, const SeenPart& seen) : sums_(seen.hole.width + 1, seen.hole.height + 1) {
         for (int y = 0; y < seen.hole.height; ++y)
             for (int x = 0; x < seen.hole.width; ++x) {
@@ -216,7 +216,7 @@ public:
         return variance > static_cast<double>(kPattern) ? static_cast<float>(s[5] / n / variance) : std::numeric_limits<float>::infinity();
     }
 
-private:
+  private:
     struct Sum : std::array<double, 6> {   // count, color, its square, the squared difference
         friend Sum operator+(Sum a, const Sum& b) { for (std::size_t i = 0; i < 6; ++i) a[i] += b[i]; return a; }
         friend Sum operator-(Sum a, const Sum& b) { for (std::size_t i = 0; i < 6; ++i) a[i] -= b[i]; return a; }
@@ -228,7 +228,7 @@ private:
 
 void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixel) {
     const SeenPart fine{color, hole};
-    const int factor = std::max(1, static_cast<int>(std::lround(kCell_m / metres_per_pixel)));
+    const int factor = std::max({1, static_cast<int>(std::lround(kCell_m / metres_per_pixel)), (std::max(hole.width, hole.height) - 1) / kMostCells + 1});
     const SeenPart coarse = shrunk(fine, factor);
     const std::vector<Question> questions = questions_of(coarse, static_cast<int>(kAbout_m / (metres_per_pixel * static_cast<float>(factor))));
     if (questions.empty()) return;
