@@ -15,8 +15,9 @@ namespace fastscene::furnishing {
 // Things that stand on others or hang on walls: whoever asks for one at a piece wants it there, not anywhere.
 bool is_small(std::string_view klass);
 bool lies_on_seats(std::string_view klass);  // small things that need no table
+// Whether a lamp above such a piece hangs from the ceiling.
+bool hangs_over(std::string_view klass);
 // What one sits or lies on: nothing is put there by itself.
-bool hangs_over(std::string_view klass);  // whether a lamp above such a piece hangs from the ceiling
 bool is_seat(std::string_view klass);
 // Blinds and shutters: they hang in windows, in all of them.
 bool is_blind(std::string_view klass);

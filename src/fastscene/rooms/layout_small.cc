@@ -33,10 +33,9 @@ void hang_among_beams(const Plan& plan, Placed& p) {
     const float beam = beam_z(plan, std::clamp(static_cast<int>(std::lround(offset / spacing)), 0, beam_count(plan) - 1));
     const int gap = std::clamp(static_cast<int>(std::floor(offset / spacing)), 0, beam_count(plan) - 2);
     const bool meets = std::abs(p.position.z - beam) < kBeamWidth / 2 + (plate ? p.piece.size_m.z / 2 : kRod);
-    if (rail) p.position.z = beam;
-    else if (!meets) return;
-    if (plate) p.position.z = beam_z(plan, gap) + spacing / 2;
-    else p.position.y -= kBeamDepth;
+    if (!rail && !meets) return;
+    p.position.z = plate ? beam_z(plan, gap) + spacing / 2 : beam;
+    if (!plate) p.position.y -= kBeamDepth;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ struct Plan {
     bool tray = false;         // the ceiling steps down along the walls
     bool neon = false;         // strips of colored light below the ceiling
     std::optional<Vec3f> neon_color;  // an albedo of that hue; nothing: pink and blue
-    bool spots = false;        // small lamps sunk into the ceiling (recessed lights)
+    bool recessed_lights = false;   // small lamps sunk into the ceiling
     bool coffers = false;      // a grid of beams in the color of the trim
     bool bay = false;          // the recess of the far wall is all window
     bool panelling = false;    // walls are panelled to the height of a chair's back
@@ -113,13 +113,13 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice);
 // Skylights, and a doorway to a next room where a wall is left for it. After windows and door.
 void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
 
-// Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
-// Adds to spec.assumed what it chose.
 // Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
 inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }
 // Its middle in z.
 inline float beam_z(const Plan& plan, int i) { return plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(beam_count(plan)) - 0.5f); }
 
+// Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
+// Adds to spec.assumed what it chose.
 Plan make_plan(PromptSpec& spec, Random& dice);
 
 // Walls, floor, ceiling, mouldings, window frames, door: meshes in the room frame. Materials and objects are appended to

@@ -146,7 +146,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.width = std::min(face.length, dice.uniform(3.6f, 4.4f) - (wet ? 1.f : 0.f));
         p.depth = dice.uniform(3.4f, 4.2f) - (wet ? 0.6f : 0.f);
         p.accent = dice.chance(0.5f);
-        p.spots = plan.spots;
+        p.recessed_lights = plan.recessed_lights;
         p.neon = plan.neon;
         p.neon_color = plan.neon_color;
         p.style.shelves = shelves_of(next->type);
@@ -191,8 +191,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) && (is_attic(spec) || wish_for(spec, "sloped_ceiling"));
     if (lit_from_above && !sloped) spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
     if (sloped || lit_from_above) {
-        constexpr float kNarrowest = 3.4f;  // between two slopes
-        plan.width = plan.measured ? std::max(plan.width, kNarrowest) : std::max(plan.width + 0.7f, 4.9f);
+        constexpr float kNarrowest = 3.4f, kAttic = 4.9f;  // between two slopes; a hallway below a skylight stays one
+        plan.width = plan.measured ? std::max(plan.width, kNarrowest) : std::max(plan.width + 0.7f, sloped ? kAttic : kNarrowest);
         if (!(spec.size_m.y > 0)) plan.height = std::max(plan.height, 2.7f);
         plan.knee = std::min(dice.uniform(1.05f, 1.3f), plan.height - 0.9f);
         plan.slope_run = std::min(dice.uniform(1.35f, 1.7f), plan.width / 2 - 0.8f);

@@ -137,7 +137,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     // Dice of its own: what the ceiling is like changes nothing else.
     Random dice(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
     const float boards = dice.uniform(), tray = dice.uniform(), spots = dice.uniform();
-    plan.spots = wish_for(spec, "recessed_lights") != nullptr;
+    plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
     const auto row = std::find_if(std::begin(kCeilings), std::end(kCeilings), [&](const Ceiling& c) { return plan.style.name == c.style; });
     if (row == std::end(kCeilings) || speaks_of("ceiling") || !spec.everything.klass.empty()) return;
     const bool wet = spec.room == "bathroom" || spec.room == "laundry", flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
@@ -157,7 +157,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     plan.tray = flat && high && !wet && plan.blocks.empty() && plan.width > 2.8f && tray < row->tray;
     // Who speaks of lamps in the ceiling, this way or that, has those.
     if (!speaks_of("recessed_lights") && !speaks_of("ceiling_lamp"))
-        plan.spots = flat && plan.height < 3.15f && spots < (wet ? std::max(0.5f, row->spots) : row->spots);
+        plan.recessed_lights = flat && plan.height < 3.15f && spots < (wet ? std::max(0.5f, row->spots) : row->spots);
 }
 
 }  // namespace fastscene

@@ -146,7 +146,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
     } else if (a.is(WordKind::count)) {
         // "a dozen red roses" are one bouquet, "two bouquets of roses" are two.
         const bool flowers = object.klass == "bouquet" && n.word->meaning == "bouquet" &&
-                             !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements", "centerpiece", "centerpieces", "posy", "posies"});
+                             !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements", "floral arrangement", "floral arrangements", "centerpiece", "centerpieces", "posy", "posies"});
         if (is_article(a) && (a.words == "a" || a.words == "an")) {
             if (!object.counted) object.count = 1;
         } else if (flowers) {

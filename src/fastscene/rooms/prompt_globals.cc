@@ -243,11 +243,12 @@ void read_globals(Reading& r) {
         }
     }
     // Whose room it is says how it looks: "grandma's kitchen", "a bachelor's flat".
-    constexpr std::string_view kStyle = "style=";
     for (const Match& m : r.m) {
         const auto word = m.is(WordKind::nuance) && m.word->meaning == "owner" && !m.negated && r.spec.style.empty() ? look_up(m.words) : std::nullopt;
-        if (!word || !word->adds.starts_with(kStyle)) continue;
-        r.spec.style = word->adds.substr(kStyle.size());
+        const std::string style = word ? added_by(*word, "style") : "";
+        if (style.empty()) continue;
+        r.spec.style = style;
+        r.spec.style = style;
         r.spec.assumed.push_back("style: " + r.spec.style + ", as " + m.words + " suggests");
     }
     // So does what the room is for: "a speakeasy", "a smithy".
@@ -255,7 +256,7 @@ void read_globals(Reading& r) {
         const std::string style = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "style") : "";
         if (style.empty() || !r.spec.style.empty()) continue;
         r.spec.style = style;
-        r.spec.assumed.push_back("style: " + style + ", as a " + m.words + " suggests");
+        r.spec.assumed.push_back("style: " + style + ", as " + m.words + " suggests");
     }
     // A style that only a piece has is a good guess for its room.
     for (const PromptObject& o : r.spec.objects)

@@ -131,7 +131,7 @@ class Matcher {
         for (const std::string& form : forms)
             if (const auto term = tongue_.unread.empty() && !known_[at_] ? nearest_term(form, tongue_.language) : std::nullopt)
                 return take(
-                    {.words = token, .word = look_up(*term, tongue_.language), .note = "read as \"" + *term + "\"", .misspelt_plural = form != token},
+                    {.words = token, .word = look_up(*term, tongue_.language), .note = "read as \"" + *term + "\"", .plural = form != token},
                     1);
         take({.words = token}, 1);
     }

@@ -52,10 +52,11 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 26> kNeverMore{"recessed_lights", "kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
+    static constexpr std::array<std::string_view, 26> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
                                                                  "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding",
                                                                  "string_lights",   "pipes",   "gears",       "hung_pans", "fittings",    "venetian_blind", "roller_blind", "roman_blind",
-                                                                 "shutters",        "shoji",   "antlers",     "track_light", "bulb_pendant"};
+                                                                 "shutters",        "shoji",   "antlers",     "track_light", "bulb_pendant",
+                                                                 "recessed_lights"};
     const std::string& klass = m.word->meaning;
     if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
@@ -66,7 +67,7 @@ bool is_plural(const Match& m, Language language) {
                    return w && w->meaning == klass;
                });
     }
-    if (m.misspelt_plural) return true;
+    if (m.plural) return true;
     if (m.words.ends_with("drawers") || klass == "glass_cup" || m.words.ends_with("stairs")) return false;
     for (const std::string& single : base_forms(m.words))
         if (const auto word = look_up(single); word && word->meaning == klass) return true;
@@ -171,7 +172,7 @@ void name_tables(Matches& m) {
         const std::string here = round ? "dining_table_round" : chairs ? "dining_table" : meaning;
         if (here.empty()) continue;
         m[i].word = Word{WordKind::object, here};
-        m[i].misspelt_plural = m[i].words == "tables";  // the plural is of another table
+        m[i].plural = m[i].words == "tables";  // the plural is of another table
     }
 }
 
@@ -196,7 +197,7 @@ void heed_the_room(Matches& m) {
         if (w == "carpet" || w == "carpets") {
             std::size_t k = i;
             while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style))) --k;
-            m[i].misspelt_plural = w == "carpets";  // the plural is of a rug
+            m[i].plural = w == "carpets";  // the plural is of a rug
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
         if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
@@ -321,9 +322,10 @@ int held_by(const Reading& r, std::size_t i) {
 // "a shop full of clocks, vases and mirrors": of what fills a room there is more than a pair; not "shelves full of books".
 bool fills_the_room(const Reading& r, std::size_t i) {
     if (!is_one_of(r.m[i].words, {"full of", "filled with", "packed with", "crammed with", "stuffed with", "crowded with", "bursting with", "overflowing with"})) return false;
-    for (std::size_t k = i; k-- > 0 && !r.m[k].comma;)
+    for (std::size_t k = i; k-- > 0 && !r.m[k].comma;) {
         if (has_object(r.m[k])) return false;
-        else if (r.m[k].is(WordKind::room) || r.m[k].is(WordKind::filler)) return true;
+        if (r.m[k].is(WordKind::room) || r.m[k].is(WordKind::filler)) return true;
+    }
     return false;
 }
 
@@ -331,12 +333,10 @@ bool fills_the_room(const Reading& r, std::size_t i) {
 void clear_surfaces(Reading& r) {
     constexpr std::array<std::string_view, 7> kOnWalls{"picture", "mirror", "clock", "picture_ledge", "tapestry", "shelf", "photo_frame"};
     for (std::size_t i = 0; i + 1 < r.m.size(); ++i) {
-        std::size_t surface = i + 1;
         const bool nothing = r.m[i].words == "nothing" && r.m[i + 1].is(WordKind::relation) && r.m[i + 1].word->meaning == "on";
-        if (nothing)
-            do ++surface;
-            while (surface < r.m.size() && (r.m[surface].is_function("the") || modifies(r.m[surface])));
-        else if (!is_one_of(r.m[i].words, {"bare", "empty", "blank", "undecorated"}) || r.m[i].negated) continue;
+        if (!nothing && (!is_one_of(r.m[i].words, {"bare", "empty", "blank", "undecorated"}) || r.m[i].negated)) continue;
+        std::size_t surface = i + (nothing ? 2 : 1);
+        while (surface < r.m.size() && (modifies(r.m[surface]) || (nothing && r.m[surface].is_function("the")))) ++surface;
         if (surface >= r.m.size() || !r.m[surface].is(WordKind::structure)) continue;
         const std::string& klass = r.m[surface].word->meaning;
         if (klass != "wall" && klass != "floor") continue;

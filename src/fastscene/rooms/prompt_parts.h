@@ -22,7 +22,7 @@ struct Match {
     std::optional<Word> word{};  // nothing: not understood
     bool comma = false;        // a mark between phrases
     std::string note{};        // "read as …": a typo
-    bool misspelt_plural = false;
+    bool plural = false;       // more than one, though its own look-up does not say so: a typo, a word that stands for another
     int object = -1;           // nouns: index into PromptSpec::objects
     int noun = -1;             // adjectives: index of the match they were bound to
     bool negated = false;

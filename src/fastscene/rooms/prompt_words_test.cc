@@ -166,7 +166,9 @@ TEST(PromptWords, OfWhatFillsARoomThereIsMoreThanAPair) {
 
 TEST(PromptWords, AThrowOverAChairLiesOnIt) {
     for (const char* text : {"a throw over the armchair", "a knitted blanket thrown over an armchair", "a throw across the sofa"}) EXPECT_EQ(object_of(read(text), "throw")->relation, "on") << text;
-    EXPECT_EQ(object_of(read("a lamp over the table"), "pendant_lamp") ? object_of(read("a pendant lamp over the table"), "pendant_lamp")->relation : "above", "above");
+    const PromptSpec over = read("a lamp over the table");
+    ASSERT_TRUE(object_of(over, "pendant_lamp"));
+    EXPECT_EQ(object_of(over, "pendant_lamp")->relation, "above");
     const PromptSpec stacked = read("a washing machine under the dryer");
     EXPECT_TRUE(std::any_of(stacked.objects.begin(), stacked.objects.end(), [](const PromptObject& o) { return o.words == "dryer" && o.relation == "on"; }));
     EXPECT_EQ(told(read("a sofa on a foggy morning"), "on"), "");

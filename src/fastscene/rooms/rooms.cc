@@ -320,7 +320,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
     const float lamps = lamp_level(spec);
-    for (Material& material : room.materials)   // of the shell: spotlights
+    for (Material& material : room.materials)   // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
     for (const Placed& placed : furnished.placed_next) add_piece(placed, lamps, room);

@@ -81,6 +81,7 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
 
 // A cased opening through the wall; the floor goes on behind a saddle of wood.
 void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
+    if (plan.asked("doorway")) trim = add_material(room, as_asked(plan, "doorway", plan.style.trim));
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
     const int object = add_object(plan, room, "doorway", o, face, kWallThickness);

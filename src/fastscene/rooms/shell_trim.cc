@@ -69,6 +69,7 @@ void build_beams(const Plan& plan, Room& room) {
     wood.bump_m = std::max(wood.bump_m, 0.001f);
     const int material = add_material(room, as_asked(plan, "beams", wood));
     const int object = part_object(plan, room, "beams", {plan.width, kBeamDepth, plan.depth});
+    room.objects.back().world_from_object.translation = {0, plan.height - kBeamDepth, 0};
     const int count = beam_count(plan);
     for (int i = 0; i < count; ++i) {
         const float z = beam_z(plan, i);
@@ -162,13 +163,15 @@ std::vector<Vec3f> recessed_places(const Plan& plan) {
 // How bright they are by the hour is the room's business.
 void build_recessed_lights(const Plan& plan, Room& room) {
     Material light;
-    light.name = "spotlight";
+    light.name = "recessed light";
     light.color_a = light.color_b = light.color_c = {0.7f, 0.68f, 0.64f};
     light.emission = plan.style.lamp_light * 1.5f;
-    const int rim = add_material(room, plan.style.metal), glow = add_material(room, light);
-    const int object = part_object(plan, room, "recessed_lights", {plan.width, 0.008f, plan.depth});
+    const int rim = add_material(room, as_asked(plan, "recessed_lights", plan.style.metal)), glow = add_material(room, light);
+    constexpr float kProud = 0.008f;
+    const int object = part_object(plan, room, "recessed_lights", {plan.width, kProud, plan.depth});
+    room.objects.back().world_from_object.translation = {0, plan.height - (plan.tray ? kTrayStep : 0.f) - kProud, 0};
     for (const Vec3f at : recessed_places(plan))
-        for (const auto& [radius, low, material] : {std::tuple{0.05f, 0.005f, rim}, std::tuple{0.038f, 0.008f, glow}}) {
+        for (const auto& [radius, low, material] : {std::tuple{0.05f, 0.005f, rim}, std::tuple{0.038f, kProud, glow}}) {
             Mesh disc = shapes::prism(shapes::circle(radius, 20), -low, 0.f, 0.001f);
             disc.material = material;
             disc.object = object;
@@ -224,8 +227,11 @@ void build_columns(const Plan& plan, Room& room, int trim) {
 }  // namespace
 
 void build_trim(const Plan& plan, const Materials& m, Room& room) {
-    const int panels = plan.panelling ? part_object(plan, room, "wainscoting", {plan.width, kDado, plan.depth}) : -1;
-    const int panel = plan.panelling ? add_material(room, as_asked(plan, "wainscoting", plan.style.trim)) : -1;
+    int panels = -1, panel = m.trim;
+    if (plan.panelling) {
+        panels = part_object(plan, room, "wainscoting", {plan.width, kDado, plan.depth});
+        panel = add_material(room, as_asked(plan, "wainscoting", plan.style.trim));
+    }
     for (const WallFace& face : plan.faces()) {
         if (plan.joined && face.wall == 2) continue;
         build_skirting(plan, face, room, m.trim);
@@ -235,7 +241,7 @@ void build_trim(const Plan& plan, const Materials& m, Room& room) {
     if (plan.beams) build_beams(plan, room);
     if (plan.coffers) build_coffers(plan, room, m.trim);
     if (plan.tray) build_tray(plan, room, m.ceiling);
-    if (plan.spots) build_recessed_lights(plan, room);
+    if (plan.recessed_lights) build_recessed_lights(plan, room);
     if (plan.neon) build_neon(plan, room);
 }
 

@@ -166,6 +166,9 @@ TEST(WallThings, LampsStandInNoBeam) {
                     const float half = p.piece.klass == "ceiling_lamp" ? p.piece.size_m.z / 2 : 0.05f;
                     for (int i = 0; i < beam_count(plan) && !hangs_from_beam; ++i)
                         EXPECT_GT(std::abs(p.position.z - beam_z(plan, i)), kBeamWidth / 2 + half) << h.room.plan.style.name << " " << lamp;
+                    bool under = false;
+                    for (int i = 0; i < beam_count(plan); ++i) under = under || std::abs(p.position.z - beam_z(plan, i)) < 1e-3f;
+                    EXPECT_TRUE(!hangs_from_beam || under) << lamp << " beside the beam that it hangs from";
                     ++(hangs_from_beam ? below : between);
                 }
             }
@@ -206,6 +209,13 @@ TEST(WallThings, PartsOfTheShellAreAsAsked) {
         const float white = luminance(mean_albedo(lit_room(room + " with white beams"), "beams")), black = luminance(mean_albedo(lit_room(room + " with black steel beams"), "beams"));
         EXPECT_GT(white, 0.5f) << room;
         EXPECT_TRUE(black >= 0 && black < 0.05f) << room << " " << black;
+    }
+    // Of a column base and capital stay as the trim, of a window the glass.
+    for (const auto& [text, klass] : {std::pair{"a classic dining room with black columns", "column"}, {"a rustic kitchen with black windows", "window"}}) {
+        const Room room = lit_room(text);
+        EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
+            return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass && luminance(room.materials[static_cast<std::size_t>(m.material)].color_a) < 0.05f;
+        })) << text;
     }
     const Vec3f panels = mean_albedo(lit_room("a classic study with dark green wainscoting"), "wainscoting");
     EXPECT_TRUE(panels.y > panels.x && panels.y > panels.z && panels.y < 0.3f) << panels.x << " " << panels.y << " " << panels.z;

@@ -86,7 +86,7 @@ ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixe
 
 // Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between places seen that
 // are not far apart, but never across a place where panorama 0 looked past it, and not to where such a place is nearer than one that was seen:
-// what hides the edge of a seat hides the air beyond it too. Only what lies on a wall goes on there: frames are slender, panes are looked through.
+// what hides the edge of a seat hides the air beyond it too. Only what lies on a wall, the floor or the ceiling goes on there: frames are slender, panes are looked through.
 ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
     const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
     ImageMask face(places.width, places.height);
@@ -161,15 +161,15 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
                 hole.at(x, y) = 0;
                 any = true;
             }
-        if (!any) picture.color = {};
-        else {
+        if (any) {
             fill_from_repeats(picture.color, hole, picture.metres_per_pixel);
             picture.color = inpainter.fill(picture.color, hole, run);
+            picture.unseen_m = distance_to(Place::seen, places, picture.metres_per_pixel, Place::empty);
+            if (picture.plane.hull) picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
+            else picture.face = face_of(picture.plane, places, picture.unseen_m, picture.metres_per_pixel);
+        } else {
+            picture.color = {};
         }
-        if (any) picture.unseen_m = distance_to(Place::seen, places, picture.metres_per_pixel, Place::empty);
-        if (any && !picture.plane.hull) picture.face = face_of(picture.plane, places, picture.unseen_m, picture.metres_per_pixel);
-        if (any && picture.plane.hull)
-            picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
         pictures[index] = std::move(picture);
     });
     return pictures;

@@ -110,7 +110,7 @@ std::vector<Question> questions_of(const SeenPart& seen, int reach) {
     return questions;
 }
 
-// What a motion leaves of the variance about the question's place; at least kAgrees where it fails or says nothing of the place.
+// What a motion leaves of the variance about the question's place, kAgrees at most: so much where it fails or says nothing of the place.
 float left_by(const Motion& motion, const Question& q, const SeenPart& seen) {
     if (!seen.has(motion(q.place))) return kAgrees;
     float sum = 0;
@@ -170,7 +170,8 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
     motion.shift = motion.shift * scale;
     for (Question& q : questions) {
         q.place = q.place * scale;
-        std::erase_if(q.witnesses, [&](Vec2f& p) { return p = p * scale, !fine.has(p); });
+        for (Vec2f& p : q.witnesses) p = p * scale;
+        std::erase_if(q.witnesses, [&](Vec2f p) { return !fine.has(p); });
         if (!q.witnesses.empty()) q.variance = variance_of(q.witnesses, fine);
     }
     std::erase_if(questions, [](const Question& q) { return static_cast<int>(q.witnesses.size()) < kMostWitnesses / 4 || q.variance < kPattern; });
@@ -183,6 +184,7 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
             const float turn = motion.mirrors() ? step / 100 : 0;   // a step at a hundred pixels
             const std::array<std::array<float, 3>, 6> tries{{{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, turn}, {0, 0, -turn}}};
             for (const auto& [x, y, by] : tries) {
+                if (x == 0 && y == 0 && by == 0) continue;   // shifts do not turn
                 Motion other{turned(motion.x, by), turned(motion.y, by), {}};
                 other.shift = motion(pivot) - other(pivot) + Vec2f{x, y};
                 if (const float gain = gain_of(other, questions, fine); gain > most) most = gain, motion = other, better = true;

@@ -7,7 +7,8 @@
 namespace fastscene {
 
 // Fills pixels of `hole` (nonzero) that are close to what is seen, where a shift or a mirror image of the picture agrees with what is seen about
-// them, and takes them out of `hole`. What has no pattern is left. The picture is head on, `metres_per_pixel` large. Deterministic.
+// them, and takes them out of `hole`. What has no pattern is left. The picture is head on, `metres_per_pixel` the side of
+// a pixel. Deterministic.
 void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixel);
 
 }  // namespace fastscene

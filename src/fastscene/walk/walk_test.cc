@@ -317,16 +317,16 @@ ImageColor picture_of_rug(float grain) {
     return out;
 }
 
-TEST(Repeats, ARugsHiddenEndIsTheMirrorImageOfItsOther) {
-    const ImageColor truth = picture_of_rug(0.05f);
+// A round hole in the picture is filled from its repeats: most of it, far better than by the smoothest fill, and nothing else is touched.
+void expect_filled(const ImageColor& truth, int x0, int y0, float radius, float metres_per_pixel) {
     ImageColor color = truth;
     ImageMask hole(truth.width, truth.height);
     for (int y = 0; y < hole.height; ++y)
         for (int x = 0; x < hole.width; ++x)
-            if (std::hypot(static_cast<float>(x - 240), static_cast<float>(y - 150)) < 45) hole.at(x, y) = 1, color.at(x, y) = {};
+            if (std::hypot(static_cast<float>(x - x0), static_cast<float>(y - y0)) < radius) hole.at(x, y) = 1, color.at(x, y) = {};
     const ImageMask before = hole;
     const ImageColor smooth = make_inpainter("harmonic")->fill(color, hole, {});
-    fill_from_repeats(color, hole, 0.01f);
+    fill_from_repeats(color, hole, metres_per_pixel);
     double ours = 0, theirs = 0;
     int all = 0, left = 0;
     for (std::size_t i = 0; i < hole.size(); ++i) {
@@ -343,6 +343,27 @@ TEST(Repeats, ARugsHiddenEndIsTheMirrorImageOfItsOther) {
     std::printf("%d of %d pixels left, error %.2f of the smoothest fill's\n", left, all, ours / theirs);
     EXPECT_LE(left, all / 4);
     EXPECT_LT(ours, 0.3 * theirs);
+}
+
+TEST(Repeats, ARugsHiddenEndIsTheMirrorImageOfItsOther) { expect_filled(picture_of_rug(0.05f), 240, 150, 45, 0.01f); }
+
+// A patch of 0.6 m that no mirror image matches, again and again; also where a pixel is larger, as in a hall.
+TEST(Repeats, AWallpapersMotifIsThatOfItsNeighbour) {
+    for (const int period : {60, 24}) {
+        Random random(5, "walk/test-wallpaper");
+        ImageColor motif(period, period);
+        const int patch = period / 6;
+        for (int y = 0; y < period; y += patch)
+            for (int x = 0; x < period; x += patch) {
+                const Vec3f c{random.uniform(), random.uniform(), random.uniform()};
+                for (int j = y; j < y + patch; ++j)
+                    for (int i = x; i < x + patch; ++i) motif.at(i, j) = c;
+            }
+        ImageColor wall(5 * period, 4 * period);
+        for (int y = 0; y < wall.height; ++y)
+            for (int x = 0; x < wall.width; ++x) wall.at(x, y) = motif.at(x % period, y % period);
+        expect_filled(wall, 2 * period + 10, 2 * period - 5, 0.6f * static_cast<float>(period), 0.6f / static_cast<float>(period));
+    }
 }
 
 TEST(Repeats, WhatHasNoPatternIsLeft) {
