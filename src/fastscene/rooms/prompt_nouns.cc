@@ -300,14 +300,9 @@ void name_lights(Matches& m) {
 }
 
 void take_added(const Word& word, PromptObject& object) {
-    const auto equals = word.adds.find('=');
-    if (equals == std::string::npos) return;
-    const std::string key = word.adds.substr(0, equals), value = word.adds.substr(equals + 1);
-    if (key == "material") object.material = value;
-    if (key == "color") object.color = value;
-    if (key == "size") object.size = value;
-    if (key == "pattern") object.pattern = value;
-    if (key == "count") object.count = std::stoi(value), object.counted = true;
+    for (const auto& [name, field] : {std::pair{"material", &object.material}, {"color", &object.color}, {"size", &object.size}, {"pattern", &object.pattern}})
+        if (const std::string value = added_by(word, name); !value.empty()) *field = value;
+    if (const std::string count = added_by(word, "count"); !count.empty()) object.count = std::stoi(count), object.counted = true;
 }
 
 // "tulips in a vase": the flowers that stand in the vase of match i, -1: none.
@@ -378,10 +373,11 @@ void settle_double_meanings(Reading& r) {
 void leave_out(Reading& r) {
     for (const Match& m : r.m) {
         const std::string klass = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "without") : "";
+        if (klass.empty()) continue;
         const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
         const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) { return x.is(WordKind::object) && is_it(x.word->meaning); });
         const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return is_it(o.klass); });
-        if (!klass.empty() && !asked && !there) r.add_object(klass, m.words).forbidden = true;
+        if (!asked && !there) r.add_object(klass, m.words).forbidden = true;
     }
 }
 
