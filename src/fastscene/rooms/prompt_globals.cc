@@ -248,7 +248,6 @@ void read_globals(Reading& r) {
         const std::string style = word ? added_by(*word, "style") : "";
         if (style.empty()) continue;
         r.spec.style = style;
-        r.spec.style = style;
         r.spec.assumed.push_back("style: " + r.spec.style + ", as " + m.words + " suggests");
     }
     // So does what the room is for: "a speakeasy", "a smithy".
