@@ -153,7 +153,7 @@ int run(int argc, char** argv) {
         save_plane_pictures(pictures, panorama_of(kept.first), planes, walk, how);
     }
     const double before = cpu_seconds();
-    const std::vector<Panorama> walked = walk_through(panorama_of(kept.first), walk, how).panoramas;
+    const std::vector<Panorama> walked = walked_through(panorama_of(kept.first), walk, how).panoramas;
     const double seconds = cpu_seconds() - before;
     if (walked.size() != kept.views.size() + 1) throw Error("{}: expected {} views, found {}", keep, walked.size() - 1, kept.views.size());
     Mean all, unseen;

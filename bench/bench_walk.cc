@@ -65,7 +65,7 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
     const Panorama first = albedo_panorama(room, {}, size, samples, run);
 
     const double before = cpu_seconds();
-    const std::vector<Panorama> walked = walk_through(first, params, run).panoramas;
+    const std::vector<Panorama> walked = walked_through(first, params, run).panoramas;
     const double seconds = cpu_seconds() - before;
     Squares all, smooth, floor;
     for (std::size_t k = 1; k < walked.size(); ++k) {

@@ -228,18 +228,17 @@ void make_walk(const SceneSource& source, const DepthParams& depth, const RunFol
             return estimator->estimate(color, r).range;
         };
     }
-    const auto [walked, about] = walk_through(load_first_panorama(folder), params, run, estimate, load_more_panoramas(folder));
     std::vector<Viewpoint> viewpoints;
-    for (std::size_t i = 0; i < walked.size(); ++i) {
+    const auto save = [&](const Panorama& panorama) {
         run.check_stop();
-        const Panorama& panorama = walked[i];
-        const std::string name = name_of_viewpoint(i);
+        const std::string name = name_of_viewpoint(viewpoints.size());
         make_directories(out / name);
         save_png(out / name / "color.png", srgb8_from_linear(panorama.color));
         save_exr(out / name / "range.exr", panorama.range);
         save_png(out / name / "known.png", mask_from_known(panorama.known, panorama.color.width, panorama.color.height));
         viewpoints.push_back({name, panorama.world_from_pano});
-    }
+    };
+    const Json about = walk_through(load_first_panorama(folder), params, run, save, estimate, load_more_panoramas(folder));
     save_viewpoints(out / "poses.json", viewpoints);
     write_json(out / "about.json", about);
 }

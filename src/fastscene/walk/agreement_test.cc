@@ -52,7 +52,7 @@ TEST(WalkWithMore, GivenPanoramasAreObservedAndViewpointsAreShared) {
     WalkParams params;
     params.inpainter = "harmonic";
     params.viewpoints = 4;
-    const auto walked = walk_through(first, params, {}, {}, {second}).panoramas;
+    const auto walked = walked_through(first, params, {}, {}, {second}).panoramas;
     ASSERT_EQ(walked.size(), 6u);
     EXPECT_EQ(walked[1].world_from_pano.translation, second.world_from_pano.translation);
     EXPECT_EQ(walked[1].color.pixels, second.color.pixels);
@@ -67,7 +67,7 @@ TEST(WalkWithMore, GivenPanoramasAreObservedAndViewpointsAreShared) {
     }
     EXPECT_EQ(near_second, 2);
     params.kind = "paper";
-    EXPECT_THROW(walk_through(first, params, {}, {}, {second}), UsageError);
+    EXPECT_THROW(walked_through(first, params, {}, {}, {second}), UsageError);
 }
 
 }  // namespace

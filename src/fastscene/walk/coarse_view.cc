@@ -327,26 +327,56 @@ void draw_source(const Band& band, const Placed& placed, bool guesses) {
     draw_cap(band, placed, false);
 }
 
-}  // namespace
+// A view that sources are drawn into one after the other.
+class Drawing {
+  public:
+    Drawing(EquirectSize size, Vec3f position)
+        : size_(size), position_(position), directions_(size),
+          view_{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
+                Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)},
+          order_(view_.range) {}
 
-CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
-    CoarseView view{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
-                    Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)};
-    ImageF order = view.range;
-    const Directions directions(size);
-    const auto draw_all = [&](const Placed& placed, bool guesses) {
-        parallel_for(size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
-            draw_source({view, order, directions, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
-        });
-    };
-    for (const WarpSource& source : sources) {
-        const Placed placed(source, size, position);
+    void add(const WarpSource& source) {
+        const Placed placed(source, size_, position_);
         draw_all(placed, false);
         if (source.used.empty()) draw_all(placed, true);
     }
-    for (float& range : view.range.pixels)
-        if (range > kSkyRange) range = std::numeric_limits<float>::infinity();
-    return view;
+    CoarseView finish() {
+        for (float& range : view_.range.pixels)
+            if (range > kSkyRange) range = std::numeric_limits<float>::infinity();
+        return std::move(view_);
+    }
+
+  private:
+    void draw_all(const Placed& placed, bool guesses) {
+        parallel_for(size_.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
+            draw_source({view_, order_, directions_, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
+        });
+    }
+
+    EquirectSize size_;
+    Vec3f position_;
+    Directions directions_;
+    CoarseView view_;
+    ImageF order_;
+};
+
+}  // namespace
+
+CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
+    Drawing drawing(size, position);
+    for (const WarpSource& source : sources) drawing.add(source);
+    return drawing.finish();
+}
+
+CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position) {
+    Drawing drawing(size, position);
+    WarpSource source;
+    for (const PackedSource& packed : sources) {
+        packed.unpack(source);
+        drawing.add(source);
+    }
+    return drawing.finish();
 }
 
 }  // namespace fastscene

@@ -43,4 +43,27 @@ struct CoarseView {
 // The sources as seen from `position`, the nearest surface winning. Deterministic for any number of threads.
 CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position);
 
+// The used pixels of a source and nothing else. What a viewpoint painted is a small part of its panorama, and all viewpoints before it are
+// asked by each new one: packed, twenty of 4096 columns fit into the memory of one or two.
+class PackedSource {
+  public:
+    explicit PackedSource(const WarpSource& source);   // `used` must not be empty
+    // `into` becomes a source that warps as the packed one does; outside `used` it holds whatever it held before.
+    void unpack(WarpSource& into) const;
+    std::size_t pixels() const { return color_.size(); }
+
+  private:
+    struct Stretch {
+        std::uint32_t begin, count;   // of pixels in the order of rows
+    };
+    int width_, height_;
+    Vec3f position_;
+    std::vector<Stretch> stretches_;
+    std::vector<Vec3f> color_;
+    std::vector<float> inverse_range_;
+    std::vector<std::uint8_t> cuts_;
+    std::vector<std::int16_t> plane_;
+};
+CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position);
+
 }  // namespace fastscene

@@ -86,7 +86,7 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         WalkParams params;
         params.kind = kind;
         params.steps = 2;
-        const Walked walked = walk_through(first, params, {});
+        const Walked walked = walked_through(first, params, {});
         const bool far = params.kind == "paper-far";
         ASSERT_EQ(walked.panoramas.size(), far ? 9u : 17u);
         const Panorama& last = walked.panoramas[far ? 1 : 2];   // towards the middle of the picture
@@ -115,7 +115,7 @@ TEST(PublishedWalk, AsksTheEstimatorAfterEachStep) {
     params.kind = "paper";
     params.steps = 2;
     int asked = 0;
-    const Walked walked = walk_through(first, params, {}, [&](const ImageColor& color, const fastscene::Run&) {
+    const Walked walked = walked_through(first, params, {}, [&](const ImageColor& color, const fastscene::Run&) {
         ++asked;
         return ImageF(color.width, color.height, 2.f);
     });

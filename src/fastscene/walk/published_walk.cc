@@ -76,7 +76,7 @@ Image<double> filled_range(const PublishedWarp& warp) {
 
 }  // namespace
 
-Walked walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate) {
+Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate) {
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const Painter paint = [&](const ImageRgb8& color, const ImageMask& hole) {
         return srgb8_from_linear(inpainter->fill(linear_from_srgb8(color), hole, run));
@@ -88,7 +88,7 @@ Walked walk_as_published(const Panorama& first, const WalkParams& params, const 
     const Image<double> first_range = in_double(first.range);
     const Frame start{srgb8_from_linear(first.color), first_range, first.known, {}};
 
-    Walked walked{{first}, Json::object()};
+    take(first);
     Json clipped = Json::array();
     Progress progress(run, "walk", static_cast<std::int64_t>(std::size(kPublishedDirections)) * steps);
     for (const PublishedDirection& direction : kPublishedDirections) {
@@ -115,8 +115,8 @@ Walked walk_as_published(const Panorama& first, const WalkParams& params, const 
             frame.known = std::move(next.known);
             const Vec3d moved = world_from_published(move_m);
             frame.position += Vec3f{static_cast<float>(moved.x), static_cast<float>(moved.y), static_cast<float>(moved.z)};
-            walked.panoramas.push_back({linear_from_srgb8(frame.color), in_float(frame.range), frame.known,
-                                        {first.world_from_pano.rotation, first.world_from_pano * frame.position}});
+            take({linear_from_srgb8(frame.color), in_float(frame.range), frame.known,
+                  {first.world_from_pano.rotation, first.world_from_pano * frame.position}});
             progress.advance();
         }
         if (reached_m < 0.999 * wanted_m) {
@@ -125,12 +125,11 @@ Walked walk_as_published(const Panorama& first, const WalkParams& params, const 
             clipped.push_back({{"direction", direction.name}, {"wanted_m", wanted_m}, {"reached_m", reached_m}});
         }
     }
-    walked.about = {
+    return {
         {"depth", estimate ? "estimated from each new panorama" : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
         {"steps", steps},
         {"step_share_of_greatest_range", share},
         {"clipped", clipped}};
-    return walked;
 }
 
 }  // namespace fastscene

@@ -18,7 +18,7 @@ constexpr float kObservedWins = 1.03f;
 constexpr float kObservedWins_m = 0.02f;
 
 // What the observed and the invented surfaces show together; `known` says which pixel came from where.
-CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<WarpSource>& invented, Vec3f position, EquirectSize size,
+CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<PackedSource>& invented, Vec3f position, EquirectSize size,
                    Image<Known>& known) {
     CoarseView view = coarse_view(observed, size, position);
     const CoarseView other = coarse_view(invented, size, position);
@@ -87,7 +87,7 @@ std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panor
     return all;
 }
 
-Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params, const Run& run) {
+Json walk_our_way(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take) {
     const EquirectSize size = first.size();
     const std::vector<Vec3f> positions = all_viewpoints(first, more, params);
     Json about = what_was_clipped(first, choose_viewpoints(first, params), params, run);
@@ -96,7 +96,8 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
 
-    std::vector<WarpSource> observed, invented;
+    std::vector<WarpSource> observed;
+    std::vector<PackedSource> invented;
     observed.push_back(make_warp_source(first.color, first.range, label, {}, {}));
     const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);   // the planes are the first's
     for (const Panorama& one : more)
@@ -104,8 +105,8 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
     const WalkWorld world{first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
                           outside_picture(first.color, first.range), inpainter.get()};
 
-    std::vector<Panorama> walked{first};
-    walked.insert(walked.end(), more.begin(), more.end());
+    take(first);
+    for (const Panorama& one : more) take(one);
     Progress progress(run, "walk", static_cast<std::int64_t>(positions.size()));
     for (const Vec3f& world_position : positions) {
         run.check_stop();
@@ -116,20 +117,20 @@ Walked walk_our_way(const Panorama& first, const std::vector<Panorama>& more, co
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         complete_holes(view, hole, position, world, run);
-        invented.push_back(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
+        invented.emplace_back(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
         next.color = std::move(view.color);
         next.range = std::move(view.range);
         next.world_from_pano = {first.world_from_pano.rotation, world_position};
-        walked.push_back(std::move(next));
+        take(std::move(next));
         progress.advance();
     }
-    return {std::move(walked), std::move(about)};
+    return about;
 }
 
 }  // namespace
 
-Walked walk_through(const Panorama& given, const WalkParams& params, const Run& run, const RangeEstimator& estimate,
-                    const std::vector<Panorama>& more) {
+Json walk_through(const Panorama& given, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate,
+                  const std::vector<Panorama>& more) {
     const Panorama first = ready_to_walk(given, run);
     if (!more.empty() && params.kind != "ours")
         throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.kind);
@@ -138,8 +139,15 @@ Walked walk_through(const Panorama& given, const WalkParams& params, const Run& 
         FASTSCENE_CHECK(one.color.same_size(first.color) && one.world_from_pano.rotation == first.world_from_pano.rotation);
         others.push_back(ready_to_walk(one, run));
     }
-    Walked walked = params.kind == "ours" ? walk_our_way(first, others, params, run) : walk_as_published(first, params, run, estimate);
-    walked.about["kind"] = params.kind;
+    Json about = params.kind == "ours" ? walk_our_way(first, others, params, run, take) : walk_as_published(first, params, run, take, estimate);
+    about["kind"] = params.kind;
+    return about;
+}
+
+Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate,
+                      const std::vector<Panorama>& more) {
+    Walked walked;
+    walked.about = walk_through(first, params, run, [&](Panorama one) { walked.panoramas.push_back(std::move(one)); }, estimate, more);
     return walked;
 }
 

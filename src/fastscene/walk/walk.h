@@ -44,17 +44,25 @@ void visit_fields(WalkParams& p, V&& v) {
 // the free space around panorama 0, up and down too.
 std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& params);
 
-struct Walked {
-    std::vector<Panorama> panoramas;   // panorama 0, those given besides, then one a viewpoint, each complete in color and range, with `known` set
-    Json about;                        // what the record of the stage should say: what stood in, what was clipped
-};
+// Takes one panorama after the other as each is complete in color and range, with `known` set: panorama 0, those given besides, then one a
+// viewpoint. None is kept here: twenty of 4096 columns are 3 GB.
+using TakePanorama = std::function<void(Panorama panorama)>;
 // Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's size.
 using RangeEstimator = std::function<ImageF(const ImageColor& color, const Run& run)>;
 
+// Returns what the record of the stage should say: what stood in, what was clipped.
 // `more`: further panoramas of the same place with ranges, in the first's orientation; "ours" alone can use them: they are
 // observed as the first is, and the viewpoints are shared out among all. Pixels of `first` without a range (0, NaN, infinite) are far background. Throws Error when there is no room to walk in.
 // `estimate` may be empty.
-Walked walk_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate = {},
-                    const std::vector<Panorama>& more = {});
+Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate = {},
+                  const std::vector<Panorama>& more = {});
+
+// The same, with all panoramas kept.
+struct Walked {
+    std::vector<Panorama> panoramas;
+    Json about;
+};
+Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate = {},
+                      const std::vector<Panorama>& more = {});
 
 }  // namespace fastscene

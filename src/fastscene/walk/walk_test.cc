@@ -106,6 +106,30 @@ TEST(CoarseView, AnEmptyRoomHasNoHoleAnywhere) {
     }
 }
 
+TEST(CoarseView, PackedSourcesShowTheSame) {
+    const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::smooth);
+    std::vector<WarpSource> sources;
+    std::vector<PackedSource> packed;
+    for (const Vec3f position : {Vec3f{}, Vec3f{0.2f, 0.1f, 0}}) {
+        const Panorama first = render_synthetic(world, position, kSize, 1);
+        ImageMask used(kSize.width, kSize.height);   // a few stretches a row, another share of each picture
+        std::size_t count = 0;
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) count += used.at(x, y) = (x * 7 + y * 3) % 90 < (sources.empty() ? 50 : 20) || y == 0;
+        Image<std::int16_t> plane(kSize.width, kSize.height);
+        for (std::size_t i = 0; i < plane.size(); ++i) plane.pixels[i] = static_cast<std::int16_t>(i % 5);
+        sources.push_back(make_warp_source(first.color, first.range, plane, used, position));
+        packed.emplace_back(sources.back());
+        EXPECT_EQ(packed.back().pixels(), count);
+    }
+    const CoarseView wanted = coarse_view(sources, kSize, kElsewhere), found = coarse_view(packed, kSize, kElsewhere);
+    EXPECT_EQ(found.color.pixels, wanted.color.pixels);
+    EXPECT_EQ(found.range.pixels, wanted.range.pixels);
+    EXPECT_EQ(found.plane.pixels, wanted.plane.pixels);
+    EXPECT_EQ(found.cover.pixels, wanted.cover.pixels);
+    EXPECT_GT(std::count(found.cover.pixels.begin(), found.cover.pixels.end(), Cover::front), kSize.width * kSize.height / 4);
+}
+
 TEST(Viewpoints, StayInFreeSpaceNearEarlierOnes) {
     const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const Panorama first = render_synthetic(world, {}, kSize, 1);
@@ -145,7 +169,7 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 4;
-    const std::vector<Panorama> walked = walk_through(first, params, {}).panoramas;
+    const std::vector<Panorama> walked = walked_through(first, params, {}).panoramas;
     ASSERT_EQ(walked.size(), 5u);
     EXPECT_EQ(walked[0].color, first.color);
     EXPECT_EQ(walked[0].range, first.range);
@@ -186,7 +210,7 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 3;
-    for (const Panorama& panorama : walk_through(first, params, {}).panoramas) {
+    for (const Panorama& panorama : walked_through(first, params, {}).panoramas) {
         const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
         int good = 0, all = 0;
@@ -212,7 +236,7 @@ TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
     params.inpainter = "harmonic";
     params.reach_m = 1;
     int good = 0, all = 0;
-    for (const Panorama& panorama : walk_through(first, params, {}).panoramas) {
+    for (const Panorama& panorama : walked_through(first, params, {}).panoramas) {
         const Vec3f from = panorama.world_from_pano.translation;
         const Panorama truth = render_synthetic(world, from, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
@@ -239,7 +263,7 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
     params.inpainter = "harmonic";
     params.reach_m = reach_m;
     WallPainted out;
-    for (const Panorama& panorama : walk_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
+    for (const Panorama& panorama : walked_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
         const Vec3f from = panorama.world_from_pano.translation;
         const Panorama truth = render_synthetic(world, from, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
@@ -287,7 +311,7 @@ TEST(Walk, ASeatEndsWhereItIsNoLongerSeen) {
     params.inpainter = "harmonic";
     params.reach_m = 1.5f;
     int all = 0, bench = 0;
-    for (const Panorama& panorama : walk_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
+    for (const Panorama& panorama : walked_through(render_synthetic(world, {}, kSize), params, {}).panoramas) {
         const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -416,7 +440,7 @@ TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
     params.viewpoints = 8;
     params.inpainter = "harmonic";
     int floating = 0, outside = 0;
-    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {}).panoramas)
+    for (const Panorama& panorama : walked_through(panorama_of_window_room({}), params, {}).panoramas)
         for (int y = 0; y < kSize.height; ++y)
             for (int x = 0; x < kSize.width; ++x) {
                 const float range = panorama.range.at(x, y);
@@ -436,7 +460,7 @@ TEST(Walk, AnOutsideOfSpecksIsWalkedToo) {
     Panorama panorama = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, kSize);
     for (int y = 2; y < kSize.height; y += 5)
         for (int x = 2; x < kSize.width; x += 5) panorama.range.at(x, y) = std::numeric_limits<float>::infinity();
-    for (const Panorama& walked : walk_through(panorama, params, {}).panoramas)
+    for (const Panorama& walked : walked_through(panorama, params, {}).panoramas)
         for (const Vec3f c : walked.color.pixels) ASSERT_TRUE(std::isfinite(c.x + c.y + c.z));
 }
 
@@ -445,7 +469,7 @@ TEST(Walk, ThroughAWindowHolesAreTheOutside) {
     params.viewpoints = 8;
     params.inpainter = "harmonic";
     int holes = 0, right = 0, sky = 0;
-    for (const Panorama& panorama : walk_through(panorama_of_window_room({}), params, {}).panoramas) {
+    for (const Panorama& panorama : walked_through(panorama_of_window_room({}), params, {}).panoramas) {
         const Panorama truth = panorama_of_window_room(panorama.world_from_pano.translation);
         const ImageMask edges = near_edges(truth.range, 2);
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -483,9 +507,9 @@ TEST(Walk, SameBytesForAnyNumberOfThreads) {
     WalkParams params;
     params.viewpoints = 2;
     set_threads(1);
-    const auto one = walk_through(first, params, {}).panoramas;
+    const auto one = walked_through(first, params, {}).panoramas;
     set_threads(2);
-    const auto two = walk_through(first, params, {}).panoramas;
+    const auto two = walked_through(first, params, {}).panoramas;
     set_threads(0);
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_EQ(one[i].color, two[i].color);
@@ -506,7 +530,7 @@ std::string error_of(const Panorama& first) {
         WalkParams params;
         params.viewpoints = 1;
         params.inpainter = "harmonic";
-        walk_through(first, params, {});
+        walked_through(first, params, {});
         return "";
     } catch (const Error& e) {
         return e.what();
@@ -542,7 +566,7 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
         params.steps = 2;
         params.inpainter = "harmonic";
         Heard heard;
-        const auto walked = walk_through(first, params, {0, &heard, {}}).panoramas;
+        const auto walked = walked_through(first, params, {0, &heard, {}}).panoramas;
         EXPECT_NE(heard.warnings.find("96 pixels of the range map have no range"), std::string::npos) << kind << heard.warnings;
         EXPECT_TRUE(std::isinf(walked[0].range.at(48, 24))) << kind;
         for (const Panorama& panorama : walked) {
@@ -553,6 +577,33 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
             }
             EXPECT_GT(sky, 60) << kind;
             EXPECT_LT(sky, 400) << kind;
+        }
+    }
+}
+
+// Nobody has to keep them all: each is handed over before the next viewpoint is begun, also when the walk is stopped there.
+TEST(Walk, HandsOverEachPanoramaWhenItIsComplete) {
+    const Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {128, 64}, 1);
+    for (const char* kind : {"ours", "paper-far"}) {
+        WalkParams params;
+        params.kind = kind;
+        params.viewpoints = 4;
+        params.inpainter = "harmonic";
+        const std::vector<Panorama> wanted = walked_through(first, params, {}).panoramas;
+        std::vector<Panorama> taken;
+        struct Enough {};
+        EXPECT_THROW(walk_through(first, params, {},
+                                  [&](Panorama one) {
+                                      taken.push_back(std::move(one));
+                                      if (taken.size() == 3) throw Enough{};
+                                  }),
+                     Enough)
+            << kind;
+        ASSERT_EQ(taken.size(), 3u) << kind;
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            EXPECT_EQ(taken[i].color.pixels, wanted[i].color.pixels) << kind << ' ' << i;
+            EXPECT_EQ(taken[i].range.pixels, wanted[i].range.pixels) << kind << ' ' << i;
+            EXPECT_EQ(taken[i].world_from_pano.translation, wanted[i].world_from_pano.translation) << kind << ' ' << i;
         }
     }
 }
@@ -571,7 +622,7 @@ TEST(Walk, TinyAndHugeRoomsAndStepsThatAreTooLong) {
             params.steps = 3;
             params.inpainter = "harmonic";
             Heard heard;
-            for (const Panorama& panorama : walk_through(first, params, {0, &heard, {}}).panoramas) {
+            for (const Panorama& panorama : walked_through(first, params, {0, &heard, {}}).panoramas) {
                 const Vec3f p = panorama.world_from_pano.translation;
                 for (std::size_t c = 0; c < 3; ++c) {
                     EXPECT_GT(p[c], world.room.low[c]) << kind << ' ' << width;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "fastscene/base/check.h"
 #include "fastscene/walk/coarse_view.h"
 
 namespace fastscene {
@@ -57,6 +58,46 @@ WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const 
     if (used.empty()) source.inside = inside_of(source.cuts);
     source.position = position;
     return source;
+}
+
+PackedSource::PackedSource(const WarpSource& source) : width_(source.color.width), height_(source.color.height), position_(source.position) {
+    FASTSCENE_CHECK(source.used.size() == source.color.size());
+    const auto& used = source.used.pixels;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const bool goes_on = !stretches_.empty() && stretches_.back().begin + stretches_.back().count == i;
+        if (goes_on) ++stretches_.back().count;
+        else stretches_.push_back({static_cast<std::uint32_t>(i), 1});
+        color_.push_back(source.color.pixels[i]);
+        inverse_range_.push_back(source.inverse_range.pixels[i]);
+        cuts_.push_back(source.cuts.pixels[i]);
+        plane_.push_back(source.plane.empty() ? kNoPlane : source.plane.pixels[i]);
+    }
+    color_.shrink_to_fit();
+    inverse_range_.shrink_to_fit();
+    cuts_.shrink_to_fit();
+    plane_.shrink_to_fit();
+}
+
+void PackedSource::unpack(WarpSource& into) const {
+    if (into.color.width != width_ || into.color.height != height_) {
+        into.color = ImageColor(width_, height_);
+        into.inverse_range = ImageF(width_, height_);
+        into.cuts = ImageMask(width_, height_);
+        into.plane = Image<std::int16_t>(width_, height_, kNoPlane);
+    }
+    into.inside = {};
+    into.used = ImageMask(width_, height_);
+    into.position = position_;
+    std::size_t from = 0;
+    for (const Stretch& s : stretches_) {
+        std::copy_n(color_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.color.pixels.begin() + s.begin);
+        std::copy_n(inverse_range_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.inverse_range.pixels.begin() + s.begin);
+        std::copy_n(cuts_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.cuts.pixels.begin() + s.begin);
+        std::copy_n(plane_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.plane.pixels.begin() + s.begin);
+        std::fill_n(into.used.pixels.begin() + s.begin, s.count, std::uint8_t{1});
+        from += s.count;
+    }
 }
 
 }  // namespace fastscene
