@@ -33,6 +33,28 @@ says "expected a number from 64"
 expect 2 "$fastscene" make "$prompt" --panorama-cell nan -o p
 expect 2 "$fastscene" make "$prompt" --seed -1 -o p
 expect 2 "$fastscene" make "$prompt" too many -o p
+expect 2 "$fastscene" make "$prompt" --seed
+says "--seed: expected a whole number after it"
+expect 2 "$fastscene" make "$prompt" --quality Draft -o p
+says "did you mean draft?"
+expect 2 "$fastscene" make "$prompt" --threads 1e3 -o p
+says "--threads: expected a whole number from 0 to 4096, found \"1e3\""
+expect 2 "$fastscene" make "$prompt" -o ""
+says "--out: expected DIR, found an empty text"
+# What is no verb has no help, and a part of a verb is known too.
+expect 2 "$fastscene" mak --help
+says "did you mean make?"
+expect 0 "$fastscene" make --help
+expect 2 "$fastscene" models pul
+says "models: unknown argument pul; did you mean pull?"
+expect 2 "$fastscene" walk tabel run
+says "did you mean walk table?"
+expect 2 "$fastscene" models
+says "models: expected one of list, pull, verify, path"
+expect 2 "$fastscene" render
+says "render: expected scene DIR|FILE, found none"
+expect 2 "$fastscene" depth train somewhere -o p
+says "depth train: expected its folder after --data, found \"somewhere\""
 expect 2 "$fastscene"
 expect 2 "$fastscene" walk "$work/nowhere"
 says "no run.json"
@@ -42,6 +64,36 @@ lacks p nowhere
 expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
 contents run >before
 kept() { contents run | diff before - >log || fail "something of the run was lost or changed"; no_rest run; }
+
+# Two numbers where three are wanted, in the last of several too.
+expect 2 "$fastscene" render run --position 1 2
+says "--position: expected 3 numbers (X Y Z), found 2"
+expect 2 "$fastscene" render run --position 1 2 3 --position 1 2
+expect 2 "$fastscene" convert run crop.ply --crop -1 -1 -1 1 1
+says "--crop: expected 6 numbers"
+expect 2 "$fastscene" render run --fov wide
+says "--fov: expected a number, found \"wide\""
+lacks crop.ply
+expect 0 "$fastscene" render run --position 1 2 3 --position 0 0 0 --size 8x8 -o still.png
+
+# Files of later stages are missed before the first begins; a pipe is not waited for.
+mkfifo pipe
+for file in gone.pt pipe; do
+  expect 1 "$fastscene" make "$prompt" -o p --walk-inpaint-weights "$file"
+  says "$file: "
+  expect 1 "$fastscene" make "$prompt" -o p --depth-backend egformer --depth-weights "$file"
+  says "$file: "
+  expect 1 timeout 60 "$fastscene" make --panorama "$file" -o p
+  says "$file: cannot be read"
+done
+expect 1 "$fastscene" make "$prompt" -o p --splat-checkpoint nowhere/state
+says "nowhere/state: cannot be written"
+lacks p
+
+# A record that was edited: it is said whose.
+cp -r run edited && sed -i 's/"viewpoints": 2/"viewpoints": "two"/' edited/run.json
+expect 1 "$fastscene" walk edited
+says "edited/run.json: params: viewpoints: expected another kind of value"
 
 # Another prompt, another seed, a foreign folder.
 expect 2 "$fastscene" make "a kitchen" -o run "${tiny[@]}"

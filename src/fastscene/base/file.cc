@@ -37,11 +37,14 @@ void rename_or_throw(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    // A pipe that nobody writes to must not be waited for.
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
     struct stat info {};
     if (file.fd < 0 || ::fstat(file.fd, &info) != 0)
         throw Error("{}: cannot be read: {}", path.string(), std::strerror(errno));
     if (S_ISDIR(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a directory", path.string());
+    // Such has no size, and what was read once is gone: pictures are looked at more than once.
+    if (!S_ISREG(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a pipe or device", path.string());
     std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
     std::size_t have = 0;
     while (have < bytes.size()) {

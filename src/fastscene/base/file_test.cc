@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
@@ -36,6 +37,13 @@ class File : public ::testing::Test {
     }
     fs::path folder_;
 };
+
+// A pipe without a writer would be waited for, and a device has no end.
+TEST_F(File, OnlyFilesAreRead) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    EXPECT_NE(complaint([&] { read_file(folder_ / "pipe"); }).find("pipe: cannot be read: expected a file"), std::string::npos);
+    EXPECT_NE(complaint([] { read_file("/dev/zero"); }).find("/dev/zero: cannot be read: expected a file"), std::string::npos);
+}
 
 TEST_F(File, WritesWhatItReads) {
     std::string bytes("a\0b\n", 4);

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "fastscene/base/writable.h"
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/splat_files.h"
@@ -91,7 +92,7 @@ Verb add_convert(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("convert", "Splats from one file format to another: .ply, .compressed.ply, .spz, .glb, .sog.");
     verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
     verb->add_option("to", flags->to, "File to write; its ending chooses the format.")->type_name("FILE")->required();
-    const auto axes = CLI::IsMember({"y", "z", "-y"}).description("");
+    const auto axes = one_of({"y", "z", "-y"});
     verb->add_option("--up", flags->up,
                      "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")
         ->type_name("y|z|-y")
@@ -100,7 +101,7 @@ Verb add_convert(CLI::App& app) {
         ->type_name("y|z|-y")
         ->check(axes);
     verb->add_option("--handed", flags->handed, "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
-        ->type_name("right|left")->check(CLI::IsMember({"right", "left"}).description(""))->capture_default_str();
+        ->type_name("right|left")->check(one_of({"right", "left"}))->capture_default_str();
     verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")->type_name("X")->capture_default_str();
     verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")
         ->type_name("X Y Z")
@@ -113,11 +114,11 @@ Verb add_convert(CLI::App& app) {
     verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")->type_name("X")->capture_default_str();
     verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")
         ->type_name("N")
-        ->check(CLI::Range(0, 3).description(""))
+        ->check(whole_number_within(0, 3))
         ->capture_default_str();
     verb->add_option("--spz-version", flags->spz_version, "2 for old readers, 3, or 4 (smaller, newest readers).")
         ->type_name("N")
-        ->check(CLI::Range(2, 4).description(""))
+        ->check(whole_number_within(2, 4))
         ->capture_default_str();
     verb->add_flag("--compact", flags->compact, "PLY: only the bands there are, instead of always 62 floats a splat.");
     verb->footer("Example:\n  fastscene convert out/bedroom bedroom.spz --max-splats 100000");

@@ -76,6 +76,9 @@ Verb add_depth(CLI::App& app) {
     // A run's folder is needed for the stage only.
     CLI::Option* folder = depth.app->get_option("folder")->required(false);
     return {depth.app, [=, act = depth.act](const Session& session) {
+                for (const CLI::App* part : {train_verb, check_verb})   // a folder would be taken and not used
+                    if (part->parsed() && folder->count())
+                        throw UsageError("depth {}: expected its folder after --data, found \"{}\" alone", part->get_name(), folder->as<std::string>());
                 if (train_verb->parsed()) return train(*training, session);
                 if (check_verb->parsed()) return check(*checking, session);
                 if (folder->count() == 0) throw UsageError("depth: expected the folder of a run");

@@ -1,5 +1,6 @@
 #include "fastscene/evaluate/evaluate.h"
 
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/evaluate/write.h"
@@ -93,7 +94,7 @@ Verb add_evaluate(CLI::App& app) {
         ->type_name("DIR");
     verb->add_option("--quality", flags->quality, "Preset for all scenes, instead of what the suite says.")
         ->type_name("draft|standard|high")
-        ->check(CLI::IsMember(qualities()).description(""));
+        ->check(one_of(qualities()));
     verb->add_option("--scenes", flags->scenes, "Only the first N scenes; 0: all.")->type_name("N")->capture_default_str();
     verb->add_option("--peer", flags->peers, "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be given often.")
         ->type_name("NAME=DIR")

@@ -10,10 +10,11 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/base/parallel.h"
-#include "fastscene/base/suggest.h"
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/inpaint.h"
 #include "fastscene/cli/progress.h"
 #include "fastscene/cli/signals.h"
+#include "fastscene/cli/usage.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/pipeline/build_info.h"
@@ -30,50 +31,13 @@ namespace {
 void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
     verb.add_option("--threads", common->threads, "Threads to use; 0 = all cores. The result is the same for any number.")
         ->type_name("N")
-        ->check(CLI::Range(0, 4096).description(""))
+        ->check(whole_number_within(0, 4096))
         ->capture_default_str();
     verb.add_flag("--json", common->json, "Write the result to stdout as JSON.");
     verb.add_option("--progress", common->progress, "How progress is shown on stderr.")
         ->type_name("auto|plain|json|none")
-        ->check(CLI::IsMember({"auto", "plain", "json", "none"}).description(""))
+        ->check(one_of({"auto", "plain", "json", "none"}))
         ->capture_default_str();
-}
-
-std::vector<std::string> flags_of(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    return names;
-}
-std::vector<std::string> verbs_of(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
-    return names;
-}
-
-// The first argument that nobody took, and what may have been meant.
-std::string unknown_argument(const CLI::App& app, const std::vector<Verb>& verbs) {
-    std::string word;
-    std::vector<std::string> known = verbs_of(app);
-    std::string verb_name;
-    const std::vector<std::string> rest = app.remaining();
-    if (!rest.empty()) word = rest.front();
-    for (const Verb& verb : verbs) {
-        if (!verb.app->parsed()) continue;
-        verb_name = verb.app->get_name();
-        known = flags_of(*verb.app);
-        for (const std::string& argument : verb.app->remaining())
-            if (word.empty() || argument.starts_with("-")) {
-                word = argument;
-                break;
-            }
-    }
-    word = word.substr(0, word.find('='));
-    const std::string guess = nearest_word(word, known);
-    const std::string where = verb_name.empty() ? "" : verb_name + ": ";
-    std::string text = where + "unknown " + (word.starts_with("-") ? "flag " : verb_name.empty() ? "verb " : "argument ") + word;
-    if (!guess.empty()) text += "; did you mean " + guess + "?";
-    return text + " (fastscene " + (verb_name.empty() ? "" : verb_name + " ") + "--help lists what there is)";
 }
 
 int usage(const std::string& text) {
@@ -121,21 +85,24 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so that a script's defaults can be overridden
     app.get_formatter()->column_width(34);
-    app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     bool version = false;
     app.add_flag("--version", version, "Print the version and exit.");
     const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app),  add_walk(app),    add_views(app), add_splat(app),
                                   add_metrics(app), add_evaluate(app), add_render(app), add_convert(app), add_view(app),  add_rooms(app),
                                   add_inpaint(app), add_models(app),   add_doctor(app), add_version(app)};
+    // After the verbs, which would take it over.
+    app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     auto common = std::make_shared<Common>();
     for (const Verb& verb : verbs) add_common_flags(*verb.app, common);
     try {
         app.parse(argc, argv);
+        check_values(app);
     } catch (const CLI::Success& e) {
+        if (app.get_subcommands().empty() && has_unknown_words(app)) return usage(unknown_argument(app));  // mak --help
         return app.exit(e);  // --help
     } catch (const CLI::ExtrasError&) {
-        return usage(unknown_argument(app, verbs));
-    } catch (const CLI::RequiredError& e) {
+        return usage(unknown_argument(app));
+    } catch (const CLI::RequiredError&) {
         if (version) {
             std::cout << "fastscene " << program_version() << std::endl;
             return 0;
@@ -144,9 +111,10 @@ int run(int argc, char** argv) {
             std::cerr << app.help();
             return 2;
         }
-        if (!app.remaining().empty()) return usage(unknown_argument(app, verbs));
-        return usage(e.what());
+        return usage(app.remaining(true).empty() ? missing_argument(app) : unknown_argument(app));
     } catch (const CLI::ParseError& e) {
+        return usage(bad_value(app, e));
+    } catch (const UsageError& e) {
         return usage(e.what());
     }
     for (const Verb& verb : verbs)

@@ -32,6 +32,7 @@ Verb add_metrics(CLI::App& app) {
     verb->add_flag("--truth", flags->truth, "Trace the real room behind the prompt and compare.");
     verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
+    verb->footer("Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference truth");
     const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `metrics`
     return {verb, [verb, flags, parts](const Session& session) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/metrics.h"
 #include "fastscene/io/image_io.h"
@@ -68,7 +69,7 @@ Verb add_metrics_depth(CLI::App& metrics) {
     verb->add_option("--align", flags->align,
                      "What is set right first: none, the scale (by the median), or scale and shift (least squares), as published.")
         ->type_name("none|scale|affine")
-        ->check(CLI::IsMember(std::vector<std::string>{"none", "scale", "affine"}).description(""))
+        ->check(one_of({"none", "scale", "affine"}))
         ->capture_default_str();
     verb->add_option("--farthest", flags->farthest, "Pixels whose truth is farther than this, in metres, are not counted.")
         ->type_name("M")

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "fastscene/base/writable.h"
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/metrics.h"
 #include "fastscene/metrics/images.h"
 #include "fastscene/metrics/niqe.h"
@@ -28,7 +29,7 @@ Verb add_metrics_images(CLI::App& metrics) {
     verb->add_option("--prompt", inputs->prompt, "What they should show.")->type_name("TEXT");
     verb->add_option("--measure", inputs->wanted, fmt::format("Only these: {}.", fmt::join(image_measure_names(), " ")))
         ->type_name("NAME")
-        ->check(CLI::IsMember(image_measure_names()).description(""));
+        ->check(one_of(image_measure_names()));
     verb->add_option("--weights", inputs->weights,
                      "Folder of parameters and networks; default: $FASTSCENE_WEIGHTS, else fastscene/metrics in the user's cache.")
         ->type_name("DIR");

@@ -157,6 +157,7 @@ Verb add_path(CLI::App& models_verb) {
 Verb add_models(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("models", "Weights of others: which there are, bring them here, check them.");
     verb->require_subcommand(1);
+    verb->footer("Examples:\n  fastscene models list\n  fastscene models pull lpips --accept");
     CLI::App* list_verb = verb->add_subcommand("list", "Which models this program can use, under which licence, and which are here.");
     const std::vector<Verb> parts{{list_verb, list}, add_pull(*verb), add_verify(*verb), add_path(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `models`

@@ -1,5 +1,6 @@
 #include "fastscene/cli/request.h"
 
+#include "fastscene/cli/checks.h"
 #include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/share.h"
 
@@ -24,7 +25,7 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
             ->group(sfm->get_group());
     app.add_option("--quality", flags->quality, "Preset that fills all settings below.")
         ->type_name("draft|standard|high")
-        ->check(CLI::IsMember(qualities()).description(""))
+        ->check(one_of(qualities()))
         ->default_str(flags->quality)
         ->each([flags = flags.get()](const std::string&) { flags->has_quality = true; });
 }
@@ -70,7 +71,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
         ->type_name("none|cc0|all")
-        ->check(CLI::IsMember({"none", "cc0", "all"}).description(""));
+        ->check(one_of({"none", "cc0", "all"}));
     verb->add_flag("--force", flags->force, "Throw away what another prompt or seed has left in the folder.");
     add_param_flags(*verb, flags, last_stage);
 

@@ -1,4 +1,5 @@
 #include "fastscene/base/file.h"
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/server.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/share.h"
@@ -15,8 +16,9 @@ Verb add_view(CLI::App& app) {
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR")->required();
     verb->add_option("--port", flags->port, "Port; 0 = any free one.")
         ->type_name("N")
-        ->check(CLI::Range(0, 65535).description(""))
+        ->check(whole_number_within(0, 65535))
         ->capture_default_str();
+    verb->footer("Example:\n  fastscene view out/bedroom");
     return {verb, [flags](const Session& session) {
                 const RunFolder folder{flags->folder};
                 if (!std::filesystem::exists(folder.scene_compressed_ply()))

@@ -3,7 +3,9 @@
 namespace fastscene::cli {
 
 Verb add_views(CLI::App& app) {
-    return add_stage_verb(app, "views", "Panoramas -> perspective views, cameras and starting points.");
+    const Verb verb = add_stage_verb(app, "views", "Panoramas -> perspective views, cameras and starting points.");
+    verb.app->footer("Example:\n  fastscene views out/bedroom --views-size 800");
+    return verb;
 }
 
 }  // namespace fastscene::cli

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fastscene/base/file.h"
+#include "fastscene/base/writable.h"
 #include "fastscene/depth/examples.h"
 #include "fastscene/depth/painted_room.h"
 #include "fastscene/depth/photo_look.h"
@@ -58,6 +60,9 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         for (DepthFiles& one : find_depth_files(data)) files.push_back(std::move(one));
         names.push_back(data.string());
     }
+    // Before the rooms are painted that the training is measured with.
+    make_directories(folder);
+    check_writable(folder / "training.json");
     const auto wanted = static_cast<std::size_t>(std::max(1., p.share * static_cast<double>(files.size())));
     const std::vector<DepthExample> examples = load_examples(with_fate(files, false, wanted), false, size, run);
     std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);

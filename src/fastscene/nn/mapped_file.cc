@@ -13,7 +13,7 @@
 namespace fastscene {
 
 MappedFile::MappedFile(const std::filesystem::path& path) : path_(path) {
-    const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int handle = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     struct stat about {};
     if (handle < 0 || ::fstat(handle, &about) != 0) {
         const int reason = errno;
@@ -22,7 +22,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) : path_(path) {
     }
     if (!S_ISREG(about.st_mode)) {
         ::close(handle);
-        throw Error("{}: expected a file, found a {}", path.string(), S_ISDIR(about.st_mode) ? "directory" : "device");
+        throw Error("{}: expected a file, found a {}", path.string(), S_ISDIR(about.st_mode) ? "directory" : "pipe or device");
     }
     size_ = static_cast<std::size_t>(about.st_size);
     void* at = size_ ? ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, handle, 0) : nullptr;

@@ -7,6 +7,8 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/writable.h"
+#include "fastscene/nn/weights.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
@@ -92,6 +94,17 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
     }
 }
 
+// Files that only a later stage asks for: better missed now than after an hour's work for it.
+void check_named_files(const SceneRequest& request) {
+    const SceneParams& params = request.params;
+    const auto reaches = [&](std::string_view stage) {
+        return std::find(std::begin(kStages), std::end(kStages), stage) <= std::find(std::begin(kStages), std::end(kStages), request.last_stage);
+    };
+    if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer") load_weights(params.depth.weights);
+    if (reaches("walk") && !params.walk.inpaint_weights.empty() && params.walk.inpainter == "aotgan") load_weights(params.walk.inpaint_weights);
+    if (reaches("splat") && !params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
+}
+
 }  // namespace
 
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
@@ -103,6 +116,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     } else {
         check_source(request.source, request.params, request.last_stage, run);
     }
+    check_named_files(request);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
     claim_folder(folder, request, run.seed, gone);
