@@ -17,6 +17,8 @@ namespace fastscene {
 enum class Pattern : std::uint8_t {
     plain, plaster, wood, planks, herringbone, parquet, tile, checker, subway, brick, concrete, marble, terrazzo,
     fabric, knit, carpet, leather, rug, stripes, damask, floral, wicker, metal, art, book, leaf, grass, bark, screen,
+    dots, zigzag, twill, geometric, diamonds, lattice, stars, gingham, plaid, houndstooth, patchwork, leopard, zebra, camouflage, paisley,
+    encaustic, laid_tiles, peeling,
     image,  // Material::image by coords.x, coords.y in [0, 1), repeated; tinted by color_a
 };
 

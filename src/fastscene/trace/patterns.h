@@ -37,6 +37,26 @@ TextureValue stripes(const Material& m, const TexturePoint& p);
 TextureValue damask(const Material& m, const TexturePoint& p);
 TextureValue floral(const Material& m, const TexturePoint& p);
 
+// Prints, weaves and laid tiles of one repeated motif (patterns_prints.cc).
+TextureValue dots(const Material& m, const TexturePoint& p);
+TextureValue zigzag(const Material& m, const TexturePoint& p);
+TextureValue twill(const Material& m, const TexturePoint& p);
+TextureValue geometric(const Material& m, const TexturePoint& p);
+TextureValue diamonds(const Material& m, const TexturePoint& p);
+TextureValue lattice(const Material& m, const TexturePoint& p);
+TextureValue stars(const Material& m, const TexturePoint& p);
+TextureValue gingham(const Material& m, const TexturePoint& p);
+TextureValue plaid(const Material& m, const TexturePoint& p);
+TextureValue houndstooth(const Material& m, const TexturePoint& p);
+TextureValue patchwork(const Material& m, const TexturePoint& p);
+TextureValue leopard(const Material& m, const TexturePoint& p);
+TextureValue zebra(const Material& m, const TexturePoint& p);
+TextureValue camouflage(const Material& m, const TexturePoint& p);
+TextureValue paisley(const Material& m, const TexturePoint& p);
+TextureValue encaustic(const Material& m, const TexturePoint& p);
+TextureValue laid_tiles(const Material& m, const TexturePoint& p);
+TextureValue peeling(const Material& m, const TexturePoint& p);
+
 // A picture (patterns_image.cc).
 TextureValue image(const Material& m, const TexturePoint& p);
 

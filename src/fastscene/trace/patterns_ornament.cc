@@ -100,19 +100,22 @@ TextureValue stripes(const Material& m, const TexturePoint& p) {
 
 TextureValue damask(const Material& m, const TexturePoint& p) {
     // One mirrored motif a cell, cells in half drop.
+    constexpr float kShare = 0.31f;   // of the motif in the surface
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const int column = floor_int(p.flat.x / s);
     const float x = std::fabs(p.flat.x / s - static_cast<float>(column) - 0.5f);
-    const float y = 0.5f - fraction(p.flat.y / (1.5f * s) + 0.5f * static_cast<float>(column & 1));
+    const float y = fraction(p.flat.y / (1.5f * s) + 0.5f * static_cast<float>(column & 1)) - 0.5f;
     const Vec2f q{x, y * 1.5f};
-    float in = rose(q - Vec2f{0.f, 0.08f}, 10, 0.17f, 0.35f);
-    in = std::max(in, leaf_shape(q - Vec2f{0.f, 0.25f}, 0.4f, 0.07f));
-    in = std::max(in, leaf_shape(turned(q - Vec2f{0.05f, 0.18f}, 0.9f), 0.4f, 0.06f));
-    in = std::max(in, leaf_shape(turned(q - Vec2f{0.05f, -0.02f}, 1.9f), 0.36f, 0.055f));
-    in = std::max(in, leaf_shape(turned(q - Vec2f{0.0f, -0.1f}, 2.65f), 0.5f, 0.06f));
-    in = std::max(in, 0.012f - std::fabs(length(q - Vec2f{0.f, 0.08f}) - 0.26f));
-    in = std::min(in, std::fabs(rose(q - Vec2f{0.f, 0.08f}, 10, 0.1f, 0.35f)) - 0.012f);
-    const float cover = mix(0.33f, edge_cover(in, std::max(fp, 0.004f)), detail_fade(fp, 0.5f));
+    // A palmette above a flower, scrolls below; about each an ogee that it shares with its neighbours. x is mirrored: leaves lean to its far side.
+    float in = std::fabs(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f)) - 0.01f;
+    in = std::min(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f), in);
+    for (int i = 0; i < 4; ++i) in = std::max(in, leaf_shape(turned(q - Vec2f{0.f, 0.03f}, -0.42f * static_cast<float>(i)), 0.46f - 0.055f * static_cast<float>(i), 0.055f));
+    in = std::max(in, leaf_shape(turned(q - Vec2f{0.04f, -0.18f}, -2.05f), 0.32f, 0.05f));
+    in = std::max(in, leaf_shape(turned(q - Vec2f{0.02f, -0.22f}, -2.7f), 0.34f, 0.05f));
+    const float wave = 0.5f * (0.5f + 0.5f * std::cos(2.f * kPi * q.y / 1.5f)), steep = 0.5f * kPi / 1.5f * std::sin(2.f * kPi * q.y / 1.5f), apart = std::fabs(x - wave) / std::sqrt(1.f + steep * steep);
+    in = std::max(in, 0.019f - apart);
+    in = std::max(in, 0.007f - std::fabs(apart - 0.045f));
+    const float cover = mix(kShare, edge_cover(in, std::max(fp, 0.004f)), detail_fade(fp, 0.5f));
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, cover);
     v.roughness = mix(m.roughness, m.roughness * 0.75f, cover);

@@ -36,6 +36,24 @@ TextureValue raw_texture(const Material& m, const TexturePoint& p) {
         case Pattern::grass: return patterns::grass(m, p);
         case Pattern::bark: return patterns::bark(m, p);
         case Pattern::screen: return patterns::screen(m, p);
+        case Pattern::dots: return patterns::dots(m, p);
+        case Pattern::zigzag: return patterns::zigzag(m, p);
+        case Pattern::twill: return patterns::twill(m, p);
+        case Pattern::geometric: return patterns::geometric(m, p);
+        case Pattern::diamonds: return patterns::diamonds(m, p);
+        case Pattern::lattice: return patterns::lattice(m, p);
+        case Pattern::stars: return patterns::stars(m, p);
+        case Pattern::gingham: return patterns::gingham(m, p);
+        case Pattern::plaid: return patterns::plaid(m, p);
+        case Pattern::houndstooth: return patterns::houndstooth(m, p);
+        case Pattern::patchwork: return patterns::patchwork(m, p);
+        case Pattern::leopard: return patterns::leopard(m, p);
+        case Pattern::zebra: return patterns::zebra(m, p);
+        case Pattern::camouflage: return patterns::camouflage(m, p);
+        case Pattern::paisley: return patterns::paisley(m, p);
+        case Pattern::encaustic: return patterns::encaustic(m, p);
+        case Pattern::laid_tiles: return patterns::laid_tiles(m, p);
+        case Pattern::peeling: return patterns::peeling(m, p);
         case Pattern::image: return patterns::image(m, p);
     }
     return {m.color_a, m.roughness, 0.5f};
@@ -47,7 +65,7 @@ constexpr float kFarAway = 1e6f;
 // Size of the finest relief of a pattern: below it no slope is computed.
 float relief_size(const Material& m) {
     switch (m.pattern) {
-        case Pattern::brick: case Pattern::tile: case Pattern::subway: case Pattern::checker: return 0.02f;
+        case Pattern::brick: case Pattern::tile: case Pattern::subway: case Pattern::checker: case Pattern::laid_tiles: case Pattern::encaustic: return 0.02f;
         case Pattern::knit: case Pattern::wicker: return 0.5f * m.scale_m;
         case Pattern::planks: case Pattern::herringbone: case Pattern::parquet: return 0.008f;
         default: return 0.006f;
