@@ -48,7 +48,7 @@ struct PieceRequest {
     std::string klass;
     const Style* style = nullptr;           // must not be null
     std::optional<Vec3f> color{};           // linear albedo of the main surface
-    std::string color_name{}, material{}, pattern{};  // names, "" = as the style has it; color wins over color_name
+    std::string color_name{}, color2_name{}, material{}, pattern{};  // names, "" = as the style has it; color wins over color_name
     std::string holder_color{}, holder_material{};  // of what a bouquet stands in; of a bunk's bedding
     int screens = 0;                        // desks: how many monitors will stand on it
     float size_factor = 1.f;                // of the usual size, in [0.5, 2]

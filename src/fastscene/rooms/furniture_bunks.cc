@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "fastscene/rooms/furniture_forms.h"
+#include "fastscene/rooms/prints.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -30,7 +32,8 @@ struct Bunk {
     void deck(float base, bool slats);
     void made_bed(float base, int duvet);
     void ladder(float base, float lean);
-    void guard(float base);
+    void guard(float base, bool gate_at_feet = false);
+    void stairs(float base);
     int duvet(int nth);
 };
 
@@ -50,10 +53,7 @@ Bunk::Bunk(Kit& kit) : k(kit), form(bunk_form(kit)) {
     const bool light = k.style.name == "modern" || k.style.name == "scandinavian";
     Material wood = form == bunk_pipes ? k.style.metal : k.style.name == "modern" ? k.style.wood2 : k.style.wood;
     if (light && form != bunk_pipes && k.dice.chance(0.45f)) wood = *material_named("lacquer");
-    const Pattern grain = wood.pattern;
-    frame = k.main(std::move(wood));
-    // What was said to be striped is the bedding.
-    if (!k.request.pattern.empty()) k.piece.materials[static_cast<std::size_t>(frame)].pattern = grain;
+    frame = k.main(std::move(wood), false);   // what was said to be striped is the bedding
     linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f}));
 }
 
@@ -168,14 +168,42 @@ void Bunk::ladder(float base, float lean) {
     }
 }
 
-// Fences around the upper bed: all the way, but for the ladder.
-void Bunk::guard(float base) {
+// Fences around the upper bed: all the way, but for the ladder; or for where stairs arrive, at the back of its feet.
+void Bunk::guard(float base, bool gate_at_feet) {
     const float from = base + 0.075f, high = 0.3f, gate = hx - 0.09f - kLadderWide, inset = 0.03f;
+    if (gate_at_feet) {
+        for (const float s : {-1.f, 1.f}) fence({-hx, from, s * hz}, {hx, from, s * hz}, high);
+        fence({-hx, from, -hz + inset}, {-hx, from, hz - inset}, high);
+        return fence({hx, from, 0.02f}, {hx, from, hz - inset}, high);
+    }
     fence({-hx, from, hz}, {gate, from, hz}, high);
     fence({-hx, from, -hz}, {hx, from, -hz}, high);
     for (const float s : {-1.f, 1.f}) fence({s * hx, from, -hz + inset}, {s * hx, from, hz - inset}, high);
     if (form == bunk_pipes) k.rod(frame, {gate, base, hz}, {gate, from + high, hz}, 0.015f, -1, 12);
     else k.board(frame, {gate, base - 0.07f, hz}, {0.045f, high + 0.16f, 0.045f}, 0.006f);
+}
+
+// Steps at the feet, from the front to the back, with a drawer in each and a rail on the outside.
+void Bunk::stairs(float base) {
+    constexpr int kSteps = 4;
+    constexpr float kStairWide = 0.44f;
+    const float x0 = hx + 0.036f, x1 = x0 + kStairWide, run = kBunkWide / kSteps, rise = (base - 0.02f) / kSteps;
+    const int box = form == bunk_pipes ? k.material(k.style.name == "industrial" ? k.style.wood : *material_named("lacquer")) : frame, knob = k.material(k.style.metal);
+    for (int i = 0; i < kSteps; ++i) {
+        const float front = hz - run * static_cast<float>(i), back = -hz, top = rise * static_cast<float>(i + 1), low = rise * static_cast<float>(i);
+        k.board(box, {0.5f * (x0 + x1), low, 0.5f * (front + back)}, {kStairWide - 0.02f, rise - 0.022f, front - back - 0.02f}, 0.003f);
+        k.board(box, {0.5f * (x0 + x1), top - 0.024f, 0.5f * (front + back)}, {kStairWide, 0.024f, front - back}, 0.004f);   // the tread
+        fronts(k, box, knob, x0 + 0.012f, x1 - 0.012f, low + 0.008f, top - 0.028f, front - 0.012f, 1, 1);
+    }
+    const auto at = [&](float z) { return rise * ((hz - z) / run + 1.f) + 0.52f; };
+    for (const float z : {hz - 0.03f, -hz + 0.03f}) {
+        const float foot = z > 0 ? rise - 0.01f : base - 0.03f;
+        if (form == bunk_pipes) k.rod(frame, {x1 - 0.02f, foot, z}, {x1 - 0.02f, std::min(at(z), base + 0.46f), z}, 0.016f, -1, 12);
+        else k.board(frame, {x1 - 0.022f, foot, z}, {0.04f, std::min(at(z), base + 0.46f) - foot, 0.04f}, 0.006f);
+    }
+    const float end = std::min(at(-hz + 0.03f), base + 0.46f);
+    if (form == bunk_pipes) k.rod(frame, {x1 - 0.02f, at(hz - 0.03f), hz - 0.03f}, {x1 - 0.02f, end, -hz + 0.03f}, 0.015f, -1, 12);
+    else plank({x1 - 0.022f, at(hz - 0.03f) - 0.02f, hz - 0.03f}, {x1 - 0.022f, end - 0.02f, -hz + 0.03f}, 0.042f, 0.05f);
 }
 
 // Cloth for the nth bed: no two alike.
@@ -186,7 +214,8 @@ int Bunk::duvet(int nth) {
     Material m = tinted(k.style.fabric, asked ? *asked : lerp(color, {0.72f, 0.69f, 0.64f}, 0.3f));
     m.name = "duvet", m.pattern = Pattern::fabric;
     const bool striped = (nth + k.dice.index(2)) % 2 == 0;
-    if (k.request.pattern == "striped" || (striped && !asked && k.request.pattern.empty())) m.pattern = Pattern::stripes, m.scale_m = 0.07f, m.color_b = {0.72f, 0.7f, 0.65f}, m.color_c = m.color_a;
+    k.print(m, asked);
+    if (striped && !asked && !is_print(k.request.pattern)) m.pattern = Pattern::stripes, m.scale_m = 0.07f, m.color_b = {0.72f, 0.7f, 0.65f}, m.color_c = m.color_a;
     return k.material(m);
 }
 
@@ -196,16 +225,20 @@ void settle_bunk(Kit& k) {
 }
 
 void bunk_bed(Kit& k) {
-    constexpr float kLower = 0.26f, kUpper = 1.16f;
+    // Two beds, or three with less air between them; up a ladder or up stairs.
+    const bool triple = k.request.pattern == "triple", stairs = k.request.pattern == "stairs";
+    const std::vector<float> bases = triple ? std::vector<float>{0.16f, 0.94f, 1.72f} : std::vector<float>{0.26f, 1.16f};
     Bunk bunk(k);
-    bunk.posts(kUpper + 0.46f);
-    for (const float base : {kLower, kUpper}) bunk.deck(base, base == kUpper);
-    // Head and foot of the lower bed.
-    for (const float s : {-1.f, 1.f}) bunk.fence({s * bunk.hx, kLower + 0.08f, -bunk.hz + 0.03f}, {s * bunk.hx, kLower + 0.08f, bunk.hz - 0.03f}, 0.4f);
-    bunk.made_bed(kLower, bunk.duvet(0));
-    bunk.guard(kUpper);
-    bunk.made_bed(kUpper, bunk.duvet(1));
-    bunk.ladder(kUpper, 0.13f);
+    bunk.posts(bases.back() + (triple ? 0.42f : 0.46f));
+    // Head and foot of the lowest bed.
+    for (const float s : {-1.f, 1.f}) bunk.fence({s * bunk.hx, bases[0] + 0.08f, -bunk.hz + 0.03f}, {s * bunk.hx, bases[0] + 0.08f, bunk.hz - 0.03f}, 0.4f);
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+        bunk.deck(bases[i], i > 0);
+        if (i > 0) bunk.guard(bases[i], stairs);
+        bunk.made_bed(bases[i], bunk.duvet(static_cast<int>(i)));
+    }
+    if (stairs) bunk.stairs(bases.back());
+    else bunk.ladder(bases.back(), triple ? 0.16f : 0.13f);
     settle_bunk(k);
 }
 

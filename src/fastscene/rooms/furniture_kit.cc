@@ -1,5 +1,6 @@
 #include "fastscene/rooms/furniture_kit.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/prints.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ Material glass() { return *material_named("glass"); }
 Material porcelain() { return plain("porcelain", {0.8f, 0.8f, 0.78f}, 0.12f); }
 Material steel() { return *material_named("steel"); }
 
-int Kit::main(Material m) {
+int Kit::main(Material m, bool printed) {
     std::optional<Vec3f> color = request.color;
     if (!color && !request.color_name.empty()) color = color_named(request.color_name);
     if (!request.material.empty())
@@ -50,27 +51,42 @@ int Kit::main(Material m) {
             else m.scale_m = scale;
             if (request.material == "leather" && !color) m = style.leather;
         }
-    const std::array<std::pair<std::string_view, Pattern>, 9> patterns{{{"striped", Pattern::stripes}, {"stripes", Pattern::stripes}, {"floral", Pattern::floral}, {"damask", Pattern::damask}, {"checkered", Pattern::checker},
-                                                                       {"knitted", Pattern::knit}, {"tiled", Pattern::tile}, {"marble", Pattern::marble}, {"wicker", Pattern::wicker}}};
-    bool patterned = false;
-    for (const auto& [name, pattern] : patterns)
+    // A weave is a material of one yarn; a print has colors of its own.
+    static constexpr std::array<std::pair<std::string_view, Pattern>, 4> kWeaves{{{"knitted", Pattern::knit}, {"tiled", Pattern::tile}, {"marble", Pattern::marble}, {"wicker", Pattern::wicker}}};
+    for (const auto& [name, pattern] : kWeaves)
         if (request.pattern == name) {
-            patterned = true;
             m.pattern = pattern;
-            m.scale_m = pattern == Pattern::floral || pattern == Pattern::damask ? 0.18f : pattern == Pattern::knit ? 0.012f : 0.05f;
-            m.color_b = lerp(m.color_a, style.palette[0], 0.8f);
+            m.scale_m = pattern == Pattern::knit ? 0.012f : 0.05f;
+            m.color_b = pattern == Pattern::knit ? 0.75f * m.color_a : lerp(m.color_a, style.palette[0], 0.8f);
             m.color_c = style.palette[1];
-            if (pattern == Pattern::knit) m.color_b = 0.75f * m.color_a, patterned = false;  // one yarn: its shade, not another color
         }
     if (color) {
         const Material old = m;
         m = tinted(m, *color);
-        if (patterned) m.color_b = lerp(*color, {0.8f, 0.78f, 0.72f}, 0.75f);
         if (old.metal < 0.5f && luminance(m.color_b) < 0.01f) m.color_b = *color * 0.7f;
         m.name = (request.color_name.empty() ? "colored" : request.color_name) + " " + old.name;
     }
+    if (printed) print(m, color);
     piece.main_material = material(std::move(m));
     return piece.main_material;
+}
+
+void Kit::print(Material& m, std::optional<Vec3f> said) const {
+    if (!is_print(request.pattern)) return;
+    // Coats of animals have their own colors; so do the squares of a quilt.
+    if (!said && request.pattern == "leopard") m.color_a = {0.55f, 0.34f, 0.13f};
+    if (!said && request.pattern == "zebra") m.color_a = {0.74f, 0.72f, 0.67f};
+    if (!said && request.pattern == "camouflage") m.color_a = {0.2f, 0.19f, 0.09f};
+    std::optional<Vec3f> second = color_named(request.color2_name);
+    if (request.color2_name.empty()) second.reset();
+    static constexpr Vec3f kInk{0.035f, 0.03f, 0.026f};
+    if (!second && is_one_of(request.pattern, {"leopard", "zebra"})) second = kInk;
+    if (!second && request.pattern == "camouflage" && !said) second = Vec3f{0.07f, 0.1f, 0.04f};
+    // Of a color that was said the other is white, or a dark shade: the room's colors would take it over.
+    if (!second && said) second = luminance(*said) < 0.45f ? lerp(*said, Vec3f{0.8f, 0.78f, 0.72f}, 0.8f) : *said * 0.4f;
+    print_on(m, request.pattern, piece.klass == "rug" ? PrintGround::rug : piece.klass == "curtain" ? PrintGround::curtain : PrintGround::cloth, second, style.palette);
+    if (!said && request.pattern == "leopard") m.color_c = {0.33f, 0.17f, 0.055f};
+    if (!said && request.pattern == "camouflage") m.color_c = {0.28f, 0.24f, 0.15f};
 }
 
 void Kit::merge(const Piece& other, Vec3f at, float turn_deg) {
@@ -233,7 +249,7 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), on_walls(), window_covers(), extras(), wished()}) all.insert(all.end(), group.begin(), group.end());
+    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), on_walls(), window_covers(), extras(), upheaval(), wished()}) all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
 }

@@ -28,7 +28,9 @@ struct Kit {
         return static_cast<int>(piece.materials.size()) - 1;
     }
     // The material that wishes of color, material and pattern change: registered once, first.
-    int main(Material m);
+    int main(Material m, bool printed = true);
+    // The pattern that was asked for, on this ground; `said`: the color that was said of it.
+    void print(Material& m, std::optional<Vec3f> said) const;
     std::uint32_t seed() { return dice.next_u32(); }
 
     Mesh& add(Mesh mesh, int material_index, Vec3f at = {}) {
@@ -103,6 +105,7 @@ std::span<const Entry> themed();    // what a theme of the prompt brings: a sea 
 std::span<const Entry> on_walls();  // boards, hangings, trophies, maps, signs
 std::span<const Entry> window_covers();  // blinds, shutters
 std::span<const Entry> extras();    // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
+std::span<const Entry> upheaval();  // decay, renovation, untidiness: what lies about on floors
 std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
 
 inline constexpr float kTau = 2 * kPi;

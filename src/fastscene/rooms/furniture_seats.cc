@@ -30,7 +30,7 @@ Material throw_cloth(Kit& k) {
     m.pattern = Pattern::knit, m.scale_m = 0.012f, m.bump_m = 0.002f;
     if (k.request.pattern == "patchwork") {
         m.name = "patchwork";
-        m.pattern = Pattern::checker, m.scale_m = 0.09f, m.bump_m = 0.f;
+        m.pattern = Pattern::fabric, m.scale_m = 0.002f, m.bump_m = 0.f;
         m.color_a = k.style.palette[0], m.color_b = lerp(k.style.palette[1], {0.7f, 0.66f, 0.58f}, 0.5f), m.color_c = k.style.palette[2];
     }
     return m;

@@ -243,6 +243,7 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
             if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty()) r.color = color_named(o.color), r.color_name = o.color;
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
+        r.color2_name = wish->color2;
         r.material = wish->material;
         r.pattern = wish->pattern;
         r.holder_color = wish->holder_color;

@@ -29,6 +29,8 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
     const Piece piece = make_piece(r);
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
+    if (lies_about(wish.klass))
+        if (const auto i = strewn(r, wish)) return i;
     if (wish.klass == "rug") {
         PieceRequest sized = r;
         for (const Opening& o : l_.plan().openings) {
@@ -251,6 +253,21 @@ std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObje
     return {};
 }
 
+// On the floor, where the camera may see it: sheets and paper lie flat, below furniture too, a drop cloth below the ladder.
+std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& wish) {
+    const auto somewhere = [&] { return Vec2f{l_.dice().uniform(-0.36f, 0.36f) * l_.plan().width, l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth}; };
+    const auto ladder = l_.find("step_ladder");
+    if (is_one_of(wish.klass, {"drop_cloth", "paper_litter"})) {
+        if (ladder && wish.klass == "drop_cloth")
+            if (const auto i = l_.lay(flat(at(*ladder).position), at(*ladder).yaw, r, wish)) return i;
+        for (int tries = 0; tries < 16; ++tries)
+            if (const auto i = l_.lay(somewhere(), l_.dice().uniform(-0.5f, 0.5f), r, wish)) return i;
+    }
+    for (int tries = 0; tries < 6; ++tries)
+        if (const auto i = l_.on_floor_near(somewhere(), r, wish)) return i;
+    return {};
+}
+
 // By what kind of piece it is.
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
@@ -292,6 +309,8 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
             return {};
         case Mount::floor: break;
     }
+    if (lies_about(wish.klass))
+        if (const auto i = strewn(r, wish)) return i;
     if (wish.klass == "rug") {
         PieceRequest sized = r;
         sized.size_m = {1.6f, 0, 1.1f};

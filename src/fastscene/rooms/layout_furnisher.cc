@@ -25,8 +25,9 @@ std::string picture_for_a_child(Layout& layout) {
 Furnisher::Furnisher(Layout& layout) : l_(layout), wishes_(layout.spec()), clutter_(layout.plan().style.clutter) {
     const PromptSpec& spec = l_.spec();
     if (spec.clutter == "cluttered" || spec.mood == "cozy") clutter_ = std::min(1.f, clutter_ + 0.3f);
+    if (spec.clutter == "messy") clutter_ = 1.f;
     if (spec.clutter == "bare") clutter_ = 0.1f;
-    if (spec.clutter == "empty") clutter_ = 0.f;
+    if (is_left() || !is_furnished() || spec.clutter == "minimal") clutter_ = 0.f;
 }
 
 void Furnisher::run() {
@@ -50,6 +51,9 @@ void Furnisher::put(const std::string& klass, float probability, const How& how,
     if (wishes_.forbids(klass)) return;
     const PromptObject* wish = wishes_.next(klass);
     if (!wish && (!is_furnished() || is_settled(l_.spec(), klass))) return;
+    // Who left took the pictures, and the plants have died; who likes few things has half of what others have.
+    if (!wish && is_left() && is_one_of(klass, {"picture", "plant", "plant_tree", "plant_small", "vase", "candle", "bowl", "cushion", "throw", "floor_lamp", "table_lamp", "tv"})) return;
+    if (!wish && l_.spec().clutter == "minimal") probability *= 0.5f;
     if (!wish && !adding_) {
         if (probability > 0) later_.push_back([=, this] { put(klass, probability, how, then); });
         return;
@@ -165,35 +169,35 @@ int Furnisher::wall_opposite(int anchor) const {
 
 // What makes a room lived in: curtains, plants, pictures, light, small things.
 void Furnisher::finish() {
+    const PromptSpec& spec = l_.spec();
     const std::string& room = l_.spec().room;
     const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
     const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return is_blind(a.wish->klass); });
-    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished()) l_.at_windows(l_.request("curtain"));
+    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished() && !is_left()) l_.at_windows(l_.request("curtain"));
     if (!l_.plan().asked("recessed_lights") && std::none_of(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
         put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
             return l_.hanging(r, {0, 0.2f}, o);
         });
     }
-    const int plants = static_cast<int>(std::lround(l_.plan().style.plants * 3.f));
+    const int plants = is_left() ? 0 : std::min(spec.clutter == "minimal" ? 1 : 9, static_cast<int>(std::lround(l_.plan().style.plants * 3.f)));
     for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
-    const int pictures = 1 + static_cast<int>(std::lround(clutter_ * 3.f));
+    const int pictures = is_left() ? 0 : 1 + static_cast<int>(std::lround(clutter_ * 3.f));
     for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
     on_wall("shelf", 0.4f * clutter_);
     wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
     // After sunset a room wants light from more than its ceiling.
-    const PromptSpec& spec = l_.spec();
     const bool dark = spec.time == "night" || spec.time == "dusk" || spec.light == "lamps on";
     const bool damp = room == "bathroom" || room == "kitchen" || room == "laundry";
     wall("floor_lamp", l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f : dark ? 1.f : wet ? 0.f : 0.5f, {.center_pull = 0, .corner = true});
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
-    const int small = static_cast<int>(std::lround(3 + 7 * clutter_));
+    const int small = is_left() ? 0 : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
     for (int i = 0; i < small; ++i) {
         std::string klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
         if (room == "kids") klass = for_a_child(klass);
         put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
     }
-    if (is_furnished()) add_touches(l_, clutter_);
+    if (is_furnished() && !is_left()) add_touches(l_, clutter_);
 }
 
 }  // namespace fastscene::furnishing

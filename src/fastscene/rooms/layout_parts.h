@@ -14,6 +14,7 @@ namespace fastscene::furnishing {
 
 // Things that stand on others or hang on walls: whoever asks for one at a piece wants it there, not anywhere.
 bool is_small(std::string_view klass);
+bool lies_about(std::string_view klass);     // on floors, nowhere in particular: clothes, paper, rubble
 bool lies_on_seats(std::string_view klass);  // small things that need no table
 // Whether a lamp above such a piece hangs from the ceiling.
 bool hangs_over(std::string_view klass);
@@ -89,7 +90,9 @@ class Furnisher {
 
     // ---- layout_furnisher.cc: placing
     // "only a bed": nothing stands that nobody asked for.
-    bool is_furnished() const { return l_.spec().clutter != "empty"; }
+    bool is_furnished() const { return !is_one_of(l_.spec().clutter, {"empty", "renovation"}); }
+    // Nobody hangs pictures and waters plants there.
+    bool is_left() const { return is_one_of(l_.spec().clutter, {"abandoned", "moving"}); }
     bool chance(float p) { return l_.dice().chance(p); }
     // Places a piece through `how`: at once if it was asked for; else, with this probability, when all that was asked for stands.
     // `then` goes on from it.
@@ -144,6 +147,7 @@ class Furnisher {
     std::optional<int> next_in_row(const PromptObject& wish, const PieceRequest& r);
     std::optional<int> on_a_table_of_its_own(const PieceRequest& r, const PromptObject& wish);
     std::optional<int> anywhere(const PromptObject& wish);
+    std::optional<int> strewn(const PieceRequest& r, const PromptObject& wish);
     // Beside the other monitors at the back of a desk, the outer ones turned to who sits there.
     std::optional<int> next_screen(int desk, const PieceRequest& r, const PromptObject& wish);
     std::optional<int> television(const PieceRequest& r, const PromptObject& wish);

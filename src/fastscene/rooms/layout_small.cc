@@ -118,7 +118,7 @@ std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<in
             p.sill = (first + k) % count;
             if (window && *window != p.sill) continue;
             const Opening& o = plan_.openings[static_cast<std::size_t>(p.sill)];
-            if (o.kind != Opening::Kind::window || o.y0 < kLowest) continue;
+            if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round || o.y0 < kLowest) continue;
             const WallFace face = plan_.wall(o.wall);
             const float side = std::max(0.06f, kSides * (o.u1 - o.u0)) + extents.x / 2;
             p.yaw = yaw_of(face.inward);
@@ -346,7 +346,8 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     constexpr float kOffWall = 0.045f;
     int hung = 0;
     for (const Opening& o : plan_.openings) {
-        if (o.kind != Opening::Kind::window) continue;
+        // No cloth hangs before a porthole, and none hides an arch that was asked for.
+        if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round || (o.shape == Opening::Shape::arched && from.klass.empty())) continue;
         const WallFace face = plan_.wall(o.wall);
         const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
         const auto hang = [&](float margin, float low) {

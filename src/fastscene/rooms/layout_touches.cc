@@ -72,6 +72,7 @@ class Touches {
     bool is_settled(std::string_view klass) const { return furnishing::is_settled(l_.spec(), klass); }
     bool wants(std::string_view klass, float probability) { return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass); }
     const std::string& room() const { return l_.spec().room; }
+    bool is_sparse() const { return is_one_of(l_.spec().clutter, {"bare", "minimal"}); }
 
     // Below windows whose sill is high enough, where nothing else stands.
     void radiators() {
@@ -93,7 +94,7 @@ class Touches {
         if (!filling) return;
         const float area = l_.plan().width * l_.plan().depth;
         const float usual = room() == "living" ? 0.43f : 0.36f;  // sofas leave more floor free than beds and tables
-        const int wanted = static_cast<int>(area * (usual + 0.24f * clutter_));
+        const int wanted = static_cast<int>(area * (is_sparse() ? 0.5f * usual : usual + 0.24f * clutter_));
         for (const std::string_view klass : filling->pieces) {
             const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.klass != "curtain"; });
             if (standing >= wanted) return;
@@ -112,7 +113,7 @@ class Touches {
         if (wants("clock", room() == "kitchen" || room() == "hallway" ? 0.6f : 0.2f) && l_.count("clock") == 0) l_.on_wall(l_.request("clock"), {});
         // What is still bare gets pictures, with the size of the gap in mind.
         const float around = 2 * (l_.plan().width + l_.plan().depth);
-        const int wanted = static_cast<int>(around * (wet ? 0.1f : 0.16f + 0.16f * clutter_));
+        const int wanted = static_cast<int>(around * (is_sparse() ? 0.05f : wet ? 0.1f : 0.16f + 0.16f * clutter_));
         for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge"); i < wanted && !is_settled("picture"); ++i) {
             PieceRequest r = l_.request("picture");
             const float w = l_.dice().uniform(0.35f, 0.95f);

@@ -45,6 +45,7 @@ bool lights_from_above(std::string_view klass) {
     return is_one_of(klass, {"pendant_lamp", "chandelier", "ceiling_lamp", "ceiling_fan", "paper_lantern", "bulb_pendant", "track_light"});
 }
 
+bool lies_about(std::string_view klass) { return is_one_of(klass, {"clothes_heap", "paper_litter", "drop_cloth", "rubble", "pizza_boxes"}); }
 bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat"}); }
 
 bool Ask::at_shell() const {

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/prints.h"
 
 namespace fastscene {
 namespace {
@@ -24,11 +27,14 @@ constexpr Proportions kProportions[] = {
 };
 
 // Words such as "oak" and "walnut" are woods before they are colors.
-void apply_floor_wish(Material& m, PromptObject wish) {
+void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> palette) {
     if (wish.material.empty() || wish.material == "wood")
         if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood)
             wish.material = wish.color;
-    apply_wish(m, wish, true);
+    // A herringbone is laid of wood, ornaments are those of tiles, when nothing else is said.
+    if (wish.material.empty() && is_one_of(wish.pattern, {"herringbone", "zigzag"})) wish.material = "wood";
+    if (wish.material.empty() && is_print(wish.pattern) && !is_one_of(wish.pattern, {"checkered", "striped"})) wish.material = "tile";
+    apply_wish(m, wish, true, palette);
     // Checkered without a word of color: black and white.
     if (wish.pattern == "checkered" && wish.color.empty() && wish.material != "wood") m.color_a = m.color_c = *color_named("off white"), m.color_b = *color_named("charcoal");
 }
@@ -92,6 +98,9 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     if (spec.room == "hallway" && !wish) count = 1;
     const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
     if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
+    // Blinds and shutters are square, and so are their windows.
+    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return !o.forbidden && furnishing::is_blind(o.klass); });
+    if (blinds && shape_of(wish) != Opening::Shape::square) spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
     const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;
@@ -110,7 +119,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         }
         const bool bay = plan.bay && window.wall == 0;
         const float margin = wants_corners(spec) ? 2 * kCornerMargin : 0.6f;
-        const float width = bay ? length - 0.3f
+        const float usual = bay ? length - 0.3f
                                 : std::min(std::max(0.6f, length - margin), large   ? dice.uniform(2.2f, 3.0f)
                                                                             : small ? dice.uniform(0.7f, 0.9f)
                                                                                     : dice.uniform(1.3f, 1.8f));
@@ -118,11 +127,22 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
         window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
+        window.shape = bay || blinds ? Opening::Shape::square : shape_of(wish);
+        float width = usual;
+        if (window.shape == Opening::Shape::arched) {   // upright, up to the ceiling
+            width = std::min(usual, large ? 1.5f : small ? 0.7f : 1.2f);
+            window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
+        } else if (window.shape == Opening::Shape::round) {   // a porthole at the height of the eyes, a larger one about there
+            constexpr float kEyes = 1.55f;
+            width = std::min(usual, wish->words.starts_with("porthole") ? (large ? 0.75f : 0.6f) : large ? 1.5f : small ? 0.7f : 1.05f);
+            window.y0 = std::max(window.y0 < 1.f ? 0.5f : window.y0 - 0.2f, kEyes - width / 2), window.y1 = window.y0 + width;
+        }
         const float slack = wants_corners(spec) ? 0.f : free_margin(length, width) - 0.25f;
         window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
             window.u1 = high - 0.3f;
+            if (window.shape == Opening::Shape::round) window.shape = Opening::Shape::square;   // what is left is narrow
             window.u0 = std::max(std::max(low, 0.f) + kClearOfDoor, window.u1 - width);
             if (!(window.u1 - window.u0 >= 0.5f)) {
                 if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
@@ -148,6 +168,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     door.u0 = dice.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
+    if (shape_of(wish) != Opening::Shape::square) door.shape = Opening::Shape::arched, door.y1 = std::min(plan.height - 0.2f, 2.2f);
     plan.openings.push_back(door);
 }
 
@@ -211,6 +232,23 @@ void dress_in(const std::vector<std::string>& names, Style& style) {
     for (std::size_t i = 0; i < style.palette.size(); i += 2) style.palette[i] = colors[i / 2 % colors.size()];
 }
 
+// Years without anybody: paint comes off, dust takes the colors, metal rusts.
+void leave_to_decay(Plan& plan) {
+    constexpr Vec3f kDust{0.2f, 0.18f, 0.15f}, kRust{0.2f, 0.085f, 0.04f};
+    Style& s = plan.style;
+    for (Material* m : {&s.wall, &s.accent_wall, &s.ceiling}) print_on(*m, "peeling", PrintGround::paper, {}, {});
+    for (Material* m : {&s.floor, &s.trim, &s.wood, &s.wood2, &s.fabric, &s.fabric2, &s.leather, &s.curtain, &s.rug}) {
+        for (Vec3f* c : {&m->color_a, &m->color_b, &m->color_c}) *c = lerp(*c, kDust, 0.5f);
+        m->roughness = std::max(m->roughness, 0.8f);
+    }
+    for (Material* m : {&s.metal, &s.tap}) {
+        m->color_a = m->color_b = m->color_c = lerp(m->color_a, kRust, 0.75f);
+        m->metal *= 0.3f, m->roughness = std::max(m->roughness, 0.75f);
+    }
+    for (Vec3f& c : s.palette) c = lerp(c, kDust, 0.6f);
+    plan.tray = false;
+}
+
 // "Walnut and brass": the wood and the metal of whatever stands there.
 void apply_accents(const std::vector<std::string>& accents, Style& style) {
     for (const std::string& name : accents)
@@ -228,7 +266,7 @@ void suggest_style(PromptSpec& spec) {
                                                                                       {"hanging_chair", "boho"}, {"lounge_chair", "mid-century"}}};
     for (const PromptObject& o : spec.objects)
         for (const auto& [klass, style] : kAtHome)
-            if (spec.style.empty() && !o.forbidden && o.klass == klass) {
+            if (spec.style.empty() && !o.forbidden && o.klass == klass && !(klass == "cobweb" && spec.clutter == "abandoned")) {
                 spec.style = style;
                 spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
             }
@@ -306,19 +344,23 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
-    for (const PromptObject& wish : spec.objects) {
+    for (PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
+        if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() && wish.material.empty()) {
+            wish.pattern = wallpaper_of(plan.style.name);
+            spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
+        }
         if (wish.klass == "wall") {
             // "a brick wall" is one wall; "white walls" are all.
             const bool one = wish.words == "wall" || wish.words == "accent wall";
             const bool accent =
                 one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
             if (!accent && wish.material.empty()) plan.accent = false;
-            apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish, true);
+            apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish, true, plan.style.palette);
             if (accent || wish.material == "brick") plan.accent = true;
             if (!accent && !wish.material.empty()) plan.style.accent_wall = plan.style.wall;
         }
-        if (wish.klass == "floor") apply_floor_wish(plan.style.floor, wish);
+        if (wish.klass == "floor") apply_floor_wish(plan.style.floor, wish, plan.style.palette);
         if (wish.klass == "fittings") apply_fittings(plan.style, wish);
         if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish, true);
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
@@ -327,6 +369,12 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     if (!spec.colors.empty() && spec.everything.color.empty()) {
         paint_in(spec.colors.front(), wet, plan);
         dress_in(spec.colors, plan.style);
+    }
+    if (spec.clutter == "abandoned") leave_to_decay(plan);
+    if (spec.clutter == "renovation") {   // one wall is still raw
+        plan.style.accent_wall = plan.style.wall;
+        print_on(plan.style.accent_wall, "peeling", PrintGround::paper, {}, {});
+        plan.accent = true;
     }
     plan.style.shelves = shelves_of(spec.room);
     report_unbuilt(spec);

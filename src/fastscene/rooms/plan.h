@@ -32,9 +32,15 @@ inline constexpr const char* kNeon = "neon strip";   // the name of their materi
 struct Opening {
     enum class Kind : unsigned char { window, door, doorway } kind = Kind::window;
     int wall = 0;
-    float u0 = 0, u1 = 0, y0 = 0, y1 = 0;
+    float u0 = 0, u1 = 0, y0 = 0, y1 = 0;   // of the box about it, whatever its shape
     bool requested = false;
+    enum class Shape : unsigned char { square, arched, round } shape = Shape::square;
 };
+// How high an arch rises above where it springs; a wide one is flatter than half a circle, and legs are left below it.
+inline float arch_rise(const Opening& o) {
+    constexpr float kLegs = 0.5f;   // share of the height that stays upright
+    return std::min(0.5f * (o.u1 - o.u0), (1.f - kLegs) * (o.y1 - o.y0));
+}
 
 // The inner face of a wall.
 struct WallFace {

@@ -1,6 +1,7 @@
 // Steps of make_plan. Private to rooms/plan*.cc; apply_wish also to the shell.
 #pragma once
 
+#include <span>
 #include <algorithm>
 #include <string_view>
 
@@ -27,8 +28,14 @@ void tile_wet_room(Plan& plan, Random& dice);
 // What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and windows.
 void choose_ceiling(const PromptSpec& spec, Plan& plan);
 
-// Color, material and pattern wishes of a surface.
-void apply_wish(Material& m, const PromptObject& wish, bool boarded = false);
+// The shape that a window, a door or a doorway was asked in.
+inline Opening::Shape shape_of(const PromptObject* wish) {
+    if (!wish || wish->pattern.empty()) return Opening::Shape::square;
+    return wish->pattern == "arched" ? Opening::Shape::arched : wish->pattern == "round" ? Opening::Shape::round : Opening::Shape::square;
+}
+
+// Color, material and pattern wishes of a surface. A print takes its second color from the palette, where the prompt says none.
+void apply_wish(Material& m, const PromptObject& wish, bool boarded = false, std::span<const Vec3f> palette = {});
 // "gold taps", "black hardware": the metal of taps, handles, frames and lamps.
 void apply_fittings(Style& style, const PromptObject& wish);
 // "everything is pink": the materials of room and furniture alike.

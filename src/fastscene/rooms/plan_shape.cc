@@ -131,6 +131,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         o.u0 = at_end ? high - wide - dice.uniform(0.35f, 0.6f) : low + dice.uniform(0.35f, 0.6f);
         o.u1 = o.u0 + wide;
         o.y1 = std::min(plan.height - 0.3f, dice.uniform(2.1f, 2.3f));
+        if (shape_of(wish) != Opening::Shape::square) o.shape = Opening::Shape::arched, o.y1 = std::min(plan.height - 0.2f, o.y1 + 0.25f);
         const WallFace face = plan.wall(w);
 
         auto next = std::make_shared<NextRoom>();
@@ -204,7 +205,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
         float roll = dice.uniform();
         constexpr float kTight = 10.f;  // square metres: no corner to leave out
         if (asked_bay || asked_alcove || wants_corners(spec) || (plan.measured && plan.width * plan.depth < kTight)) roll = 2.f;
-        if (wish_for(spec, "bay_window", true)) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
+        // A bay's panes are square: who asks for arches or portholes has none by chance.
+        if (wish_for(spec, "bay_window", true) || shape_of(wish_for(spec, "window")) != Opening::Shape::square) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
         const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
                     niche = dice.uniform(0.45f, 0.55f);
         if (roll < habit.breast) add_breast(plan, dice);

@@ -5,11 +5,12 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/prints.h"
 
 namespace fastscene {
 
 // Color and material wishes of a surface of the shell.
-void apply_wish(Material& m, const PromptObject& wish, bool boarded) {
+void apply_wish(Material& m, const PromptObject& wish, bool boarded, std::span<const Vec3f> palette) {
     const float scale = m.scale_m;
     if (const auto material = wish.material.empty() ? std::nullopt : material_named(wish.material)) {
         // Wood comes as boards on floors and walls; bare grain is for furniture.
@@ -27,10 +28,8 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded) {
         m.color_b = *color * std::clamp(ratio_b, 0.6f, 1.4f);
         m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
     }
-    if (wish.pattern == "striped") m.pattern = Pattern::stripes, m.scale_m = 0.16f;
-    if (wish.pattern == "floral") m.pattern = Pattern::floral, m.scale_m = 0.3f;
-    if (wish.pattern == "damask") m.pattern = Pattern::damask, m.scale_m = 0.4f;
-    if (wish.pattern == "checkered") m.pattern = Pattern::checker, m.scale_m = 0.3f;
+    const auto second = wish.color2.empty() ? std::nullopt : color_named(wish.color2);
+    print_on(m, wish.pattern, wish.material == "carpet" ? PrintGround::rug : PrintGround::paper, second, wish.color.empty() ? palette : std::span<const Vec3f>{});
 }
 
 void apply_fittings(Style& style, const PromptObject& wish) {

@@ -75,6 +75,7 @@ PromptSpec understand_prompt(const std::string& text, bool strict, std::shared_p
     read_scopes(r);
     read_themes(r);
     read_globals(r);
+    read_state(r);
     relate(r);
     tell_nouns(r);
     collect(r.m, spec);

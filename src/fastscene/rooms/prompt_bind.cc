@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/prints.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -126,10 +127,13 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         }
     } else if (a.is(WordKind::material)) {
         take(&PromptObject::material, "material");
-        if (a.word->adds.starts_with("color=") && object.color.empty()) object.color = a.word->adds.substr(6);
+        if (object.color.empty()) object.color = added_by(*a.word, "color");
+        if (object.pattern.empty()) object.pattern = added_by(*a.word, "pattern");
+    } else if (a.is(WordKind::pattern) && !object.pattern.empty() && a.words.starts_with("pattern")) {
+        r.tell(at, "pattern " + object.pattern + whose, object.id);   // "trellis patterned"
     } else if (a.is(WordKind::pattern)) {
         take(&PromptObject::pattern, "pattern");
-        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_one_of(a.word->meaning, {"striped", "floral", "damask", "checkered", "plain"});
+        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_print(a.word->meaning) || a.word->meaning == "plain";
         if (!shown) r.tell_near(at, "pattern " + a.word->meaning + whose + ": no paper of ours has it", object.id);
     } else if (a.is(WordKind::size) && a.words == "open") {
         r.tell_near(at, "of the " + object.words + ": as such pieces are", object.id);  // rooms are large when they are open, shelves are not

@@ -89,15 +89,16 @@ void read_surface(Reading& r, std::size_t i) {
     }
     PromptObject& surface = r.add_object(floor ? "floor" : "wall", r.m[i].words);
     surface.material = material;
-    if (r.m[i].word->adds.starts_with("color=")) surface.color = r.m[i].word->adds.substr(6);
+    surface.color = added_by(*r.m[i].word, "color");
     for (const std::size_t k : adjectives) {
         const std::string& what = r.m[k].word->meaning;
         std::string& field = r.m[k].is(WordKind::pattern) ? surface.pattern : surface.color.empty() ? surface.color : surface.color2;
         r.m[k].noun = static_cast<int>(i);
-        if (field.empty()) r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass, surface.id);
+        if (field.empty() || (r.m[k].is(WordKind::pattern) && r.m[k].words.starts_with("pattern"))) r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass, surface.id);
         else r.tell_near(k, "the " + surface.klass + " stays " + field, surface.id);
         if (field.empty()) field = what;
     }
+    if (surface.pattern.empty()) surface.pattern = added_by(*r.m[i].word, "pattern");
     r.m[i].object = surface.id;
     r.m[i].settled = true;
     if (r.m[i].word->exact) r.tell(i, "material " + material + " of the " + surface.klass, surface.id);
@@ -107,6 +108,11 @@ void read_surface(Reading& r, std::size_t i) {
 void read_style(Reading& r, std::size_t i) {
     if (r.m[i].negated) return r.tell(i, "not " + r.m[i].word->meaning);
     choose(r, i, &PromptSpec::style, "style", r.m[i].word->meaning);
+    // "minimalist" speaks of how much there is, too.
+    if (const std::string clutter = added_by(*r.m[i].word, "clutter"); !clutter.empty() && r.spec.clutter.empty()) {
+        r.spec.clutter = clutter;
+        r.m[i].meaning += ", with few things";
+    }
 }
 
 // Whether what the windows show was only guessed so far, from the name of a place.
@@ -139,7 +145,8 @@ void read_nuance(Reading& r, std::size_t i) {
         else r.tell_near(i, title);
     } else if (what == "house") r.tell(i, "the house around the room");
     else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
-    else if (what == "round") r.tell(i, "shape: round");
+    else if (what == "round" || what == "arched") r.tell(i, "shape: " + what);
+    else if (what == "bunk stairs") r.tell(i, "stairs up to the bunk, a drawer in each step");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");
     else r.tell_near(i, "nothing in the room shows it");
@@ -174,7 +181,8 @@ void read_one(Reading& r, std::size_t i) {
         case WordKind::weather: choose(r, i, &PromptSpec::weather, "weather", m.word->meaning); break;
         case WordKind::light: choose(r, i, &PromptSpec::light, "light", m.word->meaning); break;
         case WordKind::mood: {
-            const bool clutter = m.word->meaning == "cluttered" || m.word->meaning == "bare" || m.word->meaning == "empty";
+            const bool clutter = is_one_of(m.word->meaning, {"cluttered", "bare", "empty", "minimal"}) || is_state(m.word->meaning);
+            if (m.word->meaning == "messy" && stands_before_piece(r, i)) m.word->meaning = "cluttered";   // "a messy desk" is no mess on the floor
             if (clutter && m.word->meaning != "cluttered" && stands_before_piece(r, i)) return r.tell_near(i, "of a piece: as such pieces are");
             choose(r, i, clutter ? &PromptSpec::clutter : &PromptSpec::mood, "mood", m.word->meaning);
             break;
@@ -192,7 +200,13 @@ void read_one(Reading& r, std::size_t i) {
             }
             break;
         case WordKind::material: read_surface(r, i); break;  // those that are no surface
-        case WordKind::pattern: r.tell_near(i, "pattern: belongs to no piece that was named"); break;
+        case WordKind::pattern:
+            if (m.word->meaning == "herringbone" && !m.negated) {   // "a study in oak and herringbone"
+                PromptObject& floor = r.add_object("floor", m.words);
+                floor.pattern = m.word->meaning;
+                r.tell(i, "pattern herringbone of the floor", floor.id);
+            } else r.tell_near(i, "pattern: belongs to no piece that was named");
+            break;
         case WordKind::size:
             if (m.negated) r.tell(i, "not " + m.word->meaning);
             else if (r.spec.size.empty()) r.spec.size = m.word->meaning == "small" ? "small" : "large", r.tell(i, "size of the room: " + r.spec.size);

@@ -90,7 +90,7 @@ class Matcher {
     // A term of n tokens, spelt as in the lexicon, or with other spaces or a typo.
     bool take_term(std::size_t n) {
         const std::string term = joined(tokens_, at_, n);
-        if (leads_to_a_place(term, at_ + n) || takes_from_the_next(n)) return false;
+        if (leads_to_a_place(term, at_ + n) || stands_there(term, at_ + n) || takes_from_the_next(n)) return false;
         if (const auto word = look_up(term, tongue_.language)) return take({.words = term, .word = word}, n), true;
         if (!tongue_.unread.empty()) return false;
         if (n == 1 && known_[at_]) return false;
@@ -109,6 +109,12 @@ class Matcher {
     bool leads_to_a_place(const std::string& term, std::size_t next) const {
         static constexpr std::array<std::string_view, 9> kLeads{"a", "an", "the", "both", "each", "either", "every", "top", "it"};
         return term.ends_with("s on") && next < tokens_.size() && std::find(kLeads.begin(), kLeads.end(), tokens_[next]) != kLeads.end();
+    }
+
+    // "a lamp stands behind it": no lamp stands.
+    bool stands_there(const std::string& term, std::size_t next) const {
+        static constexpr std::array<std::string_view, 14> kWhere{"behind", "beside", "next", "in", "on", "at", "by", "near", "between", "opposite", "under", "against", "before", "to"};
+        return term.ends_with(" stands") && next < tokens_.size() && std::find(kWhere.begin(), kWhere.end(), tokens_[next]) != kWhere.end();
     }
 
     // "hanging pendant lights", "dark wood floor lamp": the last word of these n belongs to the piece behind, whose name is two words.

@@ -137,12 +137,15 @@ bool is_round(const std::string& words) {
                              "rotonda", "rotondi", "rotonde", "tondo", "tonda"});
 }
 
-// "A round marble table", "une table ronde": whether an adjective of noun i says that it is round; told as understood then.
-bool take_round(Matches& m, std::size_t i) {
+// "round topped", "arched": of doors, doorways and windows.
+bool is_arched(const std::string& words) { return is_one_of(words, {"arched", "rounded", "round topped", "arch topped", "round headed", "curved", "vaulted"}); }
+
+// "A round marble table", "une table ronde": whether an adjective of noun i says that it is round (or arched); told as understood then.
+bool take_round(Matches& m, std::size_t i, bool (*is_shape)(const std::string&) = is_round) {
     const auto describes = [](const Match& x) { return is_adjective(x) || x.is(WordKind::nuance) || x.is(WordKind::style); };
     const auto take = [&](std::size_t k) {
-        if (!is_round(m[k].words)) return false;
-        m[k].word = Word{WordKind::nuance, "round"};
+        if (!is_shape(m[k].words)) return false;
+        m[k].word = Word{WordKind::nuance, is_shape == is_round ? "round" : "arched"};
         return true;
     };
     for (std::size_t k = i; k-- > 0 && describes(m[k]);)
@@ -202,6 +205,24 @@ void heed_the_room(Matches& m) {
         }
         if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
             m[i].word->adds = "pattern=round";
+        // Painters bring steps of their own; a library's ladder leans.
+        if (w == "ladder" && std::any_of(m.begin(), m.end(), [](const Match& x) { return x.word && is_one_of(x.word->meaning, {"renovation", "paint_buckets", "drop_cloth"}); }))
+            m[i].word = Word{WordKind::object, "step_ladder"};
+        // A bunk's ladder or stairs are parts of it.
+        if (is_one_of(m[i].word->meaning, {"staircase", "step_ladder", "ladder"}) && m[i].is(WordKind::object)) {
+            const auto bunk = std::find_if(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_one_of(x.word->meaning, {"bunk_bed", "loft_bed", "cabin_bed"}); });
+            if (bunk != m.end()) {
+                if (m[i].word->meaning == "staircase" && !m[i].negated && bunk->word->meaning == "bunk_bed" && added_by(*bunk->word, "pattern").empty())
+                    bunk->word->adds += std::string(bunk->word->adds.empty() ? "" : ";") + "pattern=stairs";
+                m[i].word = m[i].word->meaning == "staircase" && bunk->word->meaning == "bunk_bed" && !m[i].negated ? Word{WordKind::nuance, "bunk stairs"} : Word{WordKind::detail, "part"};
+            }
+        }
+        // "a round window", "arched wooden doors"
+        if (m[i].is(WordKind::structure) && is_one_of(m[i].word->meaning, {"window", "door", "doorway"}) && added_by(*m[i].word, "pattern").empty()) {
+            const bool arched = take_round(m, i, is_arched), round = !arched && take_round(m, i);
+            if (arched || (round && m[i].word->meaning != "window")) m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=arched";
+            else if (round) m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=round";
+        }
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
         // "a bed with a soft mattress" is one thing; alone it lies on the floor.
         if (m[i].is(WordKind::object) && is_one_of(w, {"mattress", "matratze", "matelas", "colchon", "materasso"}) &&

@@ -111,6 +111,7 @@ void seat_people(Reading& r);             // "a table for eight": its chairs
 void read_scopes(Reading& r);             // "only a bed", "everything is pink"
 void read_themes(Reading& r);             // "a pirate bedroom", "dinosaurs": what the room shows of them
 void read_globals(Reading& r);            // room, style, time … and adjectives that no noun took
+void read_state(Reading& r);              // "abandoned", "messy", "under renovation": what lies about
 void relate(Reading& r);                  // "under the window"
 
 // "style=art deco;without=tv": what a word adds under this name; "": nothing.
@@ -123,6 +124,9 @@ inline std::string added_by(const Word& word, std::string_view name) {
     }
     return {};
 }
+
+// Words for the state a room was left in: they bring what lies about there (prompt_themes.cc).
+inline bool is_state(std::string_view clutter) { return clutter == "abandoned" || clutter == "messy" || clutter == "renovation" || clutter == "moving"; }
 
 // Whether an adjective or its like may stand between an article and its noun.
 bool modifies(const Match& m);

@@ -43,11 +43,40 @@ bool opens_clause(const Reading& r, std::size_t at) {
     return k == 0 || r.m[k - 1].comma;
 }
 
-// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another; "it" is no plural.
-std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool several) {
+// Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp, nothing stands on a picture.
+bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
+    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers", "neon_sign", "macrame"}),
+               low = is_one_of(place.klass, {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair", "floor_lamp", "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
+               flat_or_hung = is_one_of(place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier", "curtain", "floor_lamp", "table_lamp", "plant"});
+    if (relation == "above") return hangs ? !low : !is_one_of(place.klass, {"picture", "mirror", "clock"});
+    if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
+    if (relation == "in front of" || relation == "at the foot of")
+        return thing.klass == "rug" ? !low && !flat_or_hung && !place.klass.ends_with("table") && place.klass != "dining_table_round" : place.klass != "rug";
+    if (relation == "behind") return place.klass != "rug" && (!flat_or_hung || place.klass == "plant");
+    return true;
+}
+
+// "a stool in front of it and a painting above it": where the words before were at a thing, too, it is the same one.
+std::optional<std::size_t> meant_before(const Reading& r, std::size_t subject, std::string_view relation) {
+    std::size_t k = subject;
+    while (k > 0 && modifies(r.m[k - 1])) --k;
+    const std::size_t joint = k;
+    while (k > 0 && (r.m[k - 1].comma || r.m[k - 1].is_function("and"))) --k;
+    if (k == joint || k < 2 || !r.m[k - 1].is_function("it") || !r.m[k - 2].relation || r.m[k - 2].target < 0) return {};
+    const auto target = static_cast<std::size_t>(r.m[k - 2].target);
+    if (relation == "on" || r.m[target].object == r.m[subject].object) return {};
+    return is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[target].object)]) ? std::optional(target) : std::nullopt;
+}
+
+// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another and may have such a thing there;
+// "it" is no plural.
+std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool several, std::string_view relation = {}) {
+    if (!several && !relation.empty())
+        if (const auto same = meant_before(r, subject, relation)) return same;
     std::optional<std::size_t> last, place_of_another;
     for (std::size_t k = subject; k-- > 0;) {
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
+        if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) continue;
         if (!several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) continue;
         const bool place = std::any_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(k),
                                        [&](const Match& m) { return m.relation && m.target == static_cast<int>(k); });
@@ -76,6 +105,12 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     const std::size_t target = placed ? *where : subject;
     if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" && relation != "right of")
         return r.tell_near(at, "where: stands at no piece that was named");
+    // "clothes on the floor" were dropped there, "papers" slid apart.
+    if (placed && relation == "on" && r.object_of(target).klass == "floor") {
+        if (object.klass == "folded_clothes") object.klass = "clothes_heap";
+        if (object.klass == "book_stack" && is_one_of(object.words, {"papers", "paper", "sheets of paper"})) object.klass = "paper_litter";
+    }
+    if (placed && furnishing::lies_about(object.klass) && r.object_of(target).klass == "floor") return r.tell(at, object.klass + " lies on the floor", object.id);
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     object.relation = relation;
     // "a lamp above the table" hangs, "a lamp in the corner" stands on the floor.
@@ -101,11 +136,15 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         if (relation == "between") {
             // "between the bed and the door"; "between two windows" has one class twice.
             const auto second = noun_after(r, target);
-            const auto pronoun = at + 1 < r.m.size() && r.m[at + 1].is_function("them") ? meant_by(r, target, false) : std::nullopt;
+            std::optional<std::size_t> pronoun;
+            if (at + 1 < r.m.size() && r.m[at + 1].is_function("them")) pronoun = meant_by(r, target, false);
             const bool joined = second && *second <= target + 5 &&
                                 std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(target), r.m.begin() + static_cast<std::ptrdiff_t>(*second),
                                             [](const Match& m) { return m.is_function("and"); });
-            object.relation_and = pronoun && r.object_of(target).count == 1 ? r.object_of(*pronoun).klass
+            // "a sofa, two armchairs opposite it and a table between them": between those and these.
+            const PromptObject& those = r.object_of(target);
+            const bool face_to_face = pronoun && those.relation == "opposite" && those.relation_to == r.object_of(*pronoun).klass;
+            object.relation_and = pronoun && (those.count == 1 || face_to_face) ? r.object_of(*pronoun).klass
                                   : joined && *second != subject            ? r.object_of(*second).klass
                                                                             : object.relation_to;
         }
@@ -121,7 +160,7 @@ void relate_both_sides(Reading& r, std::size_t at) {
     std::optional<std::size_t> target;
     if (r.m[at].words.ends_with(" of") || r.m[at].words.ends_with("flanking")) target = noun_after(r, at);
     // "… on either side of it"
-    if (at + 1 < r.m.size() && r.m[at + 1].is_function("it")) target = meant_by(r, *subject, false);
+    if (at + 1 < r.m.size() && r.m[at + 1].is_function("it")) target = meant_by(r, *subject, false, "on both sides of");
     for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
         if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
@@ -269,12 +308,18 @@ void relate_one(Reading& r, std::size_t at) {
     // "a wardrobe on the opposite wall": opposite what was named before.
     if (subject && r.m[at].words.ends_with("opposite wall")) return attach(r, at, *subject, meant_by(r, *subject, false), relation);
     // "a lamp on it": the piece named before the lamp.
-    const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"), them = at + 1 < r.m.size() && r.m[at + 1].is_function("them");
+    std::size_t pronoun = at + 1;   // "on each of them"
+    while (pronoun < r.m.size() && (r.m[pronoun].is_function("each") || r.m[pronoun].is_function("of") || r.m[pronoun].is_function("both") || r.m[pronoun].is_function("each of") || r.m[pronoun].is_function("both of"))) ++pronoun;
+    const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"), them = pronoun < r.m.size() && r.m[pronoun].is_function("them");
+    if (them && pronoun > at + 1 && subject) {
+        const auto those = meant_by(r, *subject, true, relation);
+        if (PromptObject& object = r.object_of(*subject); those && !object.counted && r.object_of(*those).count > 1) object.count = r.object_of(*those).count, object.counted = true;
+    }
     if (it || them || (!target && r.m[at].words == "on top") || (ends_its_phrase(r, at) && subject && *subject + 1 == at)) {
         // "… a cabinet, above it hangs a clock"
         if (!subject && opens_clause(r, at)) subject = noun_after(r, at);
         if (!subject) return r.tell_near(at, "where: of nothing that was named");
-        return attach(r, at, *subject, meant_by(r, *subject, them), relation);
+        return attach(r, at, *subject, meant_by(r, *subject, them, relation), relation);
     }
     if (const auto part = part_behind(r, at); part && relation == "on") {
         if (!subject) return r.tell_near(at, "where: of nothing that was named");

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -111,6 +112,53 @@ void read_themes(Reading& r) {
             r.tell_near(i, "a picture shows it: " + motif, object.id);
         } else continue;
         r.m[i].settled = true;
+    }
+}
+
+// What lies about in a room that was left to decay, is lived in carelessly, renovated or moved into.
+void read_state(Reading& r) {
+    struct Thing {
+        std::string_view klass;
+        int count = 1;
+        std::string_view relation = {}, to = {};
+    };
+    const std::string& state = r.spec.clutter;
+    if (!is_state(state)) return;
+    const std::string& room = r.spec.room;
+    std::vector<Thing> things;
+    if (state == "abandoned") things = {{"cobweb", 2}, {"rubble"}, {"paper_litter"}};
+    if (state == "renovation") things = {{"step_ladder"}, {"drop_cloth"}, {"paint_buckets", 1, "next to", "step_ladder"}, {"moving_boxes"}};
+    if (state == "moving") things = {{"moving_boxes", 3}};
+    if (state == "messy") {
+        if (is_one_of(room, {"study", "kitchen", "dining", "hallway"})) things = {{"paper_litter", 2}, {"moving_boxes"}};
+        else things = {{"clothes_heap", room == "bathroom" || room == "living" ? 1 : 2}, {"paper_litter"}};
+        if (room == "kids") things.push_back({"toy_blocks", 2, "on", "floor"});
+    }
+    for (std::size_t i = 0; i < r.m.size(); ++i) {
+        const bool said = r.m[i].word && (r.m[i].is(WordKind::mood) ? r.m[i].word->meaning == state : r.m[i].is(WordKind::style) && added_by(*r.m[i].word, "clutter") == state);
+        if (!said || r.m[i].negated || !r.m[i].listed) continue;
+        std::string list;
+        int first = -1;
+        for (const Thing& thing : things) {
+            if (is_forbidden(r.spec, thing.klass)) continue;
+            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == thing.klass && !o.forbidden; });
+            if (!there) {
+                PromptObject& object = r.add_object(std::string(thing.klass), r.m[i].words);
+                object.count = thing.count;
+                object.relation = thing.relation;
+                object.relation_to = thing.to;
+                if (first < 0) first = object.id;
+            }
+            std::string name(thing.klass);
+            std::replace(name.begin(), name.end(), '_', ' ');
+            list += (list.empty() ? "" : ", ") + name;
+        }
+        const std::string_view how = state == "abandoned"    ? "peeling walls, dust over everything, hardly anything kept: "
+                                     : state == "renovation" ? "bare plaster, no furniture but what is named: "
+                                     : state == "moving"     ? "hardly anything unpacked: "
+                                                             : "things everywhere: ";
+        r.tell(i, "state: " + state + ", shown by: " + std::string(how) + list, first);
+        return;
     }
 }
 

@@ -9,6 +9,8 @@
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/style.h"
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/prints.h"
+#include "fastscene/rooms/shapes.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/test_prompts.h"
 
@@ -665,8 +667,8 @@ TEST(PromptWords, BedsOfManyPartsTakeTheirWords) {
 // A blanket lies folded on what one sits or lies on, in its own cloth.
 TEST(PromptWords, BlanketsLieOnSeats) {
     for (const auto& [text, on, pattern] : {std::tuple{"a living room with a gray sofa and a red knit throw on the sofa", "sofa", Pattern::knit},
-                                            {"a rustic bedroom with a patchwork quilt on the bed", "bed", Pattern::checker},
-                                            {"a reading nook with an armchair and a blue plaid blanket", "armchair", Pattern::checker},
+                                            {"a rustic bedroom with a patchwork quilt on the bed", "bed", Pattern::patchwork},
+                                            {"a reading nook with an armchair and a blue plaid blanket", "armchair", Pattern::plaid},
                                             {"a boho reading nook with a rattan armchair and a blanket", "armchair", Pattern::knit}}) {
         const Furnished f = furnished(text);
         const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& x) { return x.piece.klass == "throw"; });
@@ -698,6 +700,172 @@ TEST(PromptWords, TermsThatNameTheirMaterialKeepIt) {
     EXPECT_GT(kept, 10);
     EXPECT_EQ(read("a study with a glass desk").objects.front().material, "glass");
     EXPECT_EQ(read("a modern hallway with a wooden door").objects.front().material, "wood");
+}
+
+// "It" and "them" are what may have such a thing there; where the words before were at a thing too, it is the same one.
+TEST(PromptWords, PronounsBindToWhatCanBeMeant) {
+    struct Case {
+        const char *text, *thing, *relation, *to;
+    };
+    for (const auto& [text, thing, relation, to] :
+         {Case{"a piano opposite the window with a stool in front of it and a painting above it", "picture", "above", "piano"},
+          {"a piano opposite the window with a stool in front of it and a painting above it", "stool", "in front of", "piano"},
+          {"two armchairs facing the fireplace, a small round table between them and a rug in front of it", "rug", "in front of", "fireplace"},
+          {"a study where the desk faces the window and a lamp stands behind it", "floor_lamp", "behind", "desk"},
+          {"a bed with a bench in front of it and a mirror above it", "mirror", "above", "bed"},
+          {"a sofa with a side table next to it and a lamp on it", "table_lamp", "on", "side_table"},
+          {"a fireplace with an armchair beside it and a clock above it", "clock", "above", "fireplace"},
+          {"a desk under the window with a chair in front of it and a plant next to it", "plant", "next to", "desk"},
+          {"two nightstands beside the bed and a lamp on each of them", "table_lamp", "on", "nightstand"}}) {
+        const PromptSpec spec = read(text);
+        const PromptObject* object = object_of(spec, thing);
+        ASSERT_TRUE(object) << text;
+        EXPECT_EQ(object->relation, relation) << text << ": " << thing;
+        EXPECT_EQ(object->relation_to, to) << text << ": " << thing;
+    }
+    // Between those who sit face to face.
+    const PromptSpec facing = read("a living room with a sofa, two armchairs opposite it and a coffee table between them");
+    EXPECT_EQ(object_of(facing, "coffee_table")->relation_to, "armchair");
+    EXPECT_EQ(object_of(facing, "coffee_table")->relation_and, "sofa");
+}
+
+// Every pattern that is understood is drawn.
+TEST(Prints, EveryPatternOfTheLexiconIsDrawn) {
+    int patterns = 0;
+    for (const std::string& term : lexicon_terms())
+        if (const auto word = look_up(term); word && word->kind == WordKind::pattern) {
+            EXPECT_TRUE(word->meaning == "plain" || is_print(word->meaning)) << term;
+            ++patterns;
+        }
+    EXPECT_GT(patterns, 80);
+    const float far = 0.06f;
+    for (const char* print : {"striped", "floral", "damask", "checkered", "dots", "zigzag", "herringbone", "geometric", "diamonds", "lattice", "stars", "gingham", "plaid", "houndstooth", "paisley", "encaustic"})
+        for (const std::string& style : styles())
+            for (const PrintGround ground : {PrintGround::paper, PrintGround::cloth, PrintGround::curtain, PrintGround::rug})
+                for (const char* color : {"white", "black", "navy", "mustard", "sage"}) {
+                    Material m = *material_named("linen");
+                    m.color_a = *color_named(color);
+                    print_on(m, print, ground, {}, style_named(style).palette);
+                    EXPECT_NE(m.pattern, Pattern::fabric) << print;
+                    const Vec3f d = m.color_b - m.color_a;
+                    EXPECT_GT(std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}), far * (luminance(m.color_a) < 0.1f ? 0.5f : 1.f)) << print << " on " << color << ", " << style;
+                }
+}
+
+TEST(Prints, WallsFloorsAndClothShowTheirs) {
+    const auto main_of = [](const Furnished& f, const char* klass) {
+        for (const Placed& p : f.room.placed)
+            if (p.piece.klass == klass) return p.piece.materials[static_cast<std::size_t>(p.piece.main_material)].pattern;
+        return Pattern::plain;
+    };
+    const Furnished kids = furnished("a child's bedroom with polka dot curtains and a chevron rug");
+    EXPECT_EQ(main_of(kids, "curtain"), Pattern::dots);
+    EXPECT_EQ(main_of(kids, "rug"), Pattern::zigzag);
+    EXPECT_TRUE(is_told(kids.spec, "chevron", "understood: pattern zigzag"));
+    const Furnished den = furnished("a living room with geometric wallpaper and a herringbone wood floor");
+    EXPECT_EQ(den.room.plan.style.wall.pattern, Pattern::geometric);
+    EXPECT_EQ(den.room.plan.style.floor.pattern, Pattern::herringbone);
+    EXPECT_TRUE(is_told(den.spec, "geometric", "understood: pattern geometric of wall"));
+    const Furnished bath = furnished("a bathroom with green herringbone tiles on the walls and a patterned floor");
+    EXPECT_EQ(bath.room.plan.style.wall.pattern, Pattern::laid_tiles);
+    EXPECT_EQ(bath.room.plan.style.floor.pattern, Pattern::encaustic);
+    // Two colors that were said are both there.
+    const Furnished sofa = furnished("a living room with a red and white gingham armchair");
+    for (const Placed& p : sofa.room.placed)
+        if (p.wish.klass == "armchair") {
+            const Material& m = p.piece.materials[static_cast<std::size_t>(p.piece.main_material)];
+            EXPECT_EQ(m.pattern, Pattern::gingham);
+            EXPECT_GT(luminance(m.color_b), 0.5f);
+            EXPECT_GT(m.color_a.x, 3.f * m.color_a.z);
+        }
+    // Paper of which nothing is said has what its style likes, and that is told.
+    const Furnished paper = furnished("a classic dining room with wallpaper");
+    EXPECT_EQ(paper.room.plan.style.wall.pattern, Pattern::damask);
+}
+
+TEST(Openings, ArchesAndPortholesAreBuiltAsAsked) {
+    const auto shapes_of = [](const Furnished& f, Opening::Kind kind) {
+        std::vector<Opening::Shape> out;
+        for (const Opening& o : f.room.plan.openings)
+            if (o.kind == kind) out.push_back(o.shape);
+        return out;
+    };
+    const auto all_are = [](const std::vector<Opening::Shape>& shapes, Opening::Shape shape) { return !shapes.empty() && std::all_of(shapes.begin(), shapes.end(), [&](Opening::Shape s) { return s == shape; }); };
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+        EXPECT_TRUE(all_are(shapes_of(furnished("a bedroom with two arched windows", seed), Opening::Kind::window), Opening::Shape::arched));
+        EXPECT_TRUE(all_are(shapes_of(furnished("a study with a round window", seed), Opening::Kind::window), Opening::Shape::round));
+        EXPECT_TRUE(all_are(shapes_of(furnished("a living room with an arched wooden door", seed), Opening::Kind::door), Opening::Shape::arched));
+        EXPECT_TRUE(all_are(shapes_of(furnished("a living room with an arched doorway", seed), Opening::Kind::doorway), Opening::Shape::arched));
+        EXPECT_TRUE(all_are(shapes_of(furnished("a living room with a window and a door", seed), Opening::Kind::window), Opening::Shape::square));
+        const Furnished ship = furnished("a cabin with three portholes", seed);
+        for (const Opening& o : ship.room.plan.openings)
+            if (o.kind == Opening::Kind::window) {
+                EXPECT_EQ(o.shape, Opening::Shape::round);
+                EXPECT_NEAR(o.u1 - o.u0, o.y1 - o.y0, 1e-4f);
+                EXPECT_LT(o.u1 - o.u0, 0.8f);
+            }
+        for (const Placed& p : ship.room.placed) EXPECT_TRUE(p.sill < 0 && p.piece.klass != "curtain");
+    }
+    // What is built about them is solid and faces outward.
+    for (const char* text : {"a classic bedroom with two arched windows and an arched door", "a study with a round window and a round door", "a living room with an arched doorway"}) {
+        const Furnished f = furnished(text);
+        Room room;
+        build_shell(f.room.plan, room);
+        std::size_t bent = 0;
+        for (const Mesh& m : room.meshes) {
+            EXPECT_GT(shapes::signed_volume(m), 0.f) << text;
+            // No triangle is a line: its normal would be none, and the room dark.
+            for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
+                const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
+                ASSERT_GT(length(cross(b - a, c - a)), 1e-9f) << text;
+            }
+            bent += m.triangles.size() > 100;
+        }
+        EXPECT_GT(bent, 1u) << text;
+    }
+}
+
+// What state a room is in shows in what stands there, and is told.
+TEST(States, AbandonedMessyRenovatedAndSparseRoomsDiffer) {
+    const auto count = [](const Furnished& f, std::string_view klass) {
+        return std::count_if(f.room.placed.begin(), f.room.placed.end(), [&](const Placed& p) { return p.piece.klass == klass; });
+    };
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        const Furnished usual = furnished("a modern living room", seed), left = furnished("an abandoned modern living room", seed), site = furnished("a modern living room under renovation", seed),
+                        few = furnished("a minimalist living room", seed);
+        EXPECT_LT(left.room.placed.size(), usual.room.placed.size());
+        EXPECT_LT(static_cast<double>(few.room.placed.size()), 0.8 * static_cast<double>(usual.room.placed.size()));
+        for (const char* klass : {"curtain", "plant", "picture", "cushion_set"}) EXPECT_EQ(count(left, klass), 0) << klass;
+        for (const char* klass : {"cobweb", "rubble", "paper_litter"}) EXPECT_GT(count(left, klass), 0) << klass;
+        EXPECT_EQ(left.room.plan.style.wall.pattern, Pattern::peeling);
+        EXPECT_TRUE(is_told(left.spec, "abandoned", "understood: state"));
+        for (const char* klass : {"step_ladder", "drop_cloth", "paint_buckets"}) EXPECT_GT(count(site, klass), 0) << klass;
+        EXPECT_EQ(count(site, "sofa"), 0);
+        EXPECT_TRUE(is_told(site.spec, "under renovation", "understood: state"));
+        EXPECT_TRUE(is_told(few.spec, "minimalist", "understood: style: modern, with few things"));
+        const Furnished messy = furnished("a messy bedroom", seed);
+        EXPECT_GT(count(messy, "clothes_heap"), 0);
+        EXPECT_EQ(count(furnished("a bedroom with a messy desk", seed), "clothes_heap"), 0);
+    }
+    const Furnished dropped = furnished("a bedroom with clothes on the floor and a pizza box on the desk");
+    EXPECT_EQ(count(dropped, "clothes_heap"), 1);
+    for (const Placed& p : dropped.room.placed)
+        EXPECT_TRUE(p.piece.klass != "clothes_heap" || p.position.y < 0.05f);
+}
+
+TEST(Bunks, ThreeHighAndWithStairs) {
+    const auto bunk = [](const std::string& text) {
+        const Furnished f = furnished(text);
+        for (const Placed& p : f.room.placed)
+            if (p.piece.klass == "bunk_bed") return p.piece.size_m;
+        return Vec3f{};
+    };
+    const Vec3f two = bunk("a kids room with a bunk bed"), three = bunk("a kids room with a triple bunk bed"), stairs = bunk("a kids room with a bunk bed with storage stairs");
+    EXPECT_GT(three.y, two.y + 0.35f);
+    EXPECT_GT(stairs.x, two.x + 0.35f);   // stairs stand at the feet
+    EXPECT_LT(stairs.z, two.z);           // no ladder leans in front
+    EXPECT_TRUE(is_told(read("a bunk bed with stairs"), "stairs", "understood") || is_told(read("a bunk bed with stairs"), "stairs", "approximated"));
+    EXPECT_FALSE(object_of(read("a kids room with a bunk bed and a ladder"), "ladder"));
 }
 
 }  // namespace

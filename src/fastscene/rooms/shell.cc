@@ -1,3 +1,6 @@
+#include <array>
+#include <cmath>
+
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/shell_kit.h"
@@ -6,6 +9,20 @@ namespace fastscene {
 namespace {
 
 using namespace shell;
+
+// What an arched or round opening leaves of the box about it.
+void fill_corners(const WallBuilder& wall, const Opening& o, int material) {
+    if (o.shape == Opening::Shape::square) return;
+    const std::vector<Vec2f> inner = edge_of(o, 0);
+    std::vector<Vec2f> outer = inner;
+    const Vec2f middle{(o.u0 + o.u1) / 2, (o.y0 + o.y1) / 2}, half{(o.u1 - o.u0) / 2, (o.y1 - o.y0) / 2};
+    for (Vec2f& p : outer) {
+        const Vec2f d = p - middle;
+        if (o.shape == Opening::Shape::arched) p.y = o.y1;
+        else p = middle + d * (1.f / std::max(std::abs(d.x) / half.x, std::abs(d.y) / half.y));
+    }
+    wall.band(inner, outer, -kWallThickness, 0, material);
+}
 
 // The wall around its openings: columns between openings, and what is below and above each.
 void build_wall(const Plan& plan, int index, Room& room, int material) {
@@ -24,6 +41,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
         wall.box(u, hole.u0, 0, top, -kWallThickness, 0, material);
         wall.box(hole.u0, hole.u1, 0, hole.y0, -kWallThickness, 0, material);
         wall.box(hole.u0, hole.u1, hole.y1, top, -kWallThickness, 0, material);
+        fill_corners(wall, hole, material);
         u = hole.u1;
     }
     wall.box(u, face.length + over, 0, top, -kWallThickness, 0, material);
@@ -59,6 +77,54 @@ void merge(Room& room, Room part, const Rigid& room_from_part) {
 }  // namespace
 
 namespace shell {
+
+void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1, int material, int object) const {
+    Mesh mesh;
+    mesh.material = material;
+    mesh.object = object;
+    // Each face by itself: its edges are sharp.
+    const auto quad = [&](std::array<Vec3f, 4> p) {
+        std::swap(p[1], p[3]);
+        const Vec3f normal = cross(p[2] - p[0], p[3] - p[1]);
+        if (!(length(normal) > 1e-9f)) return;
+        const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const Vec3f& corner : p) {
+            mesh.positions.push_back(corner);
+            mesh.coords.push_back(corner);
+            mesh.normals.push_back(normalize(normal));
+        }
+        // Where the lines touch, at the top of an arch, one of the two triangles is none.
+        for (const auto& [b, c] : {std::pair{1u, 2u}, std::pair{2u, 3u}})
+            if (length(cross(p[b] - p[0], p[c] - p[0])) > 1e-8f) mesh.triangles.insert(mesh.triangles.end(), {base, base + b, base + c});
+    };
+    const auto at = [&](Vec2f p, float w) { return face_.point(p.x, p.y) + face_.inward * w; };
+    const std::size_t last = inner.size() - 1;
+    // Along, up and inward are left-handed (the room's x, y and -z are): corners are listed as in a right-handed frame and turned by quad.
+    for (std::size_t i = 0; i < last; ++i) {
+        quad({at(inner[i], w1), at(outer[i], w1), at(outer[i + 1], w1), at(inner[i + 1], w1)});
+        quad({at(inner[i], w0), at(inner[i + 1], w0), at(outer[i + 1], w0), at(outer[i], w0)});
+        quad({at(inner[i], w0), at(inner[i], w1), at(inner[i + 1], w1), at(inner[i + 1], w0)});
+        quad({at(outer[i], w1), at(outer[i], w0), at(outer[i + 1], w0), at(outer[i + 1], w1)});
+    }
+    if (length(inner[0] - inner[last]) > 1e-4f) {
+        quad({at(inner[0], w0), at(outer[0], w0), at(outer[0], w1), at(inner[0], w1)});
+        quad({at(outer[last], w0), at(inner[last], w0), at(inner[last], w1), at(outer[last], w1)});
+    }
+    room_.meshes.push_back(std::move(mesh));
+}
+
+std::vector<Vec2f> edge_of(const Opening& o, float grow) {
+    const bool round = o.shape == Opening::Shape::round;
+    const int steps = round ? 64 : 32;   // corners of a square about a circle are among them
+    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), span = (o.u1 - o.u0) / 2;
+    const Vec2f middle{(o.u0 + o.u1) / 2, o.y1 - rise};
+    std::vector<Vec2f> out;
+    for (int i = 0; i <= steps; ++i) {
+        const float a = (round ? 2.f : 1.f) * kPi * static_cast<float>(i) / static_cast<float>(steps);
+        out.push_back(middle + Vec2f{(span + grow) * std::cos(a), (rise + grow) * std::sin(a)});
+    }
+    return out;
+}
 
 Material as_asked(const Plan& plan, std::string_view klass, Material usual) {
     const PromptObject* asked = plan.asked(klass);

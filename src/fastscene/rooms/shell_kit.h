@@ -22,10 +22,16 @@ class WallBuilder {
                                         {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material, object));
     }
 
+    // A band between two lines of as many points (u, y), from depth w0 to w1: `outer` lies to the left of who walks along `inner`. Closed.
+    void band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1, int material, int object = -1) const;
+
   private:
     const WallFace& face_;
     Room& room_;
 };
+
+// The edge of an arched or round opening, `grow` metres outside it: from its right foot over the top to its left one, or all around.
+std::vector<Vec2f> edge_of(const Opening& o, float grow);
 
 // Indices of the shell's materials in room.materials.
 struct Materials {

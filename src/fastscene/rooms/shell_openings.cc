@@ -27,11 +27,73 @@ void add_portal(Room& room, Vec3f corner, Vec3f u, Vec3f v, Vec3f inward) {
     room.portals.push_back(dot(cross(u, v), inward) > 0 ? Portal{corner, u, v} : Portal{corner + u, -u, v});
 }
 
+// How high an arched or round opening reaches at u, and how low.
+std::pair<float, float> extent_at(const Opening& o, float u) {
+    if (o.shape == Opening::Shape::square) return {o.y0, o.y1};
+    const bool round = o.shape == Opening::Shape::round;
+    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), x = (u - (o.u0 + o.u1) / 2) / ((o.u1 - o.u0) / 2), lift = rise * std::sqrt(std::max(0.f, 1.f - x * x));
+    return {round ? o.y1 - rise - lift : o.y0, o.y1 - rise + lift};
+}
+
+// A ring about an arched or round opening, from `inside` to `outside` metres of its edge.
+void ring(const WallBuilder& wall, const Opening& o, float inside, float outside, float w0, float w1, int material, int object) {
+    wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
+}
+
+// Frame, bars and casing of a window that is not square; only an arched one has a sill.
+void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int frame, int object) {
+    const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f, middle = (o.u0 + o.u1) / 2;
+    ring(wall, o, -bar, 0, w0, w1, frame, object);
+    const auto upright = [&](float u, float half) {
+        const auto [low, high] = extent_at(o, u);
+        wall.box(u - half, u + half, low + 0.5f * bar, high - 0.5f * bar, w0, w1, frame, object);
+    };
+    if (o.shape == Opening::Shape::round) {
+        // A porthole has one pane and a heavy ring; larger ones have a cross.
+        constexpr float kPorthole = 0.75f;
+        if (o.u1 - o.u0 > kPorthole) {
+            upright(middle, 0.018f);
+            const float y = (o.y0 + o.y1) / 2;
+            wall.box(o.u0 + 0.5f * bar, middle - 0.018f, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame, object);
+            wall.box(middle + 0.018f, o.u1 - 0.5f * bar, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame, object);
+        }
+        const bool porthole = o.u1 - o.u0 <= kPorthole;
+        const int rim = porthole && !plan.asked("window")->color.size() && !plan.asked("window")->material.size() ? add_material(room, *material_named("brass")) : frame;
+        ring(wall, o, -0.012f, porthole ? 0.07f : 0.06f, 0, 0.03f, rim, object);
+        for (int i = 0; porthole && i < 8; ++i) {   // bolts
+            const float a = (static_cast<float>(i) + 0.5f) * kPi / 4, r = (o.u1 - o.u0) / 2 + 0.04f;
+            const Vec2f at{middle + r * std::cos(a), (o.y0 + o.y1) / 2 + r * std::sin(a)};
+            wall.box(at.x - 0.011f, at.x + 0.011f, at.y - 0.011f, at.y + 0.011f, 0.03f, 0.04f, rim, object);
+        }
+        return;
+    }
+    const float spring = o.y1 - arch_rise(o);
+    wall.box(o.u0, o.u0 + bar, o.y0, spring, w0, w1, frame, object);
+    wall.box(o.u1 - bar, o.u1, o.y0, spring, w0, w1, frame, object);
+    wall.box(o.u0 + bar, o.u1 - bar, o.y0, o.y0 + bar, w0, w1, frame, object);
+    wall.box(o.u0 + bar, o.u1 - bar, spring - 0.02f, spring + 0.02f, w0 + 0.008f, w1 - 0.008f, frame, object);
+    const int columns = std::max(2, static_cast<int>(std::ceil((o.u1 - o.u0) / 0.6f)));
+    for (int i = 1; i < columns; ++i) upright(o.u0 + (o.u1 - o.u0) * static_cast<float>(i) / static_cast<float>(columns), 0.02f);
+    const int rows = std::max(1, plan.style.window_rows);
+    for (int i = 1; i < rows; ++i) {
+        const float y = o.y0 + (spring - o.y0) * static_cast<float>(i) / static_cast<float>(rows);
+        wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
+    }
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame, object);
+    if (plan.style.mouldings == Mouldings::none) return;
+    wall.box(o.u0 - kCasing, o.u0, o.y0, spring, 0, 0.025f, frame, object);
+    wall.box(o.u1, o.u1 + kCasing, o.y0, spring, 0, 0.025f, frame, object);
+    ring(wall, o, 0, kCasing, 0, 0.025f, frame, object);
+}
+
 void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
     const int object = add_object(plan, room, "window", o, face, kWallThickness);
     const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
+    // The light comes in through the outer face of the wall; u x v points into the room.
+    add_portal(room, face.point(o.u0, o.y0) - face.inward * kWallThickness, face.along * (o.u1 - o.u0), {0, o.y1 - o.y0, 0}, face.inward);
+    if (o.shape != Opening::Shape::square) return build_shaped_window(plan, o, wall, room, frame, object);
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;
     wall.box(o.u0, o.u0 + bar, o.y0, o.y1, w0, w1, frame, object);
@@ -54,10 +116,6 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
         wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);
         wall.box(o.u0 - 0.08f, o.u1 + 0.08f, o.y1, o.y1 + 0.08f, 0, 0.025f, frame, object);
     }
-    // The light comes in through the outer face of the wall; u x v points into the room.
-    const Vec3f corner = face.point(o.u0, o.y0) - face.inward * kWallThickness;
-    const Vec3f u = face.along * (o.u1 - o.u0), v{0, o.y1 - o.y0, 0};
-    add_portal(room, corner, u, v, face.inward);
 }
 
 void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& dice) {
@@ -66,13 +124,26 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
     const int object = add_object(plan, room, "door", o, face, 0.05f);
     const Material leaf = dice.chance(0.5f) ? plan.style.trim : plan.style.wood;
     const int door = add_material(room, as_asked(plan, "door", leaf)), metal = add_material(room, plan.style.metal);
-    wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
-    // Two panels stand proud of the leaf.
     const float inset = 0.13f, middle = 0.95f;
+    // Two panels stand proud of the leaf.
     wall.box(o.u0 + inset, o.u1 - inset, 0.2f, middle - 0.06f, 0.02f, 0.04f, door, object);
-    wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.04f, door, object);
-    for (const auto& [u0, u1] : {std::pair{o.u0 - 0.08f, o.u0}, std::pair{o.u1, o.u1 + 0.08f}}) wall.box(u0, u1, 0, o.y1 + 0.08f, 0, 0.045f, trim, object);
-    wall.box(o.u0, o.u1, o.y1, o.y1 + 0.08f, 0, 0.045f, trim, object);
+    if (o.shape == Opening::Shape::square) {
+        wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
+        wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.04f, door, object);
+        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}}) wall.box(u0, u1, 0, o.y1 + kCasing, 0, 0.045f, trim, object);
+        wall.box(o.u0, o.u1, o.y1, o.y1 + kCasing, 0, 0.045f, trim, object);
+    } else {
+        const float spring = o.y1 - arch_rise(o);
+        const auto below = [](std::vector<Vec2f> line, float y) {
+            for (Vec2f& p : line) p.y = y;
+            return line;
+        };
+        const std::vector<Vec2f> edge = edge_of(o, 0), panel = edge_of(o, -inset);
+        wall.band(below(edge, 0.005f), edge, -0.01f, 0.02f, door, object);
+        wall.band(below(panel, middle + 0.08f), panel, 0.02f, 0.04f, door, object);
+        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}}) wall.box(u0, u1, 0, spring, 0, 0.045f, trim, object);
+        ring(wall, o, 0, kCasing, 0, 0.045f, trim, object);
+    }
     const float handle = o.u0 < face.length / 2 ? o.u1 - 0.07f : o.u0 + 0.07f, reach = o.u0 < face.length / 2 ? -0.12f : 0.12f;
     wall.box(handle - 0.012f, handle + 0.012f, 0.99f, 1.05f, 0.02f, 0.028f, metal, object);
     wall.box(handle - 0.008f, handle + 0.008f, 1.012f, 1.03f, 0.028f, 0.065f, metal, object);
@@ -86,6 +157,19 @@ void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallBuilder wall(face, room);
     const int object = add_object(plan, room, "doorway", o, face, kWallThickness);
     constexpr float kJamb = 0.02f, kProud = 0.02f;
+    const int saddle = add_material(room, plan.style.wood);
+    wall.box(o.u0 + kJamb, o.u1 - kJamb, -0.05f, 0.006f, -kWallThickness - 0.01f, 0.01f, saddle, object);
+    if (o.shape != Opening::Shape::square) {
+        const float spring = o.y1 - arch_rise(o);
+        for (const auto& [w0, w1] : {std::pair{0.f, kProud}, std::pair{-kWallThickness - kProud, -kWallThickness}}) {
+            wall.box(o.u0 - kCasing, o.u0 + kJamb, 0, spring, w0, w1, trim, object);
+            wall.box(o.u1 - kJamb, o.u1 + kCasing, 0, spring, w0, w1, trim, object);
+            ring(wall, o, -kJamb, kCasing, w0, w1, trim, object);
+        }
+        wall.box(o.u0, o.u0 + kJamb, 0, spring, -kWallThickness, 0, trim, object);
+        wall.box(o.u1 - kJamb, o.u1, 0, spring, -kWallThickness, 0, trim, object);
+        return ring(wall, o, -kJamb, 0, -kWallThickness, 0, trim, object);
+    }
     for (const auto& [w0, w1] : {std::pair{0.f, kProud}, std::pair{-kWallThickness - kProud, -kWallThickness}}) {
         wall.box(o.u0 - kCasing, o.u0 + kJamb, 0, o.y1 + kCasing, w0, w1, trim, object);
         wall.box(o.u1 - kJamb, o.u1 + kCasing, 0, o.y1 + kCasing, w0, w1, trim, object);
@@ -94,8 +178,6 @@ void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
     wall.box(o.u0, o.u0 + kJamb, 0, o.y1, -kWallThickness, 0, trim, object);
     wall.box(o.u1 - kJamb, o.u1, 0, o.y1, -kWallThickness, 0, trim, object);
     wall.box(o.u0 + kJamb, o.u1 - kJamb, o.y1 - kJamb, o.y1, -kWallThickness, 0, trim, object);
-    const int saddle = add_material(room, plan.style.wood);
-    wall.box(o.u0 + kJamb, o.u1 - kJamb, -0.05f, 0.006f, -kWallThickness - 0.01f, 0.01f, saddle, object);
 }
 
 // A point of the slope above a side wall: z along the room, s metres up the slope, `out` metres behind its face.
