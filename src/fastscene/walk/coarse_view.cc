@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/walk/silhouettes.h"
 
 namespace fastscene {
 namespace {
@@ -211,25 +212,61 @@ Vec2f slope_at(const WarpSource& s, int x, int y) {
     return slope;
 }
 
-// At a silhouette every pixel keeps its own quarter of the cell, a piece of its tangent plane in its own color.
-void draw_quarter(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below) {
+// A cell that silhouettes cross: where they run. Its four pixels are numbered as Colors has them; places are in the cell, 0 to 1.
+struct CutCell {
+    float top = 0.5f, bottom = 0.5f, left = 0.5f, right = 0.5f;   // where two pixels' parts meet, on the cell's four sides
+    Vec2f middle{0.5f, 0.5f};                                      // where all parts meet
+};
+
+// Where between two pixels the cut runs, seen from the first. A thing a pixel wide is cut on both sides, and shares what it lacks among them.
+float place_of_cut(const WarpSource& s, int x0, int y0, int x1, int y1) {
+    if (s.share.empty()) return 0.5f;
+    const int w = s.color.width;
+    const auto share = [&](int x, int y) {
+        const float own = own_share(s.share.at(x, y));
+        const bool both = y0 == y1 ? s.cuts.at(x, y) & kCutRight && s.cuts.at(wrap_column(x - 1, w), y) & kCutRight
+                                   : s.cuts.at(x, y) & kCutDown && y > 0 && s.cuts.at(x, y - 1) & kCutDown;
+        return both ? 0.5f * (1.f + own) : own;
+    };
+    return std::clamp(0.5f + share(x0, y0) - share(x1, y1), 0.f, 1.f);
+}
+
+CutCell cut_cell(const WarpSource& s, int x, int y) {
+    const int r = wrap_column(x + 1, s.color.width);
+    CutCell cell;
+    Vec2f sum;
+    int count = 0;
+    const auto met = [&](Vec2f place) { sum = sum + place, ++count; };
+    if (s.cuts.at(x, y) & kCutRight) met({cell.top = place_of_cut(s, x, y, r, y), 0.f});
+    if (s.cuts.at(x, y + 1) & kCutRight) met({cell.bottom = place_of_cut(s, x, y + 1, r, y + 1), 1.f});
+    if (s.cuts.at(x, y) & kCutDown) met({0.f, cell.left = place_of_cut(s, x, y, x, y + 1)});
+    if (s.cuts.at(r, y) & kCutDown) met({1.f, cell.right = place_of_cut(s, r, y, r, y + 1)});
+    if (count >= 2) cell.middle = sum * (1.f / static_cast<float>(count));   // a silhouette crosses the cell in a straight line
+    return cell;
+}
+
+// At a silhouette every pixel keeps its own part of the cell, a piece of its tangent plane in its own color.
+void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below, const CutCell& cell) {
     const WarpSource& s = placed.source;
     const float q = s.inverse_range.at(x, y);
-    const Vec2f slope = slope_at(s, x, y);
-    const float dx = right ? -0.5f : 0.5f, dy = below ? -0.5f : 0.5f;
-    const auto at = [&](float ox, float oy) {
-        const float inverse = std::clamp(q + slope.x * ox + slope.y * oy, 0.8f * q, 1.25f * q);
-        const float px = static_cast<float>(cell_x + (right ? 1 : 0)) + 0.5f + ox, py = static_cast<float>(cell_y + (below ? 1 : 0)) + 0.5f + oy;
-        return placed.corner_at({px, py}, inverse, {0.5f, 0.5f});
+    const Vec2f slope = slope_at(s, x, y), own{right ? 1.f : 0.f, below ? 1.f : 0.f};
+    const auto at = [&](Vec2f place) {
+        const Vec2f o = place - own;
+        const float inverse = std::clamp(q + slope.x * o.x + slope.y * o.y, 0.8f * q, 1.25f * q);
+        return placed.corner_at({static_cast<float>(cell_x) + 0.5f + place.x, static_cast<float>(cell_y) + 0.5f + place.y}, inverse, {0.5f, 0.5f});
     };
-    // Corners in picture order, so that the front stays the front.
-    const float x0 = std::min(dx, 0.f), x1 = std::max(dx, 0.f), y0 = std::min(dy, 0.f), y1 = std::max(dy, 0.f);
-    const Corner a = at(x0, y0), b = at(x1, y0), c = at(x0, y1), d = at(x1, y1);
+    const Corner a = at(own), b = at({below ? cell.bottom : cell.top, own.y}), c = at(cell.middle), d = at({own.x, right ? cell.right : cell.left});
     const Vec3f color = s.color.at(x, y);
     const Colors colors{{color, color, color, color}};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
-    draw(band, a, b, c, colors, plane);
-    draw(band, b, d, c, colors, plane);
+    // In picture order, so that the front stays the front.
+    if (right == below) {
+        draw(band, a, b, c, colors, plane);
+        draw(band, a, c, d, colors, plane);
+    } else {
+        draw(band, a, c, b, colors, plane);
+        draw(band, a, d, c, colors, plane);
+    }
 }
 
 // The surface between four pixels.
@@ -282,10 +319,11 @@ void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesse
         if (jump >= kDeepestFold_m && jump < kDeepestGuess_m) draw_whole(band, placed, x, y, Cover::guess, jump);
         return;
     }
-    if (u00) draw_quarter(band, placed, x, y, x, y, false, false);
-    if (u10) draw_quarter(band, placed, r, y, x, y, true, false);
-    if (u01) draw_quarter(band, placed, x, y + 1, x, y, false, true);
-    if (u11) draw_quarter(band, placed, r, y + 1, x, y, true, true);
+    const CutCell cell = cut_cell(s, x, y);
+    if (u00) draw_part(band, placed, x, y, x, y, false, false, cell);
+    if (u10) draw_part(band, placed, r, y, x, y, true, false, cell);
+    if (u01) draw_part(band, placed, x, y + 1, x, y, false, true, cell);
+    if (u11) draw_part(band, placed, r, y + 1, x, y, true, true, cell);
     if (jump < kDeepestFold_m) draw_whole(band, placed, x, y, Cover::bridge, jump);
 }
 

@@ -15,9 +15,10 @@ inline constexpr std::int16_t kNoPlane = -1;
 
 // A panorama made ready to be warped.
 struct WarpSource {
-    ImageColor color;             // far sides of silhouettes cleaned of the near side's color
+    ImageColor color;             // at silhouettes cleaned of the other side's color
     ImageF inverse_range;         // 1/metres
     ImageMask cuts;               // range_edges
+    ImageMask share;              // Silhouettes::share; empty where not all pixels are used
     ImageMask inside;             // cells (by their left top pixel) about which sixteen pixels lie on one surface; empty where not all are used
     Image<std::int16_t> plane;    // which plane of the scene a pixel lies on, or kNoPlane
     ImageMask used;               // pixels that take part; empty = all

@@ -2,33 +2,10 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/walk/coarse_view.h"
+#include "fastscene/walk/silhouettes.h"
 
 namespace fastscene {
 namespace {
-
-// The far side of a silhouette holds some of the near side's color: take it from the next pixel inside the same surface.
-ImageColor cleaned(const ImageColor& color, const ImageMask& cuts) {
-    const int w = color.width, h = color.height;
-    ImageColor out = color;
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x) {
-            if (!(cuts.at(x, y) & kFarSide)) continue;
-            Vec3f sum;
-            int count = 0;
-            const auto take = [&](int x1, int y1) {
-                if (cuts.at(x1, y1) & (kFarSide | kNearSide)) return;
-                sum += color.at(x1, y1);
-                ++count;
-            };
-            const int left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
-            if (!(cuts.at(left, y) & kCutRight)) take(left, y);
-            if (!(cuts.at(x, y) & kCutRight)) take(right, y);
-            if (y > 0 && !(cuts.at(x, y - 1) & kCutDown)) take(x, y - 1);
-            if (y + 1 < h && !(cuts.at(x, y) & kCutDown)) take(x, y + 1);
-            if (count) out.at(x, y) = sum / static_cast<float>(count);
-        }
-    return out;
-}
 
 // Cells about which all sixteen pixels lie on one surface.
 ImageMask inside_of(const ImageMask& cuts) {
@@ -50,7 +27,9 @@ WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const 
                             Vec3f position) {
     WarpSource source;
     source.cuts = range_edges(range);
-    source.color = cleaned(color, source.cuts);
+    Silhouettes silhouettes = find_silhouettes(color, source.cuts);
+    source.color = std::move(silhouettes.color);
+    if (used.empty()) source.share = std::move(silhouettes.share);   // what was painted is mixed of nothing
     source.inverse_range = ImageF(range.width, range.height);
     std::transform(range.pixels.begin(), range.pixels.end(), source.inverse_range.pixels.begin(), inverse_range);
     source.plane = plane;
@@ -87,6 +66,7 @@ void PackedSource::unpack(WarpSource& into) const {
         into.plane = Image<std::int16_t>(width_, height_, kNoPlane);
     }
     into.inside = {};
+    into.share = {};
     into.used = ImageMask(width_, height_);
     into.position = position_;
     std::size_t from = 0;
