@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/walk/silhouettes.h"
@@ -53,10 +54,30 @@ struct Colors {
 };
 bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 
+// What the target looks at: the middle of every pixel, or the four quarters of some.
+struct Looks {
+    EquirectSize size;
+    Directions directions;                // of pixels; in quarters: of a picture of twice the size
+    Image<std::int32_t> first_quarter;    // in quarters: where the view keeps a pixel's four, or -1; else empty
+
+    explicit Looks(EquirectSize s) : size(s), directions(s) {}
+    explicit Looks(const ImageMask& marked)
+        : size{marked.width, marked.height}, directions({2 * marked.width, 2 * marked.height}), first_quarter(marked.width, marked.height, -1) {
+        for (std::size_t i = 0; i < marked.size(); ++i)
+            if (marked.pixels[i]) first_quarter.pixels[i] = std::exchange(count_, count_ + 4);
+    }
+    bool in_quarters() const { return !first_quarter.empty(); }
+    // Of a view that holds what was seen.
+    EquirectSize view_size() const { return in_quarters() ? EquirectSize{count_, 1} : size; }
+
+  private:
+    std::int32_t count_ = 0;
+};
+
 struct Band {
     CoarseView& view;
     ImageF& order;   // range plus behind_m of what was drawn: the least wins
-    const Directions& directions;
+    const Looks& looks;
     int begin, end;
 };
 
@@ -64,7 +85,9 @@ struct Band {
 struct Box {
     int x0, x1, y0, y1;
 };
-Box box_of(const Corner& a, const Corner& b, const Corner& c, EquirectSize size) {
+Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks) {
+    const EquirectSize size = looks.size;
+    const float early = looks.in_quarters() ? 0.76f : 0.51f, late = 1.f - early;   // a look lies so far within its pixel
     const float w = static_cast<float>(size.width), h = static_cast<float>(size.height);
     const auto near_a = [&](float x) { return x - a.pixel.x > 0.5f * w ? x - w : a.pixel.x - x > 0.5f * w ? x + w : x; };
     const float bx = near_a(b.pixel.x), cx = near_a(c.pixel.x);
@@ -78,10 +101,10 @@ Box box_of(const Corner& a, const Corner& b, const Corner& c, EquirectSize size)
     if (turn > 0.25f) {
         if (y0 < 0.3f * h) y0 = 0;
         if (y1 > 0.7f * h) y1 = h;
-        return {0, size.width - 1, static_cast<int>(std::floor(y0 - 0.51f)), static_cast<int>(std::ceil(y1 - 0.49f))};
+        return {0, size.width - 1, static_cast<int>(std::floor(y0 - early)), static_cast<int>(std::ceil(y1 - late))};
     }
-    return {static_cast<int>(std::ceil(x0 - 0.51f)), static_cast<int>(std::floor(x1 - 0.49f)),
-            static_cast<int>(std::ceil(y0 - 0.51f)), static_cast<int>(std::floor(y1 - 0.49f))};
+    return {static_cast<int>(std::ceil(x0 - early)), static_cast<int>(std::floor(x1 - late)), static_cast<int>(std::ceil(y0 - early)),
+            static_cast<int>(std::floor(y1 - late))};
 }
 
 // Catmull-Rom weights of the four pixels about a place t between the middle two.
@@ -120,33 +143,42 @@ Vec3f color_in_cell(const Colors& c, float u, float v) {
 
 // Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
 void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, const Colors& colors, std::int16_t plane) {
-    const EquirectSize size{band.view.color.width, band.view.color.height};
-    const Box box = box_of(a, b, c, size);
+    const Looks& looks = band.looks;
+    const EquirectSize size = looks.size;
+    const Box box = box_of(a, b, c, looks);
     const int y0 = std::max(box.y0, band.begin), y1 = std::min(box.y1, band.end - 1);
     if (y0 > y1 || box.x0 > box.x1) return;
     const Vec3f na = cross(b.point, c.point), nb = cross(c.point, a.point), nc = cross(a.point, b.point);
     const float volume = dot(a.point, na);
     if (volume == 0.f || !std::isfinite(volume)) return;
     const float sign = volume > 0 ? 1.f : -1.f;
+    const auto look = [&](Vec3f d, std::size_t i) {
+        const float ea = dot(d, na) * sign, eb = dot(d, nb) * sign, ec = dot(d, nc) * sign;
+        const float sum = ea + eb + ec;
+        const float slack = -kEdgeSlack * sum;
+        if (!(sum > 0.f) || ea < slack || eb < slack || ec < slack) return;
+        const float t = volume * sign / sum;
+        float& range = band.view.range.pixels[i];
+        float& order = band.order.pixels[i];
+        if (!(t + colors.behind_m < order) || (is_bridge(colors.cover) && sign < 0)) return;
+        if (colors.cover == Cover::guess && range < kSkyRange && band.view.cover.pixels[i] != Cover::guess) return;
+        range = t;
+        order = t + colors.behind_m;
+        const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
+        band.view.color.pixels[i] = color_in_cell(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
+        band.view.plane.pixels[i] = plane;
+        band.view.cover.pixels[i] = sign > 0 ? colors.cover : Cover::back;
+    };
     for (int y = y0; y <= y1; ++y)
         for (int column = box.x0; column <= box.x1; ++column) {
             const int x = column < 0 ? column + size.width : column >= size.width ? column - size.width : column;
-            const Vec3f d = band.directions.at(x, y);
-            const float ea = dot(d, na) * sign, eb = dot(d, nb) * sign, ec = dot(d, nc) * sign;
-            const float sum = ea + eb + ec;
-            const float slack = -kEdgeSlack * sum;
-            if (!(sum > 0.f) || ea < slack || eb < slack || ec < slack) continue;
-            const float t = volume * sign / sum;
-            float& range = band.view.range.at(x, y);
-            float& order = band.order.at(x, y);
-            if (!(t + colors.behind_m < order) || (is_bridge(colors.cover) && sign < 0)) continue;
-            if (colors.cover == Cover::guess && range < kSkyRange && band.view.cover.at(x, y) != Cover::guess) continue;
-            range = t;
-            order = t + colors.behind_m;
-            const Vec2f uv = (a.uv * ea + b.uv * eb + c.uv * ec) * (1.f / sum);
-            band.view.color.at(x, y) = color_in_cell(colors, std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f));
-            band.view.plane.at(x, y) = plane;
-            band.view.cover.at(x, y) = sign > 0 ? colors.cover : Cover::back;
+            if (!looks.in_quarters()) {
+                look(looks.directions.at(x, y), static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x));
+                continue;
+            }
+            const std::int32_t first = looks.first_quarter.at(x, y);
+            if (first < 0) continue;
+            for (int k = 0; k < 4; ++k) look(looks.directions.at(2 * x + k % 2, 2 * y + k / 2), static_cast<std::size_t>(first + k));
         }
 }
 
@@ -368,16 +400,20 @@ void draw_source(const Band& band, const Placed& placed, bool guesses) {
 // A view that sources are drawn into one after the other.
 class Drawing {
   public:
-    Drawing(EquirectSize size, Vec3f position)
-        : size_(size), position_(position), directions_(size),
-          view_{ImageColor(size.width, size.height), ImageF(size.width, size.height, std::numeric_limits<float>::infinity()),
-                Image<std::int16_t>(size.width, size.height, kNoPlane), Image<Cover>(size.width, size.height, Cover::hole)},
-          order_(view_.range) {}
-
+    Drawing(Looks looks, Vec3f position) : looks_(std::move(looks)), position_(position) {
+        const auto [w, h] = looks_.view_size();
+        view_ = {ImageColor(w, h), ImageF(w, h, std::numeric_limits<float>::infinity()), Image<std::int16_t>(w, h, kNoPlane),
+                 Image<Cover>(w, h, Cover::hole)};
+        order_ = view_.range;
+    }
     void add(const WarpSource& source) {
-        const Placed placed(source, size_, position_);
+        const Placed placed(source, looks_.size, position_);
         draw_all(placed, false);
         if (source.used.empty()) draw_all(placed, true);
+    }
+    void add(const PackedSource& source) {
+        source.unpack(unpacked_);
+        add(unpacked_);
     }
     CoarseView finish() {
         for (float& range : view_.range.pixels)
@@ -387,34 +423,34 @@ class Drawing {
 
   private:
     void draw_all(const Placed& placed, bool guesses) {
-        parallel_for(size_.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
-            draw_source({view_, order_, directions_, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
+        parallel_for(looks_.size.height, kBandRows, [&](std::int64_t begin, std::int64_t end) {
+            draw_source({view_, order_, looks_, static_cast<int>(begin), static_cast<int>(end)}, placed, guesses);
         });
     }
 
-    EquirectSize size_;
+    Looks looks_;
     Vec3f position_;
-    Directions directions_;
     CoarseView view_;
     ImageF order_;
+    WarpSource unpacked_;
 };
 
-}  // namespace
-
-CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
-    Drawing drawing(size, position);
-    for (const WarpSource& source : sources) drawing.add(source);
+template <class Source>
+CoarseView drawn(const std::vector<Source>& sources, Looks looks, Vec3f position) {
+    Drawing drawing(std::move(looks), position);
+    for (const Source& source : sources) drawing.add(source);
     return drawing.finish();
 }
 
-CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position) {
-    Drawing drawing(size, position);
-    WarpSource source;
-    for (const PackedSource& packed : sources) {
-        packed.unpack(source);
-        drawing.add(source);
-    }
-    return drawing.finish();
+}  // namespace
+
+CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) { return drawn(sources, Looks(size), position); }
+CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position) { return drawn(sources, Looks(size), position); }
+CoarseView quarters_view(const std::vector<WarpSource>& sources, const ImageMask& marked, Vec3f position) {
+    return drawn(sources, Looks(marked), position);
+}
+CoarseView quarters_view(const std::vector<PackedSource>& sources, const ImageMask& marked, Vec3f position) {
+    return drawn(sources, Looks(marked), position);
 }
 
 }  // namespace fastscene

@@ -67,4 +67,9 @@ class PackedSource {
 };
 CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position);
 
+// The same through the four quarters of the marked pixels (left top, right top, left bottom, right bottom), whose middles are looked at: a view
+// of 4 x (marked pixels) columns in the order of rows, and one row.
+CoarseView quarters_view(const std::vector<WarpSource>& sources, const ImageMask& marked, Vec3f position);
+CoarseView quarters_view(const std::vector<PackedSource>& sources, const ImageMask& marked, Vec3f position);
+
 }  // namespace fastscene

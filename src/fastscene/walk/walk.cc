@@ -5,6 +5,7 @@
 
 #include "fastscene/base/shortest.h"
 #include "fastscene/geometry/outlook.h"
+#include "fastscene/geometry/range_edges.h"
 #include "fastscene/walk/complete.h"
 #include "fastscene/walk/free_space.h"
 #include "fastscene/walk/published_walk.h"
@@ -18,11 +19,8 @@ constexpr float kObservedWins = 1.03f;
 constexpr float kObservedWins_m = 0.02f;
 
 // What the observed and the invented surfaces show together; `known` says which pixel came from where.
-CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<PackedSource>& invented, Vec3f position, EquirectSize size,
-                   Image<Known>& known) {
-    CoarseView view = coarse_view(observed, size, position);
-    const CoarseView other = coarse_view(invented, size, position);
-    known = Image<Known>(size.width, size.height, Known::invented);
+CoarseView compose(CoarseView view, const CoarseView& other, Image<Known>& known) {
+    known = Image<Known>(view.color.width, view.color.height, Known::invented);
     for (std::size_t i = 0; i < view.color.size(); ++i) {
         const bool seen = view.cover.pixels[i] != Cover::hole && view.cover.pixels[i] != Cover::guess;
         const bool guessed = view.cover.pixels[i] == Cover::guess && other.range.pixels[i] > kFarthestRange;   // as good as sky painted earlier
@@ -38,6 +36,37 @@ CoarseView compose(const std::vector<WarpSource>& observed, const std::vector<Pa
         }
     }
     return view;
+}
+
+// One look a pixel makes stairs of silhouettes. Beside them a pixel becomes the mean of its quarters; a quarter that shows nothing known is of
+// what was painted here: in this pixel, or in those next to it on that side.
+ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource>& observed, const std::vector<PackedSource>& invented, Vec3f position) {
+    const int w = next.color.width, h = next.color.height;
+    ImageMask beside = range_edges(next.range);
+    for (std::uint8_t& bits : beside.pixels) bits &= kFarSide | kNearSide;
+    Image<Known> known;
+    const CoarseView quarters = compose(quarters_view(observed, beside, position), quarters_view(invented, beside, position), known);
+    ImageColor out = next.color;
+    std::size_t quarter = 0;
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            if (!beside.at(x, y)) continue;
+            Vec3f sum;
+            float count = 0;
+            const auto take = [&](Vec3f color) { sum += color, ++count; };
+            for (int k = 0; k < 4; ++k, ++quarter) {
+                if (known.pixels[quarter] != Known::invented) {
+                    take(quarters.color.pixels[quarter]);
+                    continue;
+                }
+                const int x1 = wrap_column(x + (k % 2 ? 1 : -1), w), y1 = std::clamp(y + (k / 2 ? 1 : -1), 0, h - 1);
+                if (next.known.at(x, y) == Known::invented) take(next.color.at(x, y));
+                else if (next.known.at(x1, y) == Known::invented) take(next.color.at(x1, y));
+                else if (next.known.at(x, y1) == Known::invented) take(next.color.at(x, y1));
+            }
+            if (count > 0) out.at(x, y) = sum / count;
+        }
+    return out;
 }
 
 // What the next viewpoints see of a painting: pixels that are part of a surface, however small. One without neighbours would be a speck
@@ -112,14 +141,16 @@ Json walk_our_way(const Panorama& first, const std::vector<Panorama>& more, cons
         run.check_stop();
         const Vec3f position = inverse(first.world_from_pano) * world_position;
         Panorama next;
-        CoarseView view = compose(observed, invented, position, size, next.known);
+        CoarseView view = compose(coarse_view(observed, size, position), coarse_view(invented, size, position), next.known);
         run.check_stop();   // a large picture's steps take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         complete_holes(view, hole, position, world, run);
-        invented.emplace_back(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
+        PackedSource painted(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
         next.color = std::move(view.color);
         next.range = std::move(view.range);
+        next.color = smooth_silhouettes(next, observed, invented, position);
+        invented.push_back(std::move(painted));   // later viewpoints cut silhouettes themselves
         next.world_from_pano = {first.world_from_pano.rotation, world_position};
         take(std::move(next));
         progress.advance();
