@@ -265,14 +265,18 @@ float place_of_cut(const WarpSource& s, int x0, int y0, int x1, int y1) {
 
 CutCell cut_cell(const WarpSource& s, int x, int y) {
     const int r = wrap_column(x + 1, s.color.width);
+    const auto cut = [&](int x0, int y0, int x1, int y1) {
+        const bool used = s.used.empty() || (s.used.at(x0, y0) && s.used.at(x1, y1));
+        return used && s.cuts.at(x0, y0) & (y0 == y1 ? kCutRight : kCutDown);
+    };
     CutCell cell;
     Vec2f sum;
     int count = 0;
     const auto met = [&](Vec2f place) { sum = sum + place, ++count; };
-    if (s.cuts.at(x, y) & kCutRight) met({cell.top = place_of_cut(s, x, y, r, y), 0.f});
-    if (s.cuts.at(x, y + 1) & kCutRight) met({cell.bottom = place_of_cut(s, x, y + 1, r, y + 1), 1.f});
-    if (s.cuts.at(x, y) & kCutDown) met({0.f, cell.left = place_of_cut(s, x, y, x, y + 1)});
-    if (s.cuts.at(r, y) & kCutDown) met({1.f, cell.right = place_of_cut(s, r, y, r, y + 1)});
+    if (cut(x, y, r, y)) met({cell.top = place_of_cut(s, x, y, r, y), 0.f});
+    if (cut(x, y + 1, r, y + 1)) met({cell.bottom = place_of_cut(s, x, y + 1, r, y + 1), 1.f});
+    if (cut(x, y, x, y + 1)) met({0.f, cell.left = place_of_cut(s, x, y, x, y + 1)});
+    if (cut(r, y, r, y + 1)) met({1.f, cell.right = place_of_cut(s, r, y, r, y + 1)});
     if (count >= 2) cell.middle = sum * (1.f / static_cast<float>(count));   // a silhouette crosses the cell in a straight line
     return cell;
 }

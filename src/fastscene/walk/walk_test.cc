@@ -253,6 +253,12 @@ TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
     EXPECT_GE(good, all * 95 / 100) << all;
 }
 
+bool evenly_colored(const ImageColor& color, int x, int y) {
+    for (const int dx : {-1, 1})
+        if (length(color.at(wrap_column(x + dx, color.width), y) - color.at(x, y)) > 0.02f) return false;
+    return true;
+}
+
 // Of the pixels that a walk invents where truly the wall at z = `wall` is: how many, and how many have its color.
 struct WallPainted {
     int all = 0, right = 0;
@@ -271,6 +277,7 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
             for (int x = 0; x < kSize.width; ++x) {
                 if (edges.at(x, y) || panorama.known.at(x, y) == Known::original) continue;
                 if ((from + direction_of_pixel(x, y, kSize) * truth.range.at(x, y)).z < wall - 0.01f) continue;
+                if (!evenly_colored(truth.color, x, y)) continue;   // a corner where a side meets the wall: a mixed pixel, and no edge of the range
                 ++out.all;
                 out.right += length(panorama.color.at(x, y) - truth.color.at(x, y)) < 0.05f;
             }
