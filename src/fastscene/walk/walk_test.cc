@@ -179,15 +179,23 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
         const Vec3f position = panorama.world_from_pano.translation;
         const Panorama truth = render_synthetic(world, position, kSize);
         const CoarseView alone = coarse_view({source_of(first)}, kSize, position);
-        ImageMask holes(kSize.width, kSize.height);
+        const ImageMask edges = near_edges(panorama.range, 0);
+        ImageMask holes(kSize.width, kSize.height), silhouettes(kSize.width, kSize.height);
         for (std::size_t i = 0; i < holes.size(); ++i) {
             holes.pixels[i] = panorama.known.pixels[i] != Known::original;
-            // Observed pixels are the warp's, bit for bit.
-            if (!holes.pixels[i]) {
+            silhouettes.pixels[i] = !holes.pixels[i] && edges.pixels[i];
+            ASSERT_GT(panorama.range.pixels[i], 0.f);
+            if (holes.pixels[i]) continue;
+            // Observed pixels are the warp's, bit for bit, but that silhouettes are smooth.
+            ASSERT_EQ(panorama.range.pixels[i], alone.range.pixels[i]);
+            if (!silhouettes.pixels[i]) {
                 ASSERT_EQ(panorama.color.pixels[i], alone.color.pixels[i]);
             }
-            ASSERT_GT(panorama.range.pixels[i], 0.f);
         }
+        const auto beside = [&](const ImageColor& color) {
+            return psnr(srgb8_from_linear(color), srgb8_from_linear(truth.color), silhouettes);
+        };
+        EXPECT_GT(beside(panorama.color), beside(alone.color) + 1) << k;
         ours += mean_squared_error(srgb8_from_linear(panorama.color), srgb8_from_linear(truth.color), holes) / 4;
         naive += mean_squared_error(srgb8_from_linear(naive_fill(alone)), srgb8_from_linear(truth.color), holes) / 4;
         if (const char* folder = std::getenv("FASTSCENE_TEST_PICTURES")) {
