@@ -105,6 +105,11 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     const std::size_t target = placed ? *where : subject;
     if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" && relation != "right of")
         return r.tell_near(at, "where: stands at no piece that was named");
+    // "cushions and herringbone tiles on the floor": the tiles are, and they are the floor.
+    if (placed && relation == "on")
+        for (std::size_t k = subject + 1; k < at; ++k)
+            if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
+                return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
     // "clothes on the floor" were dropped there, "papers" slid apart.
     if (placed && relation == "on" && r.object_of(target).klass == "floor") {
         if (object.klass == "folded_clothes") object.klass = "clothes_heap";

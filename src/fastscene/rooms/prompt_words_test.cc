@@ -702,6 +702,17 @@ TEST(PromptWords, TermsThatNameTheirMaterialKeepIt) {
     EXPECT_EQ(read("a modern hallway with a wooden door").objects.front().material, "wood");
 }
 
+TEST(PromptWords, TilesOnTheFloorAreTheFloorAndNoPlaceOfTheCushions) {
+    const PromptSpec spec = read("a bedroom with a leopard print rug, zebra cushions and herringbone tiles on the floor");
+    const PromptObject* cushions = object_of(spec, "cushion");
+    ASSERT_NE(cushions, nullptr);
+    EXPECT_EQ(cushions->pattern, "zebra");
+    EXPECT_EQ(cushions->relation, "");
+    const PromptObject* lying = object_of(read("a bedroom with two cushions on the floor"), "cushion");
+    ASSERT_NE(lying, nullptr);
+    EXPECT_EQ(lying->relation, "on");
+}
+
 // "It" and "them" are what may have such a thing there; where the words before were at a thing too, it is the same one.
 TEST(PromptWords, PronounsBindToWhatCanBeMeant) {
     struct Case {
