@@ -270,6 +270,10 @@ void suggest_style(PromptSpec& spec) {
                 spec.style = style;
                 spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
             }
+    if (spec.style.empty() && spec.clutter == "abandoned") {   // what was left decades ago is not of today
+        spec.style = spec.room == "loft" ? "industrial" : "classic";
+        spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
+    }
 }
 
 // "A pink bathroom", "a blue study": a color of no piece is that of a wall at least; tiles have it all around.

@@ -850,6 +850,8 @@ TEST(States, AbandonedMessyRenovatedAndSparseRoomsDiffer) {
         for (const char* klass : {"cobweb", "rubble", "paper_litter"}) EXPECT_GT(count(left, klass), 0) << klass;
         EXPECT_EQ(left.room.plan.style.wall.pattern, Pattern::peeling);
         EXPECT_TRUE(is_told(left.spec, "abandoned", "understood: state"));
+        EXPECT_EQ(left.spec.style, "modern");
+        EXPECT_EQ(furnished("an abandoned living room", seed).spec.style, "classic");   // nobody left it last year
         for (const char* klass : {"step_ladder", "drop_cloth", "paint_buckets"}) EXPECT_GT(count(site, klass), 0) << klass;
         EXPECT_EQ(count(site, "sofa"), 0);
         EXPECT_TRUE(is_told(site.spec, "under renovation", "understood: state"));
