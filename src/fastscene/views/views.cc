@@ -78,16 +78,18 @@ class Cuts {
 
 }  // namespace
 
-ViewSet project_views(const std::vector<Panorama>& panoramas, const ViewsParams& params, const Run& run) {
+ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run) {
+    for (std::size_t p = 0; p < panoramas.size(); ++p)
+        if (panoramas[p].range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
     ViewSet set;
+    set.points = sample_points(panoramas, params.points, run);   // first: it needs all panoramas at once, cutting one after the other
     const Pinhole camera = Pinhole::with_fov(params.size, params.size, params.fov_deg);
     const auto rotations = view_rotations();
     std::optional<Cuts> cuts;
     Progress progress(run, "views", static_cast<std::int64_t>(panoramas.size()));
     for (std::size_t p = 0; p < panoramas.size(); ++p) {
         run.check_stop();
-        const Panorama& panorama = panoramas[p];
-        if (panorama.range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
+        const Panorama panorama = std::move(panoramas[p]);
         const ImageMask weights = weights_of(panorama, params);
         if (!cuts || cuts->size().width != panorama.color.width) cuts.emplace(panorama.size(), camera, rotations);
         const ImageColor color = unit_from_linear(panorama.color);   // a cubic through linear light would ring darkly about every lamp
@@ -102,7 +104,6 @@ ViewSet project_views(const std::vector<Panorama>& panoramas, const ViewsParams&
         }
         progress.advance();
     }
-    set.points = sample_points(panoramas, params.points, run);
     return set;
 }
 
