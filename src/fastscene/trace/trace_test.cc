@@ -518,6 +518,20 @@ TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     EXPECT_EQ(ground_in(1.5f).second, 1.f);
 }
 
+// However long a room of few lamps is exposed, night before its windows stays night; a well lit one sees it as it is.
+TEST(Film, TheNightOutsideADimRoomIsNoDay) {
+    const Vec3f gray{0.5f, 0.5f, 0.5f};
+    Sky sky;
+    sky.time = Sky::Time::night, sky.zenith = {0.0007f, 0.001f, 0.0022f}, sky.horizon = {0.003f, 0.0032f, 0.0045f}, sky.ground = {0.0008f, 0.0008f, 0.001f}, sky.seen = 1;
+    const auto horizon_in = [&](float light) {
+        const Look look = automatic_look({}, sky, ImageColor(32, 16, gray * light), ImageColor(32, 16, gray));
+        return luminance(sky.horizon) * sky.seen * look.outside_seen * std::exp2(look.exposure_ev);
+    };
+    for (const float light : {0.003f, 0.01f, 0.05f, 0.3f}) EXPECT_LT(horizon_in(light), 0.1f) << light;
+    const Look lit = automatic_look({}, sky, ImageColor(32, 16, gray * 0.3f), ImageColor(32, 16, gray));
+    EXPECT_EQ(lit.outside_seen, 1.f);
+}
+
 // The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
 TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
     const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f}, white{0.8f, 0.8f, 0.8f};
