@@ -49,7 +49,9 @@ struct PieceRequest {
     const Style* style = nullptr;           // must not be null
     std::optional<Vec3f> color{};           // linear albedo of the main surface
     std::string color_name{}, color2_name{}, material{}, pattern{};  // names, "" = as the style has it; color wins over color_name
-    std::string holder_color{}, holder_material{};  // of what a bouquet stands in; of a bunk's bedding
+    std::string holder_color{}, holder_material{};  // of what a bouquet stands in; of a bunk's bedding; of a worktop
+    std::string back_color{}, back_material{};      // of the wall behind a worktop
+    bool cooks = true;                      // kitchen_counter: with oven, hob and hood
     int screens = 0;                        // desks: how many monitors will stand on it
     float size_factor = 1.f;                // of the usual size, in [0.5, 2]
     std::uint64_t seed = 0;
@@ -61,6 +63,7 @@ struct PieceRequest {
     const PackModel* model = nullptr;
 };
 
+inline constexpr const char* kHungScreen = "hung";   // the pattern of a TV that hangs on a wall: without feet
 inline constexpr float kMonitorStep = 0.59f;   // from one monitor to the next, metres
 
 // Throws Error for an unknown class. Deterministic in the request.

@@ -9,9 +9,19 @@
 namespace fastscene::furniture {
 namespace {
 
-Material worktop(const Kit& k) {
+// A part of the units in what was asked for it.
+Material part_in(Material usual, const std::string& material, const std::string& color) {
+    if (const auto asked = material.empty() ? std::nullopt : material_named(material)) usual = *asked;
+    if (const auto asked = color.empty() ? std::nullopt : color_named(color)) {
+        // A plain worktop of another color is no longer wood.
+        usual = material.empty() && usual.pattern == Pattern::wood ? plain("worktop", *asked, 0.3f) : tinted(usual, *asked);
+    }
+    return usual;
+}
+Material usual_worktop(const Kit& k) {
     return k.style.legs == LegType::tapered || k.style.legs == LegType::square ? k.style.wood2 : *material_named("marble");
 }
+Material worktop(const Kit& k) { return part_in(usual_worktop(k), k.request.holder_material, k.request.holder_color); }
 Material kitchen_front(const Kit& k) {
     if (k.style.mouldings == Mouldings::none) return k.style.wood;
     // What kitchens of the style are painted; not every accent of a room suits a whole wall of doors.
@@ -38,7 +48,8 @@ void kitchen_counter(Kit& k) {
               dark = k.material(plain("black glass", {0.032f, 0.032f, 0.035f}, 0.08f));
     Material splash = k.style.mouldings == Mouldings::none ? *material_named("marble") : *material_named("tiles");
     if (k.style.mouldings != Mouldings::none) splash.pattern = Pattern::subway, splash.scale_m = 0.15f;
-    const int tiles = k.material(splash);
+    if (!k.request.back_material.empty() && k.request.back_material != "tile") splash = *material_named("plaster");
+    const int tiles = k.material(part_in(splash, k.request.back_material == "tile" ? "" : k.request.back_material, k.request.back_color));
     const float w = s.x, d = 0.6f, z0 = -0.5f * d;
     const bool cupboards = s.y > 1.5f;  // a low run stands below a window
     k.board(dark, {0, 0, -0.04f}, {w, 0.1f, d - 0.1f});
@@ -50,7 +61,7 @@ void kitchen_counter(Kit& k) {
     const int oven = units - 2, sink = std::min(1, units - 2) - (units <= 3 ? 1 : 0);
     for (int i = 0; i < units; ++i) {
         const float x0 = -0.5f * w + uw * static_cast<float>(i), cx = x0 + 0.5f * uw;
-        if (i == oven) {
+        if (i == oven && k.request.cooks) {
             k.board(dark, {cx, 0.22f, fz + 0.008f}, {uw - 0.01f, 0.48f, 0.02f}, 0.004f);
             k.rod(chrome, {cx - 0.38f * uw, 0.66f, fz + 0.045f}, {cx + 0.38f * uw, 0.66f, fz + 0.045f}, 0.008f);
             for (const float e : {-0.34f, 0.34f}) k.rod(chrome, {cx + e * uw, 0.66f, fz + 0.01f}, {cx + e * uw, 0.66f, fz + 0.045f}, 0.006f);

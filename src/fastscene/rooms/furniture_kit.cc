@@ -37,6 +37,10 @@ Material tinted(Material m, Vec3f color) {
     return m;
 }
 Material glass() { return *material_named("glass"); }
+bool is_upholstery(const std::string& material) {
+    const auto m = material.empty() ? std::nullopt : material_named(material);
+    return m && (m->pattern == Pattern::fabric || m->pattern == Pattern::leather || m->pattern == Pattern::knit);
+}
 Material porcelain() { return plain("porcelain", {0.8f, 0.8f, 0.78f}, 0.12f); }
 Material steel() { return *material_named("steel"); }
 

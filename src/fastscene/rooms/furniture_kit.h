@@ -73,6 +73,8 @@ Material flame(std::string name, Vec3f radiance);  // glows at any hour
 Material tinted(Material m, Vec3f color);   // recolored, keeping the ratio of its second color
 Material glass();
 Material porcelain();
+// "velvet chairs", "leather stools": what was asked for covers a seat, and never its legs.
+bool is_upholstery(const std::string& material);
 Material steel();
 // What grows (furniture_decor.cc): a leaf's green, a little other each time; a leaf from `base` in direction `out` (unit, horizontal), rising by
 // `lift`, bending down by `droop`; the unit vector at this angle about y.

@@ -68,6 +68,15 @@ void lamp_head(Kit& k, float y, float r, bool hanging, LampFamily family, int pa
 void lamp_head(Kit& k, float y, float r, bool hanging) { lamp_head(k, y, r, hanging, k.style.lamp); }
 int lamp_metal(Kit& k) { return k.main(k.style.metal); }
 
+// "brass pendant lights", "a black pendant": the shade is, not the cord alone; of glass it is a globe, of paper a lantern.
+LampFamily shade_asked(const Kit& k) {
+    if (k.style.lamp == LampFamily::cage) return k.style.lamp;
+    const auto asked = k.request.material.empty() ? std::nullopt : material_named(k.request.material);
+    if (k.request.material == "glass") return LampFamily::globe;
+    if (asked ? asked->metal > 0.5f : k.request.color || !k.request.color_name.empty()) return LampFamily::dome;
+    return k.style.lamp;
+}
+
 void foot_disc(Kit& k, int m, float r) {
     const std::array<Vec2f, 5> p{Vec2f{r, 0}, {r, 0.014f}, {r - 0.008f, 0.022f}, {0.02f, 0.03f}, {0.012f, 0.05f}};
     k.add(shapes::lathe(p, 32), m);
@@ -124,7 +133,7 @@ void pendant_lamp(Kit& k) {
     const float drop = k.request.size_m.y > 0.4f ? k.request.size_m.y : 0.95f, r = 0.2f;
     k.sized = true;
     k.add(shapes::prism(shapes::circle(0.05f, 24), -0.025f, 0.f), metal);
-    lamp_head(k, -drop, r, true);
+    lamp_head(k, -drop, r, true, shade_asked(k));
     k.rod(metal, {0, -drop + 0.85f * r, 0}, {0, -0.01f, 0}, 0.004f, -1, 6);
     k.piece.mount = Mount::ceiling;
 }

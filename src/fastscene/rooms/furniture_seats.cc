@@ -221,8 +221,23 @@ void woven_chair(Kit& k) {
     k.top(y, 0, 0.03f, 0.18f, 0.16f);
     k.piece.clearance_front_m = 0.3f;
 }
+// A padded seat and a padded back on legs of the style: chairs that were asked for in cloth or leather.
+void upholstered_chair(Kit& k) {
+    const int cloth = k.main(k.style.fabric), frame = k.material(k.style.legs == LegType::metal_frame ? k.style.metal : k.style.wood);
+    const float y = 0.47f, rise = 0.5f, lean = -8.f;
+    legs(k, frame, 0.19f, 0.19f, y - 0.08f, 0.034f);
+    k.soft(cloth, {0, y - 0.1f, 0.005f}, {0.47f, 0.11f, 0.47f}, {0.03f, 0.018f, 0.002f, 10});
+    Mesh back = shapes::soft_box({0.46f, rise, 0.07f}, {0.032f, 0.014f, 0.002f, 10, k.seed()});
+    shapes::turn(back, {1, 0, 0}, lean);
+    k.add(std::move(back), cloth, {0, y - 0.02f + 0.5f * rise, -0.235f});
+    for (const float sx : {-1.f, 1.f})   // what bears the back
+        k.rod(frame, {sx * 0.17f, y - 0.09f, -0.19f}, {sx * 0.17f, y + 0.06f, -0.215f}, 0.013f, -1, 10);
+    k.top(y + 0.012f, 0, 0.03f, 0.18f, 0.16f);
+    k.piece.clearance_front_m = 0.3f;
+}
 void chair(Kit& k) {
     if (is_woven(k)) return woven_chair(k);
+    if (is_upholstery(k.request.material)) return upholstered_chair(k);
     const LegType type = k.style.legs;
     const bool metal = type == LegType::metal_frame, wooden = type == LegType::square || type == LegType::turned;
     const int body = k.main(wooden || !metal ? k.style.wood : k.style.leather), pad = k.material(k.style.fabric2),
@@ -263,8 +278,16 @@ void chair(Kit& k) {
     k.piece.clearance_front_m = 0.3f;
 }
 void round_seat(Kit& k, float y, float r) {
-    const int wood = k.main(k.style.wood), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
-    k.add(shapes::prism(shapes::circle(r), y - 0.035f, y, 0.008f), wood);
+    const bool padded = is_upholstery(k.request.material);
+    const int seat = k.main(padded ? k.style.fabric : k.style.wood);
+    const int frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : padded ? k.material(k.style.wood) : seat;
+    if (padded) {
+        const float d = 0.014f;
+        const std::array<Vec2f, 7> p{Vec2f{0, y - 0.075f}, {r - d, y - 0.075f}, {r, y - 0.06f}, {r, y - 0.02f}, {r - d, y - 0.004f}, {0.5f * r, y}, {0, y}};
+        k.add(shapes::lathe(p, 36, true), seat);
+    } else {
+        k.add(shapes::prism(shapes::circle(r), y - 0.035f, y, 0.008f), seat);
+    }
     for (int i = 0; i < 4; ++i) {
         const float a = 0.7854f + 1.5708f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
         k.rod(frame, {1.12f * r * c, 0, 1.12f * r * s}, {0.7f * r * c, y - 0.03f, 0.7f * r * s}, 0.012f, 0.016f);
@@ -277,9 +300,12 @@ void stool(Kit& k) { round_seat(k, 0.46f, 0.17f); }
 void bar_stool(Kit& k) { round_seat(k, 0.68f, 0.18f); }
 void bench(Kit& k) {
     const Vec3f s = k.wanted({1.2f, 0.46f, 0.38f});
-    const int wood = k.main(k.style.wood), metal = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    const bool padded = is_upholstery(k.request.material);
+    const int seat = k.main(padded ? k.style.fabric : k.style.wood);
+    const int metal = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : padded ? k.material(k.style.wood) : seat;
     legs(k, metal, 0.5f * s.x - 0.1f, 0.5f * s.z - 0.06f, s.y - 0.04f, 0.05f);
-    k.board(wood, {0, s.y - 0.045f, 0}, {s.x, 0.045f, s.z}, 0.006f);
+    if (padded) k.soft(seat, {0, s.y - 0.1f, 0}, {s.x, 0.1f, s.z}, {0.03f, 0.016f, 0.002f, 20});
+    else k.board(seat, {0, s.y - 0.045f, 0}, {s.x, 0.045f, s.z}, 0.006f);
     k.top(s.y, 0, 0, 0.45f * s.x, 0.4f * s.z);
     k.piece.clearance_front_m = 0.4f;
 }

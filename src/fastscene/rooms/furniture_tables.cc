@@ -237,9 +237,12 @@ void tv(Kit& k) {
     m.pattern = Pattern::screen;
     const int screen = k.material(m);
     const float w = 1.22f, h = 0.7f;
-    k.board(dark, {0, 0.05f, 0}, {w, h, 0.035f}, 0.005f);
-    k.board(screen, {0, 0.062f, 0.0175f}, {w - 0.016f, h - 0.024f, 0.003f}, 0.001f);
+    const bool hung = k.request.pattern == kHungScreen;
+    const float foot = hung ? 0.f : 0.05f;
+    k.board(dark, {0, foot, 0}, {w, h, 0.035f}, 0.005f);
+    k.board(screen, {0, foot + 0.012f, 0.0175f}, {w - 0.016f, h - 0.024f, 0.003f}, 0.001f);
     for (const float sx : {-1.f, 1.f}) {
+        if (hung) break;
         k.board(dark, {sx * 0.36f, 0, 0}, {0.03f, 0.052f, 0.025f}, 0.003f);
         k.board(dark, {sx * 0.36f, 0, 0}, {0.03f, 0.012f, 0.22f}, 0.004f);
     }

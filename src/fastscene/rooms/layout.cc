@@ -64,13 +64,14 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         const bool door = o.kind != Opening::Kind::window;
         // What is on a desk may reach a little above the sill.
         constexpr float kAboveSill = 0.2f;
-        if (!door && height < o.y0 + kAboveSill) continue;
+        const float below = free_before(o, kAboveSill);
+        if (!door && height < below) continue;
         const float deep = door ? 0.85f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
         Footprint zone{
             flat(middle), {(o.u1 - o.u0) / 2 + (door ? kDoorCasing : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
-        if (!door) zone.y0 = o.y0 + kAboveSill;
+        if (!door) zone.y0 = below;
         if (overlap(box, zone)) return true;
     }
     return false;
@@ -241,6 +242,8 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
     if (r.klass == "kitchen_island" && (!wish || (wish->color.empty() && wish->material.empty())))
         for (const PromptObject& o : spec_.objects)
             if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty()) r.color = color_named(o.color), r.color_name = o.color;
+    // Nobody cooks where the washing is done.
+    if (r.klass == "kitchen_counter") r.cooks = spec_.room != "laundry" && spec_.room != "bathroom" && spec_.room != "hallway";
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.color2_name = wish->color2;
@@ -248,9 +251,17 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         r.pattern = wish->pattern;
         r.holder_color = wish->holder_color;
         r.holder_material = wish->holder_material;
+        r.back_color = wish->back_color;
+        r.back_material = wish->back_material;
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
         r.size_m = as_measured(r, wish->size_m);
+        // A small round table is one for two.
+        if (r.klass == "dining_table_round" && wish->size == "small" && wish->size_m == Vec3f{}) r.size_factor = 1.f, r.size_m = {0.75f, 0, 0.75f};
     }
+    // An island has the worktop of the units.
+    if (r.klass == "kitchen_island" && r.holder_material.empty() && r.holder_color.empty())
+        for (const PromptObject& o : spec_.objects)
+            if (o.klass == "kitchen_counter" && !o.forbidden) r.holder_material = o.holder_material, r.holder_color = o.holder_color;
     if (r.material.empty() && !r.model) r.material = accent_of(r.klass);
     return r;
 }

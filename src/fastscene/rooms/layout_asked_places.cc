@@ -174,14 +174,26 @@ std::optional<int> Furnisher::next_screen(int desk, const PieceRequest& r, const
     return l_.on_top_at(desk, r, flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth), d.yaw - kTurn * aside, wish);
 }
 
+// Beside a window in a smaller size.
+std::optional<int> Furnisher::screen_above(int stand, const PieceRequest& r, const PromptObject& wish) {
+    for (const float size : {1.f, 0.85f, 0.7f}) {
+        PieceRequest smaller = r;
+        smaller.size_factor *= size;
+        if (const auto i = l_.on_wall(smaller, stand, wish)) return i;
+    }
+    return {};
+}
+
 // On a low piece, else on a wall, else it gets a stand of its own.
 std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObject& wish) {
+    const bool hung = is_hung_screen(wish);
+    const auto at_stand = [&](int stand) { return hung ? screen_above(stand, r, wish) : l_.on_top(stand, r, wish); };
     for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
         if (const auto anchor = l_.find(klass))
-            if (const auto i = l_.on_top(*anchor, r, wish)) return i;
+            if (const auto i = at_stand(*anchor)) return i;
     const std::size_t before = l_.mark();
-    if (const auto stand = l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
-        if (const auto i = l_.on_top(*stand, r, wish)) return i;
+    if (const auto stand = wishes_.forbids("tv_stand") ? std::nullopt : l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
+        if (const auto i = at_stand(*stand)) return i;
     l_.undo(before);
     return l_.on_wall(r, {}, wish);
 }
@@ -276,6 +288,7 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
         if (const auto i = next_screen(*desk, r, wish)) return i;
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
+    if (is_hung_screen(wish)) return television(r, wish);
     if (const auto i = where_asked(wish, r, piece)) return i;
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);

@@ -176,6 +176,8 @@ void Furnisher::focus_of(int sofa) {
     }
     const auto screen = [=, this](int stand) {
         put("tv", 0.9f, [=, this](const PieceRequest& r, const PromptObject& o) {
+            if (is_hung_screen(o))
+                if (const auto i = screen_above(stand, r, o)) return i;
             if (const auto i = l_.on_top(stand, r, o)) return i;
             return l_.on_wall(r, stand, o);
         });
@@ -200,15 +202,28 @@ void Furnisher::focus_of(int sofa) {
 
 void Furnisher::living() {
     seating_group();
-    if (wishes_.asked("dining_table")) eating_place(4);
+    if (is_eaten_here()) eating_place(4);
     if (wishes_.asked("desk") || wishes_.asked("monitor")) working_place(1);
     wall("bookshelf", 0.75f, {.window_pull = -1});
     wall("sideboard", 0.5f, {.window_pull = -0.5f});
 }
 
+// Whether a table to eat at was asked for.
+bool Furnisher::is_eaten_here() const { return wishes_.asked("dining_table") || wishes_.asked("dining_table_round"); }
+
 void Furnisher::eating_place(int seats) {
     const char* klass = !wishes_.asked("dining_table") && wishes_.asked("dining_table_round") ? "dining_table_round" : "dining_table";
-    const auto found = main(klass, [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o, spare_for(r.klass)); });
+    const auto found = main(klass, [this](const PieceRequest& r, const PromptObject& o) {
+        auto i = l_.free_standing(r, o, spare_for(r.klass));
+        // One that was asked for and finds no room is smaller.
+        for (float size = 0.85f; !i && !o.klass.empty() && size > 0.6f; size -= 0.15f) {
+            PieceRequest smaller = r;
+            const Vec3f usual = make_piece(r).size_m;
+            smaller.size_factor = 1.f, smaller.size_m = {usual.x * size, 0, usual.z * size};
+            i = l_.free_standing(smaller, o, spare_for(r.klass));
+        }
+        return i;
+    });
     if (!found) return;
     const int table = *found;
     const auto chairs_there = [this, table] {
@@ -258,7 +273,7 @@ void Furnisher::kitchen() {
     if (wishes_.asked("kitchen_island"))
         if (const auto island = main("kitchen_island", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); }))
             seats_at(*island);
-    if (!l_.find("kitchen_island") || wishes_.asked("dining_table")) eating_place(4);
+    if (!l_.find("kitchen_island") || is_eaten_here()) eating_place(4);
     wall("fridge", 0.95f, {.center_pull = -0.5f, .window_pull = -1, .corner = true});
     wall("sideboard", 0.4f, {.window_pull = -0.5f});
     on_wall("shelf", 0.6f);
@@ -327,6 +342,7 @@ void Furnisher::hallway() {
 }
 
 void Furnisher::laundry() {
+    if (wishes_.asked("kitchen_counter")) main("kitchen_counter", [this](const PieceRequest& r, const PromptObject& o) { return kitchen_units(r, o); });
     if (const auto first = main_at_wall("washing_machine", {.window_pull = 0.3f})) {
         beside(*first, "washing_machine", 0.85f, 1, 0.02f);
         above(*first, "shelf", 0.9f);
@@ -341,9 +357,12 @@ void Furnisher::laundry() {
 }
 
 void Furnisher::sunroom() {
-    seating_group();
+    // Who asks for a table with chairs sits there, and needs no sofa.
+    const bool eats = is_eaten_here(), lounges = wishes_.asked("sofa") || wishes_.asked("loveseat") || wishes_.asked("coffee_table");
+    if (eats) eating_place(2);
+    if (!eats || lounges) seating_group();
     // Glass on three sides often leaves no wall for a sofa: then chairs about a low table.
-    if (!l_.find("sofa") && !l_.find("loveseat")) {
+    if (!eats && !l_.find("sofa") && !l_.find("loveseat")) {
         const auto table = main("coffee_table", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
         const Vec2f middle = table ? flat(at(*table).position) : Vec2f{0, 0};
         for (int i = 0; i < 3; ++i)

@@ -21,6 +21,8 @@ bool hangs_over(std::string_view klass);
 // What one sits or lies on: nothing is put there by itself.
 bool is_seat(std::string_view klass);
 // Blinds and shutters: they hang in windows, in all of them.
+// "a wall mounted TV": above its stand, not on it.
+bool is_hung_screen(const PromptObject& wish);
 bool is_blind(std::string_view klass);
 // What lights a room from its ceiling when it was asked for: the usual lamp is left out.
 bool lights_from_above(std::string_view klass);
@@ -150,6 +152,7 @@ class Furnisher {
     std::optional<int> strewn(const PieceRequest& r, const PromptObject& wish);
     // Beside the other monitors at the back of a desk, the outer ones turned to who sits there.
     std::optional<int> next_screen(int desk, const PieceRequest& r, const PromptObject& wish);
+    std::optional<int> screen_above(int stand, const PieceRequest& r, const PromptObject& wish);
     std::optional<int> television(const PieceRequest& r, const PromptObject& wish);
     bool stands_on_others(const PromptObject& wish) const;
     // A lamp on the wall beside a bed, a mirror, a picture, a fire: the emptier side of the first that has not two.
@@ -182,6 +185,7 @@ class Furnisher {
     void working_place(float probability);
     void seating_group();
     void focus_of(int sofa);
+    bool is_eaten_here() const;
     void eating_place(int seats);
     void seats_at(int island);
 

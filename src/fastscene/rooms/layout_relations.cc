@@ -89,8 +89,10 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
     if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
+    // Beside a window beds stand with their heads at its wall.
+    const float deep = opening ? extent(box, at.front) : 0.f;
     if (relation == "on both sides of")
-        return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f && far < (opening ? 0.75f : 0.7f);
+        return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f + deep && far < (opening ? 0.75f : 0.7f);
     if (relation == "facing") return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
     if (relation == "opposite")
         return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f &&

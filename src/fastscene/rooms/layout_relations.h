@@ -9,6 +9,8 @@
 
 namespace fastscene {
 
+// How high above the floor what stands before a window may reach: a little above its sill; before glass down to the floor sofas and tables stand.
+inline float free_before(const Opening& window, float above_sill) { return window.y0 < 0.3f ? 0.92f : window.y0 + above_sill; }
 // Whether a wish for this class means such an opening.
 bool is_opening_of(const Opening& opening, std::string_view klass);
 

@@ -174,6 +174,9 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
     if (p.piece.mount == Mount::surface) {
         // A television hangs as well as it stands; other small things need a top.
         if (p.piece.klass != "tv") return {};
+        PieceRequest hung = request;
+        hung.pattern = kHungScreen;
+        p.piece = make_piece(hung);
         hang_up(p.piece, 0.95f);
     }
     const Vec3f size = p.piece.size_m;

@@ -14,6 +14,8 @@ struct Habit {
     std::string_view on, thing;
     float probability;
 };
+// Worktops of rooms where nobody cooks.
+constexpr Habit kAtWashing[] = {{"kitchen_counter", "towel_stack", 0.9f}, {"kitchen_counter", "bottles", 0.8f}, {"kitchen_counter", "storage_box", 0.7f}, {"kitchen_counter", "plant_small", 0.5f}};
 constexpr Habit kHabits[] = {
     {"coffee_table", "tray", 0.45f},      {"coffee_table", "magazines", 0.5f},     {"coffee_table", "cup", 0.4f},         {"coffee_table", "cup", 0.3f},           {"coffee_table", "candle", 0.3f},
     {"side_table", "cup", 0.5f},          {"side_table", "photo_frame", 0.35f},    {"side_table", "book_stack", 0.3f},    {"nightstand", "alarm_clock", 0.6f},     {"nightstand", "cup", 0.4f},
@@ -153,7 +155,8 @@ class Touches {
                        std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == static_cast<int>(i) && p.piece.klass == thing; });
             };
             const bool damp = room() == "bathroom" || room() == "laundry";
-            for (const Habit& h : kHabits) {
+            const bool washes = klass == "kitchen_counter" && damp;
+            for (const Habit& h : washes ? std::span<const Habit>(kAtWashing) : std::span<const Habit>(kHabits)) {
                 const std::string_view thing = room() == "kids" ? furnishing::for_a_child(h.thing) : h.thing;
                 if (h.on == klass && (damp || thing != "towel_stack") && !there(thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
             }

@@ -39,6 +39,8 @@ bool hangs_over(std::string_view klass) {
     return is_seat(klass) || klass.ends_with("table") || is_one_of(klass, {"dining_table_round", "desk", "kitchen_island", "bathtub", "pool_table", "rug", "piano", "grand_piano"});
 }
 
+bool is_hung_screen(const PromptObject& wish) { return wish.klass == "tv" && wish.relation == "on" && wish.relation_to == "wall"; }
+
 bool is_blind(std::string_view klass) { return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"}); }
 
 bool lights_from_above(std::string_view klass) {
@@ -65,7 +67,7 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     };
     // A screen opposite the sofa is what every living room has: it gets its stand there.
     for (Ask& ask : asks_)
-        if (ask.wish->klass == "tv" && ask.at == "sofa" && (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing"))
+        if (ask.wish->klass == "tv" && ((ask.at == "sofa" && (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing")) || is_hung_screen(*ask.wish)))
             ask.relation = ask.at = "";
     // "a table on the rug" is a rug under the table, "a sofa under a painting" a painting above the sofa: what is placed second is bound.
     for (Ask& ask : asks_) {

@@ -99,7 +99,7 @@ const std::vector<Choice>& choices() {
         {"folding_screen", {}, "ladder_shelf"},
         {"globe", {}, "vase"},
         {"crystal_ball", {}, "vase"},
-        {"teapot", {"teapot"}, "vase"},
+        {"teapot", {"teapot"}, "kettle"},
         {"birthday_cake", {"birthday_cake"}, "bowl"},
         {"gift", {"gift"}, "basket"},
         {"handbag", {"handbag"}, "basket"},

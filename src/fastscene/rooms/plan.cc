@@ -13,7 +13,8 @@
 namespace fastscene {
 namespace {
 
-constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f;
+constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f, kNarrowest = 1.9f;
+constexpr float kThreshold = 0.05f, kLintel = 0.14f;   // below and above a window from floor to ceiling
 
 struct Proportions {
     const char* room;
@@ -31,6 +32,7 @@ void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> pal
     if (wish.material.empty() || wish.material == "wood")
         if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood)
             wish.material = wish.color;
+    if (wish.material.empty() && wish.pattern.empty() && wish.color == "terracotta") wish.material = "tile";
     // A herringbone is laid of wood, ornaments are those of tiles, when nothing else is said.
     if (wish.material.empty() && is_one_of(wish.pattern, {"herringbone", "zigzag"})) wish.material = "wood";
     if (wish.material.empty() && is_print(wish.pattern) && !is_one_of(wish.pattern, {"checkered", "striped"})) wish.material = "tile";
@@ -48,13 +50,16 @@ constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kClearOfDoor = kDoorMar
 // ends low enough, and between two windows there must be wall.
 struct AtWindows {
     bool below = false, above = false, between = false;
+    float beside = 0;   // metres of wall that what stands on both sides of one takes at each
 };
+bool is_small_or_hung(std::string_view klass) { return furnishing::is_small(klass) || is_one_of(klass, {"wall_lamp", "shelf", "tapestry", "plant", "floor_lamp"}); }
 AtWindows at_windows(const PromptSpec& spec) {
     AtWindows at;
     for (const PromptObject& o : spec.objects) {
         if (o.forbidden || o.relation_to != "window" || o.klass == "curtain" || o.klass == "rug") continue;
         at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
         at.above = at.above || o.relation == "above";
+        if (o.relation == "on both sides of" && !is_small_or_hung(o.klass)) at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : is_bed(o.klass) ? 1.25f : 1.f);
         at.between = at.between || (o.relation == "between" && o.relation_and == "window");
     }
     return at;
@@ -127,8 +132,10 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
         window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
+        if (wish && wish->pattern == kFullHeight && !bay) window.y0 = kThreshold, window.y1 = plan.height - kLintel;
         window.shape = bay || blinds ? Opening::Shape::square : shape_of(wish);
         float width = usual;
+        if (asked.beside > 0 && !bay) width = std::clamp(length - 2 * asked.beside, 0.7f, usual);
         if (window.shape == Opening::Shape::arched) {   // upright, up to the ceiling
             width = std::min(usual, large ? 1.5f : small ? 0.7f : 1.2f);
             window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
@@ -137,7 +144,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
             width = std::min(usual, wish->words.starts_with("porthole") ? (large ? 0.75f : 0.6f) : large ? 1.5f : small ? 0.7f : 1.05f);
             window.y0 = std::max(window.y0 < 1.f ? 0.5f : window.y0 - 0.2f, kEyes - width / 2), window.y1 = window.y0 + width;
         }
-        const float slack = wants_corners(spec) ? 0.f : free_margin(length, width) - 0.25f;
+        const float slack = wants_corners(spec) || asked.beside > 0 ? 0.f : free_margin(length, width) - 0.25f;
         window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
@@ -323,6 +330,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const float factor = spec.size == "large" ? std::max(1.18f, room_for_wishes(spec)) : spec.size == "small" ? 0.88f : room_for_wishes(spec);
     plan.width = dice.uniform(size->width_low, size->width_high) * factor;
     plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
+    if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
     plan.height = is_loft(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
         plan.height = ceiling->size == "small" ? kLowCeiling : std::max(kHighCeiling, plan.height + 0.4f);
@@ -348,12 +356,14 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
+    const auto stands_before = [](const PromptObject& wish) { return wish.klass == "wall" && !wish.forbidden && wish.relation == "behind" && !wish.relation_to.empty(); };
     for (PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
         if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() && wish.material.empty()) {
             wish.pattern = wallpaper_of(plan.style.name);
             spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
         }
+        if (stands_before(wish)) continue;
         if (wish.klass == "wall") {
             // "a brick wall" is one wall; "white walls" are all.
             const bool one = wish.words == "wall" || wish.words == "accent wall";
@@ -370,6 +380,13 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }
+    // "Wallpaper behind the bed" is on that wall alone: which one it is, the layout decides.
+    for (const PromptObject& wish : spec.objects)
+        if (stands_before(wish)) {
+            plan.style.accent_wall = plan.style.wall;
+            apply_wish(plan.style.accent_wall, wish, true, plan.style.palette);
+            plan.accent = true;
+        }
     if (!spec.colors.empty() && spec.everything.color.empty()) {
         paint_in(spec.colors.front(), wet, plan);
         dress_in(spec.colors, plan.style);

@@ -75,7 +75,8 @@ struct Plan {
     std::vector<Opening> openings;
     Style style;                                 // with the prompt's wishes for walls, floor and so on worked in
     bool measured = false;                       // width or depth were said: nothing adds to them
-    bool accent = false;                         // wall 0 has the accent material
+    bool accent = false;                         // one wall has the accent material
+    int accent_wall = 0;                         // that one
     bool beams = false;
     bool tray = false;         // the ceiling steps down along the walls
     bool neon = false;         // strips of colored light below the ceiling

@@ -24,7 +24,7 @@ constexpr Paints kPaints[] = {
 
 // Libraries and studies may be dark: the lamp and the books shine in them.
 constexpr std::pair<std::string_view, std::array<const char*, 3>> kDeepPaints[] = {
-    {"classic", {"bottle green", "burgundy", "navy"}}, {"art deco", {"bottle green", "navy", "petrol"}}, {"mid-century", {"petrol", "forest", "rust"}},
+    {"classic", {"bottle green", "burgundy", "navy"}}, {"art deco", {"bottle green", "navy", "petrol"}}, {"mid-century", {"petrol", "forest", "tobacco"}},
     {"modern", {"charcoal", "petrol", "slate"}},       {"rustic", {"forest", "umber", "brick"}},         {"industrial", {"charcoal", "slate", "umber"}},
 };
 

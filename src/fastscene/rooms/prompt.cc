@@ -12,7 +12,8 @@ using namespace reading;
 
 std::string described(const PromptObject& object) {
     std::string text = object.klass;
-    for (const auto& [name, value] : {std::pair{"color", &object.color}, {"and", &object.color2}, {is_bed(object.klass) ? "bedding in color" : "vase in color", &object.holder_color}, {"vase of", &object.holder_material}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}, {"style", &object.style}})
+    const bool units = object.klass.starts_with("kitchen_");
+    for (const auto& [name, value] : {std::pair{"color", &object.color}, {"and", &object.color2}, {is_bed(object.klass) ? "bedding in color" : units ? "top in color" : "vase in color", &object.holder_color}, {units ? "top of" : "vase of", &object.holder_material}, {"wall behind in color", &object.back_color}, {"wall behind of", &object.back_material}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}, {"style", &object.style}})
         if (!value->empty()) text += std::string(", ") + name + " " + *value;
     if (object.count > 1) text += ", " + std::to_string(object.count) + " of them";
     if (!object.relation.empty()) text += ", " + object.relation + (object.relation_to.empty() ? "" : " the " + object.relation_to);
@@ -131,7 +132,7 @@ Json to_json(const PromptSpec& spec) {
     Json objects = Json::array();
     for (const PromptObject& o : spec.objects)
         objects.push_back({{"class", o.klass}, {"words", o.words}, {"count", o.count}, {"placed", o.placed}, {"color", o.color}, {"color2", o.color2}, {"material", o.material}, {"pattern", o.pattern},
-                           {"holder_color", o.holder_color}, {"holder_material", o.holder_material},
+                           {"holder_color", o.holder_color}, {"holder_material", o.holder_material}, {"back_color", o.back_color}, {"back_material", o.back_material},
                            {"size", o.size}, {"size_m", Json{o.size_m.x, o.size_m.y, o.size_m.z}}, {"not_color", o.not_color}, {"style", o.style}, {"relation", o.relation}, {"relation_to", o.relation_to}, {"relation_and", o.relation_and}, {"forbidden", o.forbidden}});
     Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(), not_understood = Json::array(),
          assumed = Json::array();

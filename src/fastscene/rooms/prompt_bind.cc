@@ -86,6 +86,40 @@ bool can_be_counted(const Match& noun) {
     return noun.is(WordKind::object) || std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
 }
 
+// What of a kitchen's units a word names: "marble countertops", "green cabinets", "a tiled backsplash", "a steel sink".
+enum class UnitPart { fronts, top, back, other };
+UnitPart part_of_units(const PromptObject& object, const Match& noun, const Match& adjective) {
+    if (!is_one_of(object.klass, {"kitchen_counter", "kitchen_island"})) return UnitPart::fronts;
+    const std::string& w = noun.words;
+    if (is_one_of(w, {"backsplash", "splashback"})) return UnitPart::back;
+    const bool counter = w.find("counter") != std::string::npos && w.find("bar") == std::string::npos, top = w.find("top") != std::string::npos || w.ends_with("counters");
+    const bool material = adjective.is(WordKind::material);
+    // Nobody's doors are of marble.
+    if (material && is_one_of(adjective.word->meaning, {"marble", "granite", "stone", "slate", "concrete", "terrazzo"})) return UnitPart::top;
+    if ((counter || w.starts_with("work")) && (top || material)) return UnitPart::top;
+    static constexpr std::array<std::string_view, 13> kFronts{"cabinet", "cupboard", "unit", "kitchenette", "island", "breakfast bar", "bar", "counter", "worktop", "kuche", "cuisine", "cocina", "cucina"};
+    const bool fronts = noun.word->exact || std::any_of(kFronts.begin(), kFronts.end(), [&](std::string_view part) { return w.find(part) != std::string::npos; });
+    return fronts ? UnitPart::fronts : UnitPart::other;
+}
+
+// "white marble countertops": the top's, not the doors'.
+void give_part(Reading& r, std::size_t at, const Match& noun, UnitPart part, PromptObject& object) {
+    const Match& a = r.m[at];
+    std::string& color = part == UnitPart::top ? object.holder_color : object.back_color;
+    std::string& material = part == UnitPart::top ? object.holder_material : object.back_material;
+    const std::string whose = part == UnitPart::top ? " of the worktop" : " of the wall behind it";
+    if (part == UnitPart::other || a.is(WordKind::pattern)) return r.tell_near(at, "of the " + noun.words + ", as the units have it", object.id);
+    PromptObject alike = object;
+    alike.material = material;
+    const std::string what = is_shade(a) ? shade_of(a.words, alike) : a.word->meaning;
+    std::string& field = a.is(WordKind::material) ? material : color;
+    if (field.empty()) field = what;
+    const std::string title = (a.is(WordKind::material) ? "material " : "color ") + field + whose;
+    if (field == what && a.word->exact) r.tell(at, title, object.id);
+    else r.tell_near(at, title, object.id);
+    if (a.is(WordKind::material) && color.empty()) color = added_by(*a.word, "color");
+}
+
 // One adjective comes home.
 void give(Reading& r, std::size_t at, std::size_t noun) {
     Match& a = r.m[at];
@@ -112,6 +146,8 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         }
         if (!a.word->exact) r.tell_near(at, std::string(name) + " " + object.*field + whose, object.id);
     };
+    if (a.is(WordKind::color) || a.is(WordKind::material) || a.is(WordKind::pattern) || is_shade(a))
+        if (const UnitPart part = part_of_units(object, n, a); part != UnitPart::fronts) return give_part(r, at, n, part, object);
     // Flowers and their vase are one piece, whose own color is the flowers'.
     const bool of_holder = object.klass == "bouquet" && is_one_of(n.word->meaning, {"vase", "vase_small"});
     if (of_holder && a.is(WordKind::color)) {
@@ -139,6 +175,9 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         r.tell_near(at, "of the " + object.words + ": as such pieces are", object.id);  // rooms are large when they are open, shelves are not
     } else if (a.is(WordKind::size)) {
         if (object.size.empty()) object.size = a.word->meaning == "small" ? "small" : "large";
+        constexpr float kLongTable = 2.2f;
+        if (object.klass == "dining_table" && a.words == "long" && !(object.size_m.x > 0)) object.size_m.x = kLongTable;
+        if (object.klass == "window" && object.pattern.empty() && is_one_of(a.words, {"floor to ceiling", "full height"})) object.pattern = kFullHeight;
         r.tell(at, "size " + object.size + whose, object.id);
     } else if (a.is(WordKind::style)) {
         object.style = a.word->meaning;

@@ -105,9 +105,20 @@ void read_surface(Reading& r, std::size_t i) {
     else r.tell_near(i, "material " + material + " of the " + surface.klass, surface.id);
 }
 
+// "formal", "minimalist", "modern": qualifies a style as well as naming one.
+bool gives_way(const Word& style) { return !style.exact || !added_by(style, "yields").empty(); }
+
+// "minimalist japandi", "a formal art deco room": the style that is named, wherever it stands.
+const Match* named_style(const Reading& r) {
+    const auto named = std::find_if(r.m.begin(), r.m.end(), [](const Match& m) { return m.is(WordKind::style) && m.noun < 0 && !m.negated && !gives_way(*m.word); });
+    return named == r.m.end() ? nullptr : &*named;
+}
+
 void read_style(Reading& r, std::size_t i) {
     if (r.m[i].negated) return r.tell(i, "not " + r.m[i].word->meaning);
-    choose(r, i, &PromptSpec::style, "style", r.m[i].word->meaning);
+    const Match* named = gives_way(*r.m[i].word) ? named_style(r) : nullptr;
+    if (named && named->word->meaning != r.m[i].word->meaning) r.tell_near(i, "style: " + named->word->meaning + ", which is named");
+    else choose(r, i, &PromptSpec::style, "style", r.m[i].word->meaning);
     // "minimalist" speaks of how much there is, too.
     if (const std::string clutter = added_by(*r.m[i].word, "clutter"); !clutter.empty() && r.spec.clutter.empty()) {
         r.spec.clutter = clutter;
@@ -122,12 +133,18 @@ bool outlook_is_a_guess(const Reading& r, std::size_t i) {
     });
 }
 
+// The first noun from here on.
+std::size_t noun_from(const Reading& r, std::size_t i) {
+    while (i < r.m.size() && !is_noun(r.m[i])) ++i;
+    return i;
+}
+
 void read_nuance(Reading& r, std::size_t i) {
     const std::string& what = r.m[i].word->meaning;
     constexpr std::string_view kView = "view=";
     const std::string& adds = r.m[i].word->adds;
     if (what == "outside" && adds.starts_with(kView) && !r.m[i].negated) {
-        const std::string view = adds.substr(kView.size());
+        const std::string view = added_by(*r.m[i].word, "view");
         // "Lisbon" is a city, more or less; "the sea" is the sea.
         if (r.spec.outlook.empty() || (r.m[i].word->exact && outlook_is_a_guess(r, i))) r.spec.outlook = view;
         if (r.spec.outlook == view && r.m[i].word->exact) r.tell(i, "outlook: " + view);
@@ -147,7 +164,9 @@ void read_nuance(Reading& r, std::size_t i) {
     else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
     else if (what == "round" || what == "arched") r.tell(i, "shape: " + what);
     else if (what == "bunk stairs") r.tell(i, "stairs up to the bunk, a drawer in each step");
-    else if (what == "kind") r.tell(i, "the kind of " + r.m[i + 1].words);
+    else if (what == "kind") r.tell(i, "the kind of " + r.m[std::min(noun_from(r, i + 1), r.m.size() - 1)].words);
+    else if (what == "corner shape") r.tell(i, "shape: it reaches around a corner");
+    else if (what == "on the wall") r.tell(i, "hangs on the wall");
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");
     else r.tell_near(i, "nothing in the room shows it");
 }
@@ -209,7 +228,7 @@ void read_one(Reading& r, std::size_t i) {
             break;
         case WordKind::size:
             if (m.negated) r.tell(i, "not " + m.word->meaning);
-            else if (r.spec.size.empty()) r.spec.size = m.word->meaning == "small" ? "small" : "large", r.tell(i, "size of the room: " + r.spec.size);
+            else if (r.spec.size.empty()) r.spec.size = m.words == "narrow" ? "narrow" : m.word->meaning == "small" ? "small" : "large", r.tell(i, "size of the room: " + r.spec.size);
             else r.tell_near(i, "the room stays " + r.spec.size);
             break;
         case WordKind::count:
@@ -255,6 +274,13 @@ void read_globals(Reading& r) {
         } else if (!m.listed && m.is(WordKind::count) && m.word->meaning != "1") {
             r.tell_near(i, "of something that is not counted");
         }
+    }
+    // "City lights" are seen by night, when no hour is said.
+    for (const Match& m : r.m) {
+        const std::string time = m.is(WordKind::nuance) && m.word->meaning == "outside" && !m.negated ? added_by(*m.word, "time") : "";
+        if (time.empty() || !r.spec.time.empty()) continue;
+        r.spec.time = time;
+        r.spec.assumed.push_back("time: " + time + ", as " + m.words + " suggests");
     }
     // Whose room it is says how it looks: "grandma's kitchen", "a bachelor's flat".
     for (const Match& m : r.m) {

@@ -189,8 +189,9 @@ void heed_the_room(Matches& m) {
         const std::string& w = m[i].words;
         if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "counter" || w == "countertop"))
             m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
+        if (room == "bathroom" && is_one_of(w, {"backsplash", "splashback"})) m[i].word = Word{WordKind::structure, "wall", false};
         // "a kitchen with green cabinets": the fronts of its units.
-        if (room == "kitchen" && is_one_of(w, {"cabinets", "cupboards"})) m[i].word = Word{WordKind::object, "kitchen_counter"};
+        if ((room == "kitchen" || room == "laundry") && is_one_of(w, {"cabinets", "cupboards"})) m[i].word = Word{WordKind::object, "kitchen_counter"};
         const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
                                                        return x.is(WordKind::object) && (x.word->meaning == "toilet" ||
                                                                                          x.word->meaning == "bathtub" || x.word->meaning == "shower");
@@ -224,6 +225,20 @@ void heed_the_room(Matches& m) {
             else if (round) m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=round";
         }
         if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
+        // "an L-shaped gray sofa", "two single white beds", "butcher block counters", "a wall mounted TV": told by a word before.
+        for (std::size_t k = i; m[i].is(WordKind::object) && k-- > 0 && (modifies(m[k]) || m[k].is(WordKind::mood));) {
+            if (is_one_of(m[k].words, {"l shaped", "corner"}) && m[i].word->meaning == "sofa") {
+                m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=corner";
+                m[k].word = Word{WordKind::nuance, "corner shape"};
+            } else if (m[i].word->meaning == "bed" && is_one_of(m[k].words, {"single", "twin"}) && is_one_of(w, {"bed", "beds"})) {
+                m[i].plural = w == "beds";
+                m[i].word->meaning = "bed_single";
+                m[k].word = Word{WordKind::nuance, "kind"};
+            } else if (m[i].word->meaning == "tv" && is_one_of(m[k].words, {"wall mounted", "mounted", "wall hung"})) {
+                m[k].word = Word{WordKind::nuance, "on the wall"};
+            }
+        }
+        if (w == "butcher block" && i + 1 < m.size() && m[i + 1].is(WordKind::object)) m[i].word = Word{WordKind::material, "oak"};
         // "a bed with a soft mattress" is one thing; alone it lies on the floor.
         if (m[i].is(WordKind::object) && is_one_of(w, {"mattress", "matratze", "matelas", "colchon", "materasso"}) &&
             std::any_of(m.begin(), m.end(), [&](const Match& x) { return &x != &m[i] && x.is(WordKind::object) && x.words != w && is_bed(x.word->meaning); }))
@@ -324,6 +339,7 @@ void take_added(const Word& word, PromptObject& object) {
     for (const auto& [name, field] : {std::pair{"material", &object.material}, {"color", &object.color}, {"size", &object.size}, {"pattern", &object.pattern}})
         if (const std::string value = added_by(word, name); !value.empty()) *field = value;
     if (const std::string count = added_by(word, "count"); !count.empty()) object.count = std::stoi(count), object.counted = true;
+    if (!added_by(word, "row").empty()) object.in_row = true;
 }
 
 // "tulips in a vase": the flowers that stand in the vase of match i, -1: none.

@@ -86,16 +86,18 @@ void tell_count(Reading& r, std::size_t at, int object) {
     r.tell(at, "count " + std::to_string(o.count) + " of " + o.klass, object);
 }
 
+constexpr float kPlace = 0.64f;  // metres of a table's side for one; two sit at the heads
+constexpr int kMany = 7;         // more than a usual table seats
+
 void seat_at(Reading& r, std::size_t at, int owner) {
     const int people = number_of(r.m[at]);
     PromptObject& o = r.spec.objects[static_cast<std::size_t>(owner)];
     const std::string klass = o.klass;
     const std::string said = "for " + std::to_string(people) + ": ";
     if (is_table(klass)) {
-        constexpr float kPlace = 0.64f;  // metres of a table's side for one; two sit at the heads
         if (klass != "dining_table_round") o.klass = "dining_table";
-        if (o.size.empty() && people >= 7) o.size = "large";
-        if (people >= 7 && o.klass == "dining_table" && !(o.size_m.x > 0)) o.size_m.x = kPlace * static_cast<float>((people - 1) / 2);
+        if (o.size.empty() && people >= kMany) o.size = "large";
+        if (people >= kMany && o.klass == "dining_table" && !(o.size_m.x > 0)) o.size_m.x = kPlace * static_cast<float>((people - 1) / 2);
         return tell_count(r, at, want(r, at, "chair", people));
     }
     if (klass == "sofa" || klass == "loveseat") {
@@ -142,6 +144,11 @@ void seat_people(Reading& r) {
         else seat_in_room(r, i);
         r.m[i].settled = true;
     }
+    // "a table with ten chairs": as long as those need.
+    int chairs = 0;
+    for (const PromptObject& o : r.spec.objects) chairs += o.klass == "chair" && !o.forbidden ? o.count : 0;
+    for (PromptObject& o : r.spec.objects)
+        if (chairs >= kMany && o.klass == "dining_table" && o.count == 1) o.size_m.x = std::max(o.size_m.x, kPlace * static_cast<float>((chairs - 1) / 2));
 }
 
 }  // namespace fastscene::reading

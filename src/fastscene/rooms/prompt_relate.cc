@@ -117,11 +117,15 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     }
     if (placed && furnishing::lies_about(object.klass) && r.object_of(target).klass == "floor") return r.tell(at, object.klass + " lies on the floor", object.id);
     if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
+    // Who sits at a desk that faces the window looks out of it: there the desk stands.
+    if (placed && relation == "facing" && is_one_of(object.klass, {"desk", "dressing_table"}) && is_one_of(r.object_of(target).klass, {"window", "bay_window"})) relation = "under";
     object.relation = relation;
     // "a lamp above the table" hangs, "a lamp in the corner" stands on the floor.
     const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}), at_piece = placed && r.m[target].is(WordKind::object);
     if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pendant_lamp";
     if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
+    // "A paper lantern on the nightstand" is a lamp with such a shade.
+    if (object.klass == "paper_lantern" && relation == "on" && at_piece) object.klass = "table_lamp", object.style = "japandi";
     std::string to;
     constexpr int kCorners = 4;
     if (says_every_corner(r.m[at]))
@@ -132,6 +136,7 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         !object.counted)
         object.count = 2, object.counted = true;
     // "a picture above each bed": as many pictures as beds.
+    if (placed && says_each(r, target) && r.object_of(target).klass == "nightstand" && !r.object_of(target).counted) r.object_of(target).count = 2;
     if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted)
         object.count = r.object_of(target).count, object.counted = true;
     if (placed && !takes_no_target(relation)) {
@@ -192,6 +197,20 @@ void stack_pairs(Reading& r) {
         above.relation_to = below.klass;
         r.tell(i, "the " + above.words + " on the " + below.words, above.id);
         r.m[i].relation = true;
+    }
+}
+
+// "a wall mounted TV": on the wall, where no other place was said.
+void hang_screens(Reading& r) {
+    for (std::size_t i = 0; i < r.m.size(); ++i) {
+        if (!r.m[i].is(WordKind::nuance) || r.m[i].word->meaning != "on the wall") continue;
+        std::size_t screen = i + 1;
+        while (screen < r.m.size() && !has_object(r.m[screen])) ++screen;
+        if (screen == r.m.size()) continue;
+        PromptObject& object = r.object_of(screen);
+        // Opposite the sofa it hangs anyway.
+        const bool usual = is_one_of(object.relation, {"", "opposite", "facing", "in front of"});
+        if (object.klass == "tv" && usual) object.relation = "on", object.relation_to = "wall";
     }
 }
 
@@ -289,6 +308,8 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
+    // "blue tiles behind the sink": a surface that is named by its material.
+    if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) && r.object_of(at - 1).klass == "wall") subject = at - 1;
     // "… books and rain on the window", "… a sofa and snow on the roof": the weather is there, not the books.
     if (subject && at > 0 && (r.m[at - 1].is(WordKind::weather) || r.m[at - 1].is(WordKind::light)) && *subject + 1 < at &&
         std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(*subject), r.m.begin() + static_cast<std::ptrdiff_t>(at), [](const Match& m) { return m.is_function("and"); }))
@@ -352,6 +373,7 @@ void relate(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i)
         if (r.m[i].is(WordKind::relation)) relate_one(r, i);
     stack_pairs(r);
+    hang_screens(r);
     fill_next_room(r);
 }
 

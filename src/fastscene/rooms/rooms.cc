@@ -221,6 +221,18 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
 
 bool is_asked_next_door(const PromptObject& o) { return !o.forbidden && o.relation == "in the next room"; }
 
+// "A green wall behind the bed": the wall that the bed came to stand at.
+void turn_accent(const PromptSpec& spec, const std::vector<Placed>& placed, Plan& plan) {
+    for (const PromptObject& wish : spec.objects) {
+        if (wish.klass != "wall" || wish.forbidden || wish.relation != "behind") continue;
+        const auto piece = std::find_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.piece.klass == wish.relation_to || p.wish.klass == wish.relation_to; });
+        if (piece == placed.end()) continue;
+        for (int i = 0; i < 4; ++i)
+            if (dot(plan.wall(i).inward, front_of(piece->yaw)) > 0.9f) plan.accent_wall = i;
+        return;
+    }
+}
+
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
     Random dice(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
@@ -229,6 +241,7 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
     furnish(layout);
     out.annealed = layout.annealed();
     out.placed = layout.placed();
+    turn_accent(spec, out.placed, out.plan);
     out.camera = layout.viewpoint();
     out.hidden_wishes = static_cast<int>(layout.unseen(out.camera).size());
     if (out.plan.next) {

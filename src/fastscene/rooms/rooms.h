@@ -24,6 +24,8 @@ struct PromptWord {
     bool measure = false;  // says in metres how large that piece, or the room, is
 };
 
+inline constexpr const char* kFullHeight = "full height";   // the pattern of windows from the floor to the ceiling
+
 // A piece of the prompt's, or a part of the room's shell (window, wall, floor …).
 // Empty text = not said (the room's maker chooses).
 struct PromptObject {
@@ -33,6 +35,7 @@ struct PromptObject {
     std::string color, material, pattern, size;
     std::string color2;     // "a black and white floor"
     std::string holder_color, holder_material;  // of the vase that flowers stand in: "a blue vase with roses"; of a bunk's bedding
+    std::string back_color, back_material;      // of the wall behind a kitchen's worktop, whose own are the holder's: "marble countertops"
     std::string not_color;  // "not brown": any other, when none is said
     Vec3f size_m;           // width, height, depth that were said, in metres; 0: as such pieces are
     std::string style;      // "an art deco lamp": its own, else the room's

@@ -50,7 +50,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
     for (const Block& b : plan.blocks) {
         if (b.kind == Block::Kind::column) continue;   // with its base and capital: shell_trim.cc
-        const int material = b.kind == Block::Kind::breast && plan.accent ? m.accent : m.wall;
+        const int material = b.kind == Block::Kind::breast && plan.accent && plan.accent_wall == 0 ? m.accent : m.wall;
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, material, -1));
     }
 }
@@ -164,7 +164,7 @@ void build_shell(const Plan& plan, Room& room) {
     room.meshes.push_back(box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + 0.2f, d}, m.ceiling, -1));
     const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern && style.accent_wall.color_a == style.wall.color_a;
     for (int i = 0; i < 4; ++i)
-        if (!(plan.joined && i == 2)) build_wall(plan, i, room, plan.accent && (i == 0 || all) ? m.accent : m.wall);
+        if (!(plan.joined && i == 2)) build_wall(plan, i, room, plan.accent && (i == plan.accent_wall || all) ? m.accent : m.wall);
     build_blocks(plan, m, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);

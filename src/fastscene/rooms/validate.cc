@@ -5,6 +5,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/rooms/crossings.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/rooms.h"
 
@@ -103,7 +104,7 @@ class Checker {
             const float deep = window ? 0.12f : 0.7f;   // before a window things may stand, but not touch it above its sill
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
             Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
-            if (window) zone.y0 = o.y0 + 0.25f, zone.y1 = o.y1 - 0.02f;
+            if (window) zone.y0 = free_before(o, 0.25f), zone.y1 = o.y1 - 0.02f;
             if (window && (p.piece.klass == "curtain" || p.on >= 0 || p.sill >= 0)) continue;
             if (overlap(box, zone)) add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
         }

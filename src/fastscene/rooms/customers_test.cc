@@ -1,0 +1,286 @@
+// What people ask for in so many words, and where it must show: worktops, upholstery, shades, windows to the floor, the style that is named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/test_prompts.h"
+#include "fastscene/rooms/validate.h"
+
+namespace fastscene {
+namespace {
+
+struct Asked {
+    PromptSpec spec;
+    FurnishedRoom room;
+    const Placed* find(std::string_view klass) const {
+        const auto p = std::find_if(room.placed.begin(), room.placed.end(), [&](const Placed& q) { return q.piece.klass == klass; });
+        return p == room.placed.end() ? nullptr : &*p;
+    }
+    int standing(std::string_view klass) const {
+        return static_cast<int>(std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& q) { return q.wish.klass == klass; }));
+    }
+};
+Asked asked_room(const std::string& text, std::uint64_t seed) {
+    Asked a;
+    a.spec = read(text);
+    a.room = furnish_room(a.spec, {seed, nullptr, {}});
+    for (const Fault& fault : room_faults(a.room.plan, a.room.placed, a.room.camera)) ADD_FAILURE() << text << ", seed " << seed << ": " << fault.text;
+    return a;
+}
+std::string fate_of(const PromptSpec& spec, std::string_view words) {
+    for (const PromptWord& w : spec.words)
+        if (w.words == words) return (w.fate == PromptWord::Fate::understood ? "understood: " : "else: ") + w.meaning;
+    return {};
+}
+
+PieceRequest request_of(const char* klass, const std::string& style) {
+    PieceRequest r;
+    r.klass = klass, r.style = &style_named(style), r.seed = 3;
+    return r;
+}
+// The lowest and highest point of a piece's main material.
+std::pair<float, float> reach_of_main(const Piece& p) {
+    std::pair<float, float> reach{1e9f, -1e9f};
+    for (const Mesh& m : p.meshes)
+        if (m.material == p.main_material)
+            for (const Vec3f& v : m.positions) reach = {std::min(reach.first, v.y), std::max(reach.second, v.y)};
+    return reach;
+}
+float away(Vec3f a, Vec3f b) { return length(a - b); }
+
+TEST(Customers, TheStyleThatIsNamedComesBeforeWhatQualifiesIt) {
+    for (const auto& [text, style] : {std::pair{"a formal art deco dining room", "art deco"}, {"a minimalist japandi bedroom", "japandi"}, {"a modern boho living room", "boho"},
+                                      {"an elegant mediterranean kitchen", "mediterranean"}, {"a scandinavian bedroom, modern and bright", "scandinavian"},
+                                      {"a luxurious hotel room, industrial", "industrial"}, {"an elegant living room", "classic"}, {"a modern, elegant bathroom", "modern"}, {"a rustic japandi bedroom", "rustic"}})
+        EXPECT_EQ(read(text).style, style) << text;
+    EXPECT_EQ(read("a minimalist japandi bedroom").clutter, "minimal");
+    EXPECT_EQ(fate_of(read("a formal art deco dining room"), "formal"), "else: style: art deco, which is named");
+    // Of a piece it is no style of the room.
+    EXPECT_EQ(read("an elegant bedroom with an art deco lamp").style, "classic");
+}
+
+TEST(Customers, WorktopsAreNotDoors) {
+    for (const char* text : {"a kitchen with pale green cabinets and marble countertops", "a kitchen with pale green cabinets and a marble counter", "a kitchen with marble countertops and pale green cabinets"}) {
+        const PromptSpec spec = read(text);
+        const PromptObject* units = object_of(spec, "kitchen_counter");
+        ASSERT_TRUE(units) << text;
+        EXPECT_EQ(units->color, "pale green") << text;
+        EXPECT_EQ(units->material, "") << text;
+        EXPECT_EQ(units->holder_material, "marble") << text;
+    }
+    const PromptSpec tiled = read("a kitchen with white cabinets, butcher block countertops and a blue tile backsplash and a steel sink");
+    const PromptObject* units = object_of(tiled, "kitchen_counter");
+    ASSERT_TRUE(units);
+    EXPECT_EQ(units->color, "white");
+    EXPECT_EQ(units->holder_material, "oak");
+    EXPECT_EQ(units->back_color, "blue");
+    EXPECT_EQ(units->back_material, "tile");
+    EXPECT_EQ(units->material, "");
+    const PromptObject alone = *object_of(read("a blue kitchen counter"), "kitchen_counter");
+    EXPECT_EQ(alone.color, "blue");
+    // In the piece: the top, at the height of one's hips, is marble, and no door is.
+    for (const std::string& style : styles()) {
+        PieceRequest r = request_of("kitchen_counter", style);
+        r.color_name = "navy", r.color = color_named("navy"), r.holder_material = "marble";
+        const Piece p = make_piece(r);
+        EXPECT_NE(p.materials[static_cast<std::size_t>(p.main_material)].pattern, Pattern::marble) << style;
+        bool top = false;
+        for (const Mesh& m : p.meshes)
+            if (p.materials[static_cast<std::size_t>(m.material)].pattern == Pattern::marble)
+                for (const Vec3f& v : m.positions) top = top || std::abs(v.y - 0.9f) < 0.01f;
+        EXPECT_TRUE(top) << style;
+    }
+    // The island has the same.
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Asked a = asked_room("a kitchen with white cabinets, marble countertops and an island", seed);
+        const Placed* island = a.find("kitchen_island");
+        ASSERT_TRUE(island) << seed;
+        EXPECT_TRUE(std::any_of(island->piece.materials.begin(), island->piece.materials.end(), [](const Material& m) { return m.pattern == Pattern::marble; })) << seed;
+    }
+}
+
+// Velvet covers the seat and the back; legs are of wood or metal.
+TEST(Customers, ChairsInClothHaveLegs) {
+    for (const std::string& style : styles())
+        for (const char* klass : {"chair", "stool", "bar_stool", "bench"})
+            for (const char* material : {"velvet", "leather"}) {
+                PieceRequest r = request_of(klass, style);
+                r.material = material, r.color_name = "emerald", r.color = color_named("emerald");
+                const Piece p = make_piece(r);
+                const auto [low, high] = reach_of_main(p);
+                EXPECT_GT(low, 0.25f) << style << " " << klass << " " << material;
+                EXPECT_GT(high, std::string_view(klass) == "chair" ? 0.8f : 0.4f) << style << " " << klass << " " << material;
+                EXPECT_LT(away(p.materials[static_cast<std::size_t>(p.main_material)].color_a, *color_named("emerald")), 0.05f) << style << " " << klass;
+                for (const Mesh& m : p.meshes)
+                    for (const Vec3f& v : m.positions) EXPECT_GT(v.y, -0.001f) << style << " " << klass;
+            }
+}
+
+// A brass pendant shows brass, not a cream shade on a brass cord.
+TEST(Customers, PendantsShowTheirColor) {
+    const auto area = [](const Piece& p, int material) {
+        float sum = 0;
+        for (const Mesh& m : p.meshes)
+            for (std::size_t t = 0; m.material == material && t < m.triangles.size(); t += 3)
+                sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]])) / 2;
+        return sum;
+    };
+    for (const std::string& style : styles()) {
+        if (style_named(style).lamp == LampFamily::cage) continue;   // all wire
+        for (const char* what : {"brass", "black"}) {
+            PieceRequest r = request_of("pendant_lamp", style);
+            if (std::string_view(what) == "brass") r.material = what;
+            else r.color_name = what, r.color = color_named(what);
+            const Piece p = make_piece(r);
+            float all = 0;
+            for (std::size_t i = 0; i < p.materials.size(); ++i) all += area(p, static_cast<int>(i));
+            EXPECT_GT(area(p, p.main_material), 0.6f * all) << style << " " << what;
+        }
+    }
+}
+
+TEST(Customers, WindowsFromFloorToCeilingAreThat) {
+    for (const std::uint64_t seed : {1, 2, 3, 4})
+        for (const char* text : {"a modern living room with floor-to-ceiling windows and a gray sofa", "a bedroom with a floor-to-ceiling window and a double bed", "a dining room with full height windows"}) {
+            const Asked a = asked_room(text, seed);
+            int full = 0;
+            for (const Opening& o : a.room.plan.openings) full += o.kind == Opening::Kind::window && o.y0 < 0.1f && o.y1 > a.room.plan.height - 0.2f;
+            EXPECT_GT(full, a.room.plan.bay ? -1 : 0) << text << ", seed " << seed;
+            for (const Placed& p : a.room.placed) EXPECT_TRUE(p.sill < 0 || p.position.y > 0.3f) << text;
+            for (const PromptObject& o : a.spec.objects) EXPECT_EQ(is_shell(o.klass) ? o.count : a.standing(o.klass), o.count) << text << ", seed " << seed << ": " << o.klass;
+        }
+    for (const Opening& o : asked_room("a living room with large windows", 1).room.plan.openings)
+        EXPECT_TRUE(o.kind != Opening::Kind::window || o.y0 > 0.3f);
+}
+
+// A screen on the wall hangs above its stand, or where nothing stands; a sectional keeps its shape whatever is said between.
+TEST(Customers, MountedScreensAndCornersOfSofas) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Asked a = asked_room("a living room with a wall-mounted TV opposite the sofa", seed);
+        const Placed* screen = a.find("tv");
+        ASSERT_TRUE(screen) << seed;
+        EXPECT_EQ(screen->on, -1) << seed;
+        EXPECT_GT(screen->position.y, 0.5f) << seed;
+        EXPECT_EQ(fate_of(a.spec, "wall mounted"), "understood: hangs on the wall") << seed;
+    }
+    for (const char* text : {"a living room with an L-shaped beige sofa", "a living room with an l shaped gray fabric couch"}) EXPECT_EQ(object_of(read(text), "sofa")->pattern, "corner") << text;
+    EXPECT_EQ(object_of(read("a living room with a gray sofa"), "sofa")->pattern, "");
+}
+
+TEST(Customers, BedsForOneWhateverStandsBetween) {
+    const PromptSpec twins = read("a bedroom with two single white beds");
+    ASSERT_TRUE(object_of(twins, "bed_single"));
+    EXPECT_EQ(object_of(twins, "bed_single")->count, 2);
+    EXPECT_EQ(object_of(twins, "bed_single")->color, "white");
+    EXPECT_FALSE(object_of(twins, "bed"));
+    EXPECT_TRUE(object_of(read("a bedroom with a single lamp and a bed"), "bed"));
+    int beds = 0, beside = 0;   // of twelve
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+        const Asked a = asked_room("a girls' bedroom with two single white beds on either side of a window", seed);
+        beds += a.standing("bed_single");
+        for (const Placed& p : a.room.placed) beside += p.piece.klass == "bed_single" && stands_as_asked(a.room.plan, a.room.placed, p, p.wish).value_or(false);
+    }
+    EXPECT_EQ(beds, 12);
+    EXPECT_GE(beside, 10);
+}
+
+TEST(Customers, WordsThatSwallowedAThing) {
+    EXPECT_TRUE(object_of(read("a living room with a lit fireplace"), "fireplace"));
+    const PromptSpec loft = read("a New York loft, city lights outside");
+    EXPECT_EQ(loft.room, "loft");
+    EXPECT_EQ(loft.style, "industrial");
+    EXPECT_EQ(loft.outlook, "city");
+    EXPECT_EQ(loft.time, "night");
+    EXPECT_EQ(read("city lights at dusk seen from a bedroom").time, "dusk");
+    EXPECT_TRUE(object_of(read("an attic with a bed under the slope"), "sloped_ceiling"));
+    EXPECT_EQ(read("a haunted bedroom").clutter, "abandoned");
+}
+
+// Who sits at a desk that faces the window sees it.
+TEST(Customers, ADeskThatFacesTheWindowStandsThere) {
+    const PromptSpec spec = read("a study with a teak desk facing the window");
+    EXPECT_EQ(object_of(spec, "desk")->relation, "under");
+    EXPECT_EQ(object_of(read("a study with an armchair facing the window"), "armchair")->relation, "facing");
+}
+
+TEST(Customers, WhoAsksForATableWithChairsGetsIt) {
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6})
+        for (const char* text : {"a sunroom full of plants with two rattan chairs around a small round table and a hanging egg chair", "a living room with a round table and two chairs"}) {
+            const Asked a = asked_room(text, seed);
+            const Placed* table = a.find("dining_table_round");
+            EXPECT_TRUE(table) << text << ", seed " << seed;
+        }
+    const Asked small = asked_room("a dining room with a small round table", 1), usual = asked_room("a dining room with a round table", 1);
+    EXPECT_LT(small.find("dining_table_round")->piece.size_m.x, 0.8f * usual.find("dining_table_round")->piece.size_m.x);
+    EXPECT_NEAR(small.find("dining_table_round")->piece.size_m.y, usual.find("dining_table_round")->piece.size_m.y, 0.03f);
+}
+
+// Ten chairs find their places at one table, whatever form the style has for it.
+TEST(Customers, ALongTableSeatsThemAll) {
+    for (const std::uint64_t seed : {1, 2, 3})
+        for (const char* style : {"art deco", "modern", "boho"}) {
+            const Asked a = asked_room(std::string("a ") + style + " dining room, long black table with ten velvet chairs", seed);
+            const Placed* table = a.find("dining_table");
+            ASSERT_TRUE(table) << style << seed;
+            EXPECT_GT(table->piece.size_m.x, 1.8f * table->piece.size_m.z) << style << seed;
+            const auto near = std::count_if(a.room.placed.begin(), a.room.placed.end(), [&](const Placed& p) { return p.piece.klass == "chair" && distance_to(footprint_of(*table), flat(p.position)) < 0.6f; });
+            EXPECT_GE(near, 9) << style << ", seed " << seed;
+        }
+}
+
+// Laundries have cabinets and sinks, and no stove.
+TEST(Customers, NobodyCooksInTheLaundry) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Asked a = asked_room("a laundry room with navy blue cabinets and a butler sink", seed);
+        const Placed* units = a.find("kitchen_counter");
+        ASSERT_TRUE(units) << seed;
+        EXPECT_TRUE(a.find("washing_machine")) << seed;
+        const Piece cooks = make_piece(request_of("kitchen_counter", "rustic"));
+        PieceRequest r = request_of("kitchen_counter", "rustic");
+        r.cooks = false;
+        const auto triangles = [](const Piece& p) {
+            std::size_t n = 0;
+            for (const Mesh& m : p.meshes) n += m.triangles.size();
+            return n;
+        };
+        EXPECT_LT(triangles(make_piece(r)), triangles(cooks));
+    }
+}
+
+// "A green wall behind the bed": that wall, whichever it is, and no other.
+TEST(Customers, TheWallBehindAPieceIsTheOneItStandsAt) {
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+        const Asked a = asked_room("a bedroom with white walls and a dark green wall behind the bed", seed);
+        const Placed* bed = a.find("bed");
+        ASSERT_TRUE(bed) << seed;
+        const Plan& plan = a.room.plan;
+        EXPECT_TRUE(plan.accent) << seed;
+        EXPECT_GT(dot(plan.wall(plan.accent_wall).inward, front_of(bed->yaw)), 0.9f) << seed;
+        EXPECT_LT(luminance(plan.style.accent_wall.color_a), 0.3f * luminance(plan.style.wall.color_a)) << seed;
+    }
+    const Asked tiled = asked_room("a bathroom with blue tiles behind the sink", 2);
+    EXPECT_GT(away(tiled.room.plan.style.accent_wall.color_a, tiled.room.plan.style.wall.color_a), 0.1f);
+    EXPECT_EQ(asked_room("a bedroom with a brick wall", 2).room.plan.accent_wall, 0);
+}
+
+TEST(Customers, NarrowRoomsAreNarrow) {
+    for (const std::uint64_t seed : {1, 2, 3, 4})
+        for (const char* room : {"hallway", "kitchen", "bathroom", "living room"}) {
+            const Asked narrow = asked_room(std::string("a narrow ") + room, seed);
+            EXPECT_LT(narrow.room.plan.width, 0.75f * narrow.room.plan.depth) << room << ", seed " << seed;
+        }
+}
+
+TEST(Customers, TerracottaFloorsAreTiles) {
+    EXPECT_EQ(asked_room("a boho sunroom with a terracotta floor", 1).room.plan.style.floor.pattern, Pattern::tile);
+    EXPECT_NE(asked_room("a boho sunroom with a wooden floor", 1).room.plan.style.floor.pattern, Pattern::tile);
+}
+
+}  // namespace
+}  // namespace fastscene
