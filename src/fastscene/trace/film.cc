@@ -98,8 +98,8 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     constexpr float kMostLift = 4.f;
     look.outside_seen = std::clamp(sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f, kMostLift);
     // A room of few lamps is exposed longer, and the night before its windows would be day.
-    constexpr float kNightMost = 0.09f;   // of the sky at the horizon, 1 = white by the room's light
-    if (night) look.outside_seen = std::min(1.f, kNightMost / std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
+    constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;   // of the sky at the horizon, 1 = white by the room's light
+    if (night || dusk) look.outside_seen = std::min(1.f, (night ? kNightMost : kDuskMost) / std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
     look.contrast = wish.contrast * 1.1f;
     look.saturation = wish.saturation * 1.06f;
     return look;

@@ -530,6 +530,8 @@ TEST(Film, TheNightOutsideADimRoomIsNoDay) {
     for (const float light : {0.003f, 0.01f, 0.05f, 0.3f}) EXPECT_LT(horizon_in(light), 0.1f) << light;
     const Look lit = automatic_look({}, sky, ImageColor(32, 16, gray * 0.3f), ImageColor(32, 16, gray));
     EXPECT_EQ(lit.outside_seen, 1.f);
+    sky.time = Sky::Time::dusk, sky.horizon = {0.085f, 0.078f, 0.115f}, sky.seen = 0.22f;
+    for (const float light : {0.003f, 0.01f, 0.05f, 0.3f}) EXPECT_LT(horizon_in(light), 0.3f) << light;
 }
 
 // The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
