@@ -147,7 +147,20 @@ ReadyMeasure ready_measure(const MeasureKind& kind, const Files& files, const st
     std::shared_ptr<const ClipMeasure>& clip = clips[files[0]];
     if (!clip) clip = std::make_shared<const ClipMeasure>(files[0]);
     check_clip(kind, files[0], *clip);
-    return {kind.name, clip_measure(clip, prompt, kind.name == "clip_s"), clip->files()};
+    return {kind.name, clip_measure(clip, prompt, kind.name == "clip_s"), clip->files(), clip};
+}
+
+void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasure>& measures) {
+    std::vector<const ImageRgb8*> pictures;
+    for (const Subject& s : subjects) pictures.push_back(&s.picture);
+    for (const ReadyMeasure& m : measures) {
+        if (!m.clip || subjects.empty() || subjects[0].seen.contains(m.clip.get())) continue;
+        try {
+            std::vector<std::vector<float>> seen = m.clip->of_pictures(pictures);
+            for (std::size_t i = 0; i < subjects.size(); ++i) subjects[i].seen[m.clip.get()] = std::move(seen[i]);
+        } catch (const Error&) {
+        }
+    }
 }
 
 }  // namespace fastscene

@@ -47,10 +47,13 @@ struct ReadyMeasure {
     std::string name;
     PictureMeasure measure;
     std::vector<std::filesystem::path> files;
+    std::shared_ptr<const ClipMeasure> clip = {};  // whose view of the picture it reads
 };
 // Networks that several measures share.
 using LoadedClips = std::map<std::filesystem::path, std::shared_ptr<const ClipMeasure>>;
 // Throws Error naming the file, what was expected and what was found.
 ReadyMeasure ready_measure(const MeasureKind& kind, const std::vector<std::filesystem::path>& files, const std::string& prompt, LoadedClips& clips);
+// Fills what CLIP's networks see in the pictures, all at a time. Where that fails it is left to the measure, which says why of which picture.
+void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasure>& measures);
 
 }  // namespace fastscene

@@ -5,34 +5,24 @@
 #include <ATen/ops/zeros.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/attention_bf16.h"
+#include "fastscene/nn/lanes.h"
 
 namespace fastscene::nn {
 namespace {
 
 using at::Tensor;
 
-#if defined(__AVX512F__)
-constexpr int kLanes = 16, kRows = 8;   // 8 rows of 3 vectors: 24 of the 32 registers hold sums
-#else
-constexpr int kLanes = 8, kRows = 4;    // 12 of 16
-#endif
+constexpr int kRows = kLanes / 2;   // AVX-512: 8 rows of 3 vectors, 24 of the 32 registers hold sums; else 12 of 16
 constexpr int kVectors = 3, kPanel = kVectors * kLanes;
-typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float)), aligned(4)));
-typedef std::int32_t Whole __attribute__((vector_size(kLanes * sizeof(float)), aligned(4)));
 
 constexpr std::int64_t kTileRows = 8 * kRows;   // of q: their part of the weights is 64 x 480 floats, 123 KB
 constexpr std::int64_t kTileKeys = 10 * 48;
 static_assert(kTileKeys % kPanel == 0);
-
-Lanes load(const float* p) { return *reinterpret_cast<const Lanes*>(p); }
-void store(float* p, Lanes x) { *reinterpret_cast<Lanes*>(p) = x; }
-Lanes all(float x) { return x - Lanes{}; }
 
 // to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors].
 template <int W, bool add>
@@ -51,24 +41,6 @@ void multiply(const float* rows, std::int64_t row_stride, const float* panel, st
     }
     for (int r = 0; r < kRows; ++r)
         for (int w = 0; w < W; ++w) store(to + r * to_stride + w * kLanes, sum[r][w]);
-}
-
-// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); far down 1e-38, which no sum notices.
-Lanes exp_of(Lanes x) {
-    const Lanes y = x * all(1.44269504088896341f);
-    const Lanes far_down = all(-126.f), clipped = y > far_down ? y : far_down;
-    const Lanes magic = all(12582912.f);   // 1.5 * 2^23: adding it rounds to a whole number
-    const Lanes shifted = clipped + magic, rest = clipped - (shifted - magic);
-    const Whole exponent = (std::bit_cast<Whole>(shifted) - 0x4B400000) << 23;
-    Lanes p = all(1.5403530e-4f);
-    p = p * rest + all(1.3333558e-3f);
-    p = p * rest + all(9.6181291e-3f);
-    p = p * rest + all(5.5504109e-2f);
-    p = p * rest + all(2.4022651e-1f);
-    p = p * rest + all(6.9314718e-1f);
-    p = p * rest + all(1.f);
-    const Whole bits = std::bit_cast<Whole>(p) + exponent;
-    return std::bit_cast<Lanes>(bits);
 }
 
 // Zeros, aligned as libtorch aligns: a vector never lies across two lines of the cache.

@@ -11,9 +11,10 @@ using at::Tensor;
 
 namespace {
 
-Tensor self_attention(const Scope& s, const Tensor& x, const ClipTower& tower, const Tensor& mask) {
+// Of the first `asked` tokens to all.
+Tensor self_attention(const Scope& s, const Tensor& x, std::int64_t asked, const ClipTower& tower, const Tensor& mask) {
     const std::int64_t w = tower.width;
-    const Tensor q = linear(s / "q_proj", x, w), k = linear(s / "k_proj", x, w), v = linear(s / "v_proj", x, w);
+    const Tensor q = linear(s / "q_proj", x.narrow(1, 0, asked), w), k = linear(s / "k_proj", x, w), v = linear(s / "v_proj", x, w);
     return linear(s / "out_proj", attention(q, k, v, tower.heads, mask), w);
 }
 
@@ -22,10 +23,12 @@ Tensor perceptron(const Scope& s, const Tensor& x, const ClipTower& tower) {
     return linear(s / "fc2", tower.quick_gelu ? quick_gelu(inner) : at::gelu(inner), tower.width);
 }
 
-Tensor layers(const Scope& s, Tensor x, const ClipTower& tower, const Tensor& mask) {
+// `wanted`: the last layer puts out so many of its tokens, the first ones.
+Tensor layers(const Scope& s, Tensor x, std::int64_t wanted, const ClipTower& tower, const Tensor& mask) {
     for (std::int64_t i = 0; i < tower.layers; ++i) {
         const Scope layer = s / "layers" / i;
-        x = x + self_attention(layer / "self_attn", layer_norm(layer / "layer_norm1", x, tower.eps), tower, mask);
+        const std::int64_t asked = i + 1 == tower.layers ? wanted : x.size(1);
+        x = x.narrow(1, 0, asked) + self_attention(layer / "self_attn", layer_norm(layer / "layer_norm1", x, tower.eps), asked, tower, mask);
         x = layer.out(x + perceptron(layer / "mlp", layer_norm(layer / "layer_norm2", x, tower.eps), tower));
     }
     return x;
@@ -89,7 +92,7 @@ ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids)
     const Tensor places = (s / "embeddings" / "position_embedding").parameter("weight", {tower.positions, tower.width});
     const Tensor x = (s / "embeddings").out(at::embedding(words, ids) + places.narrow(0, 0, length));
     const Tensor later = at::full({length, length}, -std::numeric_limits<float>::infinity(), x.options()).triu(1);
-    const Tensor states = layer_norm(s / "final_layer_norm", layers(s / "encoder", x, tower, later), tower.eps);
+    const Tensor states = layer_norm(s / "final_layer_norm", layers(s / "encoder", x, length, tower, later), tower.eps);
     const Tensor end = ids.argmax(1).reshape({-1, 1, 1}).expand({ids.size(0), 1, tower.width});
     return {states, states.gather(1, end).squeeze(1)};
 }
@@ -101,7 +104,8 @@ Tensor clip_vision(const Scope& root, const ClipTower& tower, const Tensor& pixe
     const Tensor first = embeddings.parameter("class_embedding", {tower.width}).expand({n, 1, tower.width});
     const Tensor places = (embeddings / "position_embedding").parameter("weight", {count, tower.width});
     const Tensor x = layer_norm(s / "pre_layrnorm", at::cat({first, patches}, 1) + places, tower.eps);  // the name is CLIP's
-    return layer_norm(s / "post_layernorm", layers(s / "encoder", x, tower, {}).select(1, 0), tower.eps);
+    const std::int64_t wanted = s.is_heard() ? count : 1;   // the first token's state is the picture's; who listens hears all
+    return layer_norm(s / "post_layernorm", layers(s / "encoder", x, wanted, tower, {}).select(1, 0), tower.eps);
 }
 
 Tensor clip_text_features(const Scope& s, const ClipTower& tower, const Tensor& ids, std::int64_t dimension) {

@@ -12,6 +12,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/nn/hashed.h"
+#include "fastscene/nn/layers.h"
 #include "fastscene/nn/lpips.h"
 #include "fastscene/nn/perceptual.h"
 #include "fastscene/nn/safetensors.h"
@@ -178,6 +179,44 @@ TEST_F(Clip, EveryPublishedFormGivesTheSameVectors) {
     }
     EXPECT_EQ(expected.files(), std::vector{root / "folder/model.safetensors"});
     EXPECT_EQ(script.files(), std::vector{root / "ViT-B-32.pt"});
+}
+
+TEST_F(Clip, PicturesTogetherAreSeenAsEachAlone) {
+    const ClipMeasure clip(root / "folder");
+    const std::vector<ImageRgb8> pictures{noise(90, 70, 1), noise(40, 200, 2), noise(64, 64, 3)};
+    const std::vector<std::vector<float>> together = clip.of_pictures({&pictures[0], &pictures[1], &pictures[2]});
+    ASSERT_EQ(together.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(cosine(together[i], clip.of_picture(pictures[i])), 1, 1e-6) << i;
+    EXPECT_LT(cosine(together[0], together[1]), 0.9999);
+}
+
+// The last layer is worked out for the picture's own token only, unless somebody listens.
+TEST(ClipVision, ListeningChangesNothing) {
+    const c10::InferenceMode inference;
+    const nn::ClipConfig c = nn::clip_config(kTiny, "tiny");
+    HashedWeights weights;
+    std::map<std::string, at::Tensor> heard;
+    const nn::Listener listener = [&](const std::string& name, const at::Tensor& out) { heard[name] = out; };
+    const at::Tensor pixels = nn::hashed_input("pixels", {2, 3, 64, 64}), alone = nn::clip_vision(Scope(weights), c.vision, pixels);
+    EXPECT_LT((alone - nn::clip_vision(Scope(weights, "", &listener), c.vision, pixels)).abs().max().item<double>(), 1e-5);
+    EXPECT_EQ(heard.at("vision_model.encoder.layers.0").sizes(), (at::IntArrayRef{2, 5, 128}));
+}
+
+TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
+    const auto formula = [](const at::Tensor& x) { return x.to(at::kDouble) * at::sigmoid(1.702 * x.to(at::kDouble)); };
+    for (const std::int64_t count : {1, 15, 16, 100'003}) {
+        const at::Tensor x = 40 * nn::hashed_input("x", {count});
+        const at::Tensor tried = nn::quick_gelu(x);   // with gradients, which need x as it was
+        EXPECT_TRUE(at::equal(x, 40 * nn::hashed_input("x", {count})));
+        const at::NoGradGuard no_gradients;
+        const at::Tensor expected = formula(x), found = nn::quick_gelu(x.clone());
+        EXPECT_LT(((found - expected).abs() / (expected.abs() + 1e-6)).max().item<double>(), 2e-6) << count;
+        EXPECT_LT((tried - expected).abs().max().item<double>(), 1e-5) << count;
+    }
+    const at::NoGradGuard no_gradients;
+    const at::Tensor ends = nn::quick_gelu(at::tensor({-1e30f, -1e3f, 0.f, 1e3f, 1e30f, std::numeric_limits<float>::quiet_NaN()}));
+    EXPECT_TRUE(at::allclose(ends.narrow(0, 1, 4), at::tensor({0.f, 0.f, 1e3f, 1e30f})));
+    EXPECT_TRUE(ends[5].isnan().item<bool>());
 }
 
 TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {

@@ -70,6 +70,4 @@ Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t
     return join_heads(rows.size() == 1 ? rows[0] : at::cat(rows, 1), heads);
 }
 
-Tensor quick_gelu(const Tensor& x) { return x * at::sigmoid(1.702 * x); }
-
 }  // namespace fastscene::nn

@@ -110,21 +110,31 @@ struct ClipMeasure::Parts {
 };
 
 ClipMeasure::ClipMeasure(const fs::path& place) : parts_(std::make_unique<Parts>(place)) {
-    of_text("a");  // every tensor is there and has its shape
-    of_picture(ImageRgb8(8, 8));
+    // Every tensor is there and has its shape, which is asked of no text and of no picture: so nothing is computed.
+    const c10::InferenceMode inference;
+    const Scope scope(*parts_->weights);
+    const auto& [text, vision, dimension] = parts_->config;
+    nn::clip_text_features(scope, text, at::zeros({0, ClipTokenizer::kContext}, at::kLong), dimension);
+    nn::clip_image_features(scope, vision, at::zeros({0, 3, vision.image_size, vision.image_size}), dimension);
 }
 const std::vector<fs::path>& ClipMeasure::files() const { return parts_->files; }
 int ClipMeasure::patch() const { return static_cast<int>(parts_->config.vision.patch); }
 int ClipMeasure::picture_side() const { return static_cast<int>(parts_->config.vision.image_size); }
 ClipMeasure::~ClipMeasure() = default;
 
-std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const {
+std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const { return of_pictures({&image}).front(); }
+
+std::vector<std::vector<float>> ClipMeasure::of_pictures(const std::vector<const ImageRgb8*>& images) const {
     const c10::InferenceMode inference;
     use_our_threads();
     const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
-    const Tensor pixels = tensor_of(clip_crop(image, static_cast<int>(parts_->config.vision.image_size))) / 255;
-    const Tensor normalized = (pixels - row(.48145466, .4578275, .40821073)) / row(.26862954, .26130258, .27577711);
-    return unit_features(nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, normalized.unsqueeze(0), parts_->config.dimension));
+    const Tensor mean = row(.48145466, .4578275, .40821073), deviation = row(.26862954, .26130258, .27577711);
+    std::vector<Tensor> normalized;
+    for (const ImageRgb8* image : images) normalized.push_back((tensor_of(clip_crop(*image, picture_side())) / 255 - mean) / deviation);
+    const Tensor features = nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, at::stack(normalized), parts_->config.dimension);
+    std::vector<std::vector<float>> out;
+    for (const Tensor& of_one : features.unbind()) out.push_back(unit_features(of_one));
+    return out;
 }
 
 std::vector<float> ClipMeasure::of_text(const std::string& text) const {

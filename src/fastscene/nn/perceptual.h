@@ -37,8 +37,9 @@ class ClipMeasure {
     // Which network it is: pixels of a patch's side (32: ViT-B/32, 14: ViT-L/14), and of the picture that it is shown (224; 336 in ViT-L/14@336px).
     int patch() const;
     int picture_side() const;
-    // Unit vectors in the common space.
+    // Unit vectors in the common space. Several pictures at a time take less: the weights come from memory once for all.
     std::vector<float> of_picture(const ImageRgb8& image) const;
+    std::vector<std::vector<float>> of_pictures(const std::vector<const ImageRgb8*>& images) const;
     std::vector<float> of_text(const std::string& text) const;
 
   private:

@@ -37,9 +37,10 @@ class Scope {
     bool has(std::string_view name) const { return source_->has((*this / name).prefix_); }
     const std::string& prefix() const { return prefix_; }
 
+    bool is_heard() const { return listener_ && *listener_; }
     // Passes an output on, and tells the listener.
     at::Tensor out(at::Tensor tensor) const {
-        if (listener_ && *listener_) (*listener_)(prefix_, tensor);
+        if (is_heard()) (*listener_)(prefix_, tensor);
         return tensor;
     }
 
