@@ -39,7 +39,7 @@ Lanes quick_gelu_of(Lanes x) {
 Tensor exact_gelu(const Tensor& x) { return x.requires_grad() && at::GradMode::is_enabled() ? Gelu::apply(x) : at::gelu(x); }
 
 // One sweep: a perceptron's inner layer is the largest thing in a network, and each temporary of its size would come from the system, cleared,
-// in every layer (a fifth of CLIP's time).
+// in every layer.
 Tensor quick_gelu(const Tensor& x) {
     if (at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat || !x.is_contiguous()) return x * at::sigmoid(kQuick * x);
     float* const numbers = x.data_ptr<float>();
