@@ -67,88 +67,137 @@ std::array<float, Lights::kFacings> Lights::Light::shares_at(Vec3f position) con
     return cumulative;
 }
 
-Lights::Lights(const Room& room) : light_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
+// What glows of one object is one light as far as it lies together, within `width_m`: the candles of a chandelier, but not the spots of a ceiling, of which
+// a place wants to ask the one above it. Cut where there is a gap, into halves about as large.
+void Lights::cut(Group group, float width_m, std::vector<Group>& out) {
+    Vec3f low = group[0].center, high = low;
+    for (const Glowing& g : group)
+        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], g.center[a]), high[a] = std::max(high[a], g.center[a]);
+    const Vec3f extent = high - low;
+    const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    if (extent[axis] <= width_m) {
+        out.push_back(std::move(group));
+        return;
+    }
+    std::stable_sort(group.begin(), group.end(), [&](const Glowing& a, const Glowing& b) { return a.center[axis] < b.center[axis]; });
+    std::size_t at = 1;
+    float best = -1;
+    for (std::size_t i = 1; i < group.size(); ++i) {
+        const float gap = group[i].center[axis] - group[i - 1].center[axis];
+        const float worth = gap * static_cast<float>(std::min(i, group.size() - i));
+        if (worth > best) best = worth, at = i;
+    }
+    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(at);
+    cut(Group(group.begin(), middle), width_m, out);
+    cut(Group(middle, group.end()), width_m, out);
+}
+
+Lights::Lights(const Room& room) : light_of_triangle_(room.meshes.size()), large_(room.meshes.size(), false) {
     for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
-    std::vector<int> light_of_object(room.objects.size(), -1);
+    // What glows, object by object; what belongs to none, mesh by mesh.
+    std::vector<Group> objects;
+    std::vector<int> group_of_object(room.objects.size(), -1);
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
         const float bright = luminance(emission_of(room, static_cast<int>(m)));
         if (!(bright > 0)) continue;
+        Group glowing;
         float whole = 0;
-        Vec3f center;
-        for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
-            const auto [a, b, c] = corners(room, static_cast<int>(m), static_cast<int>(t));
-            const float area = 0.5f * length(cross(b - a, c - a));
-            whole += area;
-            center += (a + b + c) * (area / 3);
-        }
-        if (!(whole > 0)) continue;
-        if (whole > kLargeArea) {
-            large_[m] = true;
-            continue;
-        }
-        // The candles of a chandelier are one light.
-        const bool owned = mesh.object >= 0 && static_cast<std::size_t>(mesh.object) < light_of_object.size();
-        int index = owned ? light_of_object[static_cast<std::size_t>(mesh.object)] : -1;
-        if (index < 0) {
-            index = static_cast<int>(lights_.size());
-            lights_.emplace_back().part_of_facing.fill(-1);
-            if (owned) light_of_object[static_cast<std::size_t>(mesh.object)] = index;
-        }
-        Light& light = lights_[static_cast<std::size_t>(index)];
-        light.center = (light.center * light.area + center) / (light.area + whole);
-        light.area += whole;
-        light.power += whole * bright;
         for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
             const auto [a, b, c] = corners(room, static_cast<int>(m), static_cast<int>(t));
             const Vec3f across = cross(b - a, c - a);
             const float area = 0.5f * length(across);
             if (!(area > 0)) continue;
-            std::int8_t& k = light.part_of_facing[facing_of(across, closed_[m])];
-            if (k < 0) {
-                k = static_cast<std::int8_t>(light.parts.size());
-                light.parts.emplace_back();
-            }
-            Part& part = light.parts[static_cast<std::size_t>(k)];
-            part.one_sided = closed_[m];
-            part.center = (part.center * part.area + (a + b + c) * (area / 3)) / (part.area + area);
-            part.normal = (part.normal * part.area + across * 0.5f) / (part.area + area);
-            part.area += area;
-            part.triangles.push_back({static_cast<std::int32_t>(m), static_cast<std::int32_t>(t), area * bright});
-            part.cumulative.push_back((part.cumulative.empty() ? 0.f : part.cumulative.back()) + area * bright);
+            whole += area;
+            glowing.push_back({static_cast<std::int32_t>(m), static_cast<std::int32_t>(t), (a + b + c) * (1.f / 3), across, area, area * bright});
         }
-        light_of_mesh_[m] = index;
+        if (glowing.empty()) continue;
+        if (whole > kLargeArea) {
+            large_[m] = true;
+            continue;
+        }
+        light_of_triangle_[m].assign(mesh.triangles.size() / 3, kNoLight);
+        const bool owned = mesh.object >= 0 && static_cast<std::size_t>(mesh.object) < group_of_object.size();
+        int group = owned ? group_of_object[static_cast<std::size_t>(mesh.object)] : -1;
+        if (group < 0) {
+            group = static_cast<int>(objects.size());
+            objects.emplace_back();
+            if (owned) group_of_object[static_cast<std::size_t>(mesh.object)] = group;
+        }
+        Group& all = objects[static_cast<std::size_t>(group)];
+        all.insert(all.end(), glowing.begin(), glowing.end());
     }
-    if (!room.portals.empty()) sky_.emplace(room.sky);
-    for (std::size_t i = 0; i < room.portals.size(); ++i) {
-        const Portal& p = room.portals[i];
-        Light light;
-        light.portal = static_cast<int>(i);
-        light.center = p.corner + p.edge_u * 0.5f + p.edge_v * 0.5f;
-        const Vec3f across = cross(p.edge_u, p.edge_v);
-        light.area = length(across);
-        if (!(light.area > 0)) continue;
-        light.direction = across / light.area;
-        light.power = light.area * brightness_behind(*sky_, light.direction);
-        lights_.push_back(std::move(light));
+    for (std::size_t i = 0; i < room.portals.size(); ++i) add_portal(room, static_cast<int>(i));
+    const std::size_t windows = lights_.size();
+    // As finely as can be weighed at every place; beyond that an object is one light.
+    std::vector<Group> groups;
+    for (const float width_m : {0.6f, 1.2f, 2.4f, kFar}) {
+        groups.clear();
+        for (const Group& object : objects) cut(object, width_m, groups);
+        if (groups.size() + windows <= static_cast<std::size_t>(kMost)) break;
     }
+    for (const Group& group : groups) add_lamp(group);
+    keep_strongest();
+}
+
+void Lights::add_lamp(const Group& group) {
+    Light light;
+    light.part_of_facing.fill(-1);
+    for (const Glowing& g : group) {
+        const bool one_sided = closed_[static_cast<std::size_t>(g.mesh)];
+        light.center = (light.center * light.area + g.center * g.area) / (light.area + g.area);
+        light.area += g.area;
+        light.power += g.power;
+        std::int8_t& k = light.part_of_facing[facing_of(g.across, one_sided)];
+        if (k < 0) {
+            k = static_cast<std::int8_t>(light.parts.size());
+            light.parts.emplace_back();
+        }
+        Part& part = light.parts[static_cast<std::size_t>(k)];
+        part.one_sided = one_sided;
+        part.center = (part.center * part.area + g.center * g.area) / (part.area + g.area);
+        part.normal = (part.normal * part.area + g.across * 0.5f) / (part.area + g.area);
+        part.area += g.area;
+        part.triangles.push_back({g.mesh, g.triangle});
+        part.cumulative.push_back((part.cumulative.empty() ? 0.f : part.cumulative.back()) + g.power);
+        light_of_triangle_[static_cast<std::size_t>(g.mesh)][static_cast<std::size_t>(g.triangle)] = static_cast<std::int16_t>(lights_.size());
+    }
+    lights_.push_back(std::move(light));
+}
+
+void Lights::add_portal(const Room& room, int portal) {
+    if (!sky_) sky_.emplace(room.sky);
+    const Portal& p = room.portals[static_cast<std::size_t>(portal)];
+    Light light;
+    light.portal = portal;
+    light.center = p.corner + p.edge_u * 0.5f + p.edge_v * 0.5f;
+    const Vec3f across = cross(p.edge_u, p.edge_v);
+    light.area = length(across);
+    if (!(light.area > 0)) return;
+    light.direction = across / light.area;
+    light.power = light.area * brightness_behind(*sky_, light.direction);
+    lights_.push_back(std::move(light));
+}
+
+// More than can be weighed at every place: the weakest are found by gathering, as large ones are.
+void Lights::keep_strongest() {
     if (lights_.size() <= static_cast<std::size_t>(kMost)) return;
-    // More than can be weighed at every place: the weakest are found by gathering, as large ones are.
     std::vector<int> order(lights_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return lights_[static_cast<std::size_t>(a)].power > lights_[static_cast<std::size_t>(b)].power; });
     std::vector<Light> kept;
-    std::vector<int> place(lights_.size(), -1);
-    for (int i = 0; i < kMost; ++i) {
+    std::vector<std::int16_t> place(lights_.size(), kNoLight);
+    for (std::int16_t i = 0; i < kMost; ++i) {
         place[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
         kept.push_back(std::move(lights_[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])]));
     }
-    for (std::size_t m = 0; m < light_of_mesh_.size(); ++m) {
-        if (light_of_mesh_[m] < 0) continue;
-        light_of_mesh_[m] = place[static_cast<std::size_t>(light_of_mesh_[m])];
-        if (light_of_mesh_[m] < 0) large_[m] = true;
-    }
+    for (std::size_t m = 0; m < light_of_triangle_.size(); ++m)
+        for (std::int16_t& light : light_of_triangle_[m]) {
+            if (light == kNoLight) continue;
+            light = place[static_cast<std::size_t>(light)];
+            if (light == kNoLight) large_[m] = true;   // an object is one light here, so all of the mesh is
+        }
     lights_ = std::move(kept);
 }
 
@@ -231,8 +280,9 @@ Lights::Towards Lights::draw(const Room& room, const Choice& choice, Vec3f posit
 float Lights::density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction, const RayHit& hit) const {
     if (choice.count == 0) return 0;
     if (!hit) return portal_density(room, choice, position, direction);
-    const int i = light_of_mesh_[static_cast<std::size_t>(hit.mesh)];
-    if (i < 0 || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) return 0;
+    const std::vector<std::int16_t>& light_of = light_of_triangle_[static_cast<std::size_t>(hit.mesh)];
+    const int i = light_of.empty() ? kNoLight : light_of[static_cast<std::size_t>(hit.triangle)];
+    if (i == kNoLight || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) return 0;
     const Light& light = lights_[static_cast<std::size_t>(i)];
     const auto [a, b, c] = corners(room, hit.mesh, hit.triangle);
     const std::int8_t found = light.part_of_facing[facing_of(cross(b - a, c - a), closed_[static_cast<std::size_t>(hit.mesh)])];

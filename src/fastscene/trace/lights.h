@@ -49,7 +49,6 @@ class Lights {
   private:
     struct Triangle {
         std::int32_t mesh, triangle;
-        float power;
     };
     // Triangles of a lamp that face about the same way.
     struct Part {
@@ -62,7 +61,7 @@ class Lights {
     // Ways to face: the sides of a cube in three by three fields, for closed bodies and for sheets.
     static constexpr int kFacings = 2 * 6 * 9;
     static std::size_t facing_of(Vec3f normal, bool one_sided);
-    // The glowing parts of one object, or one window.
+    // What glows of one object within a lamp's breadth, or one window.
     struct Light {
         int portal = -1;
         Vec3f center, direction;          // direction: a portal shines only into the room; zero: all around
@@ -72,10 +71,22 @@ class Lights {
         // Rising shares of the parts in what a place gets from the lamp: the first parts.size().
         std::array<float, kFacings> shares_at(Vec3f position) const;
     };
+    // A triangle that glows.
+    struct Glowing {
+        std::int32_t mesh, triangle;
+        Vec3f center, across;             // across: along the normal, twice as long as the area
+        float area, power;
+    };
+    using Group = std::vector<Glowing>;
+    static void cut(Group group, float width_m, std::vector<Group>& out);
+    void add_lamp(const Group& group);
+    void add_portal(const Room& room, int portal);
+    void keep_strongest();
     float portal_density(const Room& room, const Choice& choice, Vec3f position, Vec3f direction) const;
     std::optional<SkyTable> sky_;         // where there are portals
     std::vector<Light> lights_;
-    std::vector<int> light_of_mesh_;      // -1: none
+    static constexpr std::int16_t kNoLight = -1;
+    std::vector<std::vector<std::int16_t>> light_of_triangle_;   // by mesh; empty where nothing glows
     std::vector<bool> large_, closed_;
 };
 

@@ -77,6 +77,33 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     EXPECT_LT(light.deviation / light.mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
 }
 
+// The spots of a ceiling are one object. From under one of them that one is asked, not each as often as another: walls beneath spots were clouded.
+TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
+    const auto deviation = [](int objects) {
+        Room room = box_room(diffuse({0, 0, 0}));
+        room.meshes.clear();
+        room.materials.push_back(diffuse({0, 0, 0}, {50, 50, 50}));
+        for (int i = 0; i < objects; ++i) room.objects.push_back({});
+        constexpr int kRow = 5;
+        for (int i = 0; i < kRow * kRow; ++i) {
+            const Vec3f at{1.2f * static_cast<float>(i % kRow - kRow / 2), -1, 1.2f * static_cast<float>(i / kRow - kRow / 2)};
+            room.meshes.push_back(box_mesh(at - Vec3f{0.03f, 5e-4f, 0.03f}, at + Vec3f{0.03f, 5e-4f, 0.03f}, 1, i % objects, false));
+        }
+        const Samples light = sampled_light(room, {0, -0.6f, 0}, {0, -1, 0}, 8192, 5);
+        // All are small: their area, less for each the farther and the more slanted, by 1/d2 and two cosines.
+        double wanted = 0;
+        for (int i = 0; i < kRow * kRow; ++i) {
+            const double x = 1.2 * (i % kRow - kRow / 2), z = 1.2 * (i / kRow - kRow / 2), y = 0.3995, d2 = x * x + y * y + z * z;
+            wanted += 50 * 0.06 * 0.06 * (y / std::sqrt(d2)) * (y / std::sqrt(d2)) / d2;
+        }
+        EXPECT_NEAR(light.mean / wanted, 1, 0.03) << objects;
+        return light.deviation / light.mean;
+    };
+    const double together = deviation(1), apart = deviation(25);
+    EXPECT_LT(together, 0.6);   // each as often as another: above 4
+    EXPECT_LT(together, 1.3 * apart + 0.05);
+}
+
 // The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would count again, by rare loud samples that
 // leave clouds on far walls.
 TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
