@@ -161,6 +161,28 @@ struct NoisyPicture {
         std::sort(row.begin(), row.end(), [](const SecondSurface& a, const SecondSurface& b) { return a.x < b.x; });
     }
 
+    // Pixels of a row that lie at the edge of the sun's shadow, as a pixel beside them says, though their first `rays` rays, all they had, agree.
+    std::vector<int> beside_shadow_edges(int y, int rays) const {
+        const NoisyLight& sun = lights[1];
+        const auto at_edge = [&](int x, int row) {
+            const float bright = luminance(sun.value.at(x, row));
+            return sun.variance.at(x, row) > kNoisy * kNoisy * bright * bright;
+        };
+        std::vector<int> found;
+        for (int x = 0; x < own_share.width; ++x) {
+            const Vec3f normal = guides.normal.at(x, y);
+            if (own_share.at(x, y) != 1.f || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
+            bool beside = false;
+            for (int k = 0; k < 9 && !beside; ++k) {
+                const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
+                const int qx = guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1);
+                beside = at_edge(qx, qy);
+            }
+            if (beside) found.push_back(x);
+        }
+        return found;
+    }
+
     // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several, or (`others`) another one.
     std::vector<int> beside_outlines(int y, int rays, bool others) const {
         const auto whole = [&](int x, int row) { return own_share.at(x, row) == 1.f; };
@@ -290,6 +312,19 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
             }
         progress.advance(end - begin);
     });
+    // Once more, the edges of the sun's shadows: of four rays all may see the sun where a fifth of it is hidden, and edges would be ragged.
+    constexpr int kShadowLooks = 2;
+    for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number) {
+        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
+        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
+            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = noisy->beside_shadow_edges(y, round);
+        });
+        parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+            run.check_stop();
+            for (auto y = static_cast<int>(begin); y < end; ++y)
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) noisy->set_again(x, y, trace(x, y, samples / 4));
+        });
+    }
     // A second look beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
     // that come next meet another surface costs little to know; where they do, it is asked beside that pixel too.
     constexpr int kLooks = 4;
