@@ -44,8 +44,7 @@ class IrradianceCache {
     };
     // One estimate of a place's irradiance, in two parts that add up to what entries hold the mean of. First what is asked for:
     // lamps, windows and the first bounce of the sun (`which`, `uv`: uniform in [0, 1), best well spread).
-    Vec3f direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at, Vec2f which,
-                 Vec2f uv) const;
+    Vec3f direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which, Vec2f uv) const;
     // Then what is found in one direction, by the light that the cache knows there.
     struct Bounce {
         Vec3f irradiance;

@@ -84,9 +84,8 @@ Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which)
     return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
 }
 
-Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Lights::Choice& choice, const Place& at,
-                              Vec2f which, Vec2f uv) const {
-    return lights.sample(room, bvh, choice, at.position, at.normal, which, uv) + sunlit(bvh, at, which.x);
+Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which, Vec2f uv) const {
+    return lights.sample(room, bvh, at.position, at.normal, which, uv) + sunlit(bvh, at, which);
 }
 
 IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const {

@@ -97,7 +97,6 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             const auto c = static_cast<std::size_t>(i);
             Cell& cell = cells_[c];
             Random random(random_key(c, 0, run.seed));
-            const Lights::Choice choice = lights.choice_at(cell.center, cell.normal);
             const Vec2f shift{random.uniform(), random.uniform()};
             const int asked = cell.seen ? samples : std::max(8, samples / kUnseenShare);
             Vec3f sum{};
@@ -107,7 +106,7 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
                 const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
                 const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
                 const Place& at = place(c, s);
-                sum += lights.sample(room, bvh, choice, at.position, at.normal, {which, random.uniform()}, uv);
+                sum += lights.sample(room, bvh, at.position, at.normal, which, uv);
                 sum += sunlit(bvh, at, which);
                 spread.add(luminance(sum - before));
             }

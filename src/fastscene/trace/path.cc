@@ -20,7 +20,6 @@ struct Arrival {
     float density = 0;       // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
     bool lights = false;     // whether that surface also asked the lights
     Vec3f from, normal;
-    Lights::Choice choice;
 };
 
 // A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the density of sampling `out`.
@@ -55,12 +54,13 @@ struct Local {
 };
 
 // The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in others that mirror it.
-Vec3f asked_light(const PathScene& scene, const Local& local, const Lights::Choice& choice, bool behind, bool first, bool looking, Sampler& sampler) {
+Vec3f asked_light(const PathScene& scene, const Local& local, bool behind, bool first, bool looking, Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
     const Vec3f normal = behind ? -s.normal : s.normal;
     Vec3f sum{};
-    const Vec2f which = sampler.next2(), uv = sampler.next2();
-    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, normal, which, uv);
+    const float which = sampler.next();
+    const Vec2f uv = sampler.next2();
+    const Lights::Towards light = scene.lights.draw(scene.room, s.position, normal, which, uv);
     if (light.density > 0) {
         const Scatter scatter = local.towards(light.direction);
         const Vec3f value = scatter.value * light.radiance;
@@ -89,7 +89,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const bool clearly = looking && !(arrival.density > 0);
         const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
         float by_chance = 1;
-        if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.choice, arrival.from, direction, hit));
+        if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.from, arrival.normal, direction, hit));
         if (!hit) return sum + throughput * (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction) : sky_radiance(scene.room.sky, direction)) * by_chance;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
@@ -125,8 +125,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             const float ask_behind = local.p_behind > 0 ? local.p_behind / std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_shine)) : 0.f;
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
-            next.choice = scene.lights.choice_at(s.position, next.normal);
-            sum += throughput * asked_light(scene, local, next.choice, side, first, looking, sampler) *
+            sum += throughput * asked_light(scene, local, side, first, looking, sampler) *
                    (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();
@@ -159,7 +158,6 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             if (next.lights && local.p_behind > 0) {
                 const bool other = dot(out, s.normal) < 0;
                 next.normal = other ? -s.normal : s.normal;
-                next.choice = scene.lights.choice_at(s.position, next.normal);
             }
         }
         origin = offset_from(s.position, dot(out, s.normal) > 0 ? s.normal : -s.normal);

@@ -44,12 +44,11 @@ struct Samples {
 Samples sampled_light(const Room& room, Vec3f place, Vec3f normal, int count, std::uint64_t seed) {
     const SceneBvh bvh(room);
     const Lights lights(room);
-    const Lights::Choice choice = lights.choice_at(place, normal);
     double sum = 0, squares = 0, largest = 0;
     for (int i = 0; i < count; ++i) {
         Random random(seed, "samples of light", static_cast<std::uint64_t>(i));
         const double e =
-            luminance(lights.sample(room, bvh, choice, place, normal, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}));
+            luminance(lights.sample(room, bvh, place, normal, random.uniform(), {random.uniform(), random.uniform()}));
         sum += e, squares += e * e, largest = std::max(largest, e);
     }
     const double mean = sum / count;
@@ -130,13 +129,12 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     const Lights lights(room);
     const Vec3f place{0, 0, -2}, ahead{0, 0, 1};
     ASSERT_LT(dot(cross(room.portals[0].edge_u, room.portals[0].edge_v), ahead), 0);
-    const Lights::Choice choice = lights.choice_at(place, ahead);
     double light = 0, from_town = 0, asked = 0;
     constexpr int kSamples = 20'000;
     for (int i = 0; i < kSamples; ++i) {
         Random random(6, "town", static_cast<std::uint64_t>(i));
         const Lights::Towards drawn =
-            lights.draw(room, choice, place, ahead, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()});
+            lights.draw(room, place, ahead, random.uniform(), {random.uniform(), random.uniform()});
         const float here = dot(drawn.direction, ahead);
         const double e = drawn.density > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.density : 0;
         light += e;

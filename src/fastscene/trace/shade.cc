@@ -54,17 +54,17 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     const Vec3f origin = offset_from(s.position, s.normal);
     Mirrored seen = mirrored_radiance(scene, origin, out, pixel_angle + 0.3f * r.alpha, r.alpha == 0, 3);
     if (r.alpha == 0) return seen.light + seen.rest;
-    const Lights::Choice choice = scene.lights.choice_at(s.position, s.normal);
     Vec3f asked{};
-    const Vec2f which = sampler.next2(), uv = sampler.next2();
-    const Lights::Towards light = scene.lights.draw(scene.room, choice, s.position, s.normal, which, uv);
+    const float which = sampler.next();
+    const Vec2f uv = sampler.next2();
+    const Lights::Towards light = scene.lights.draw(scene.room, s.position, s.normal, which, uv);
     if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
         const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
         if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
             asked = light.radiance * (cone * power_heuristic(light.density, cone) / light.density);
     }
     if (max_component(seen.light) > 0) {
-        const float density = scene.lights.density(scene.room, choice, origin, out, seen.hit);
+        const float density = scene.lights.density(scene.room, s.position, s.normal, out, seen.hit);
         seen.light = seen.light * power_heuristic(ggx_density(s.bumped, r.alpha, direction, out), density);
     }
     Vec3f met = seen.light + seen.rest;
@@ -80,9 +80,9 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
     constexpr float kTrusted = 0.98f;
     if (!scene.contacts || reading.trust > kTrusted) return reading.irradiance;
     const IrradianceCache::Place here{s.position, s.normal};
-    const Vec2f which = sampler.next2(), uv = sampler.next2(), way = sampler.next2();
-    const Lights::Choice choice = scene.lights.choice_at(s.position, s.normal);
-    const Vec3f asked = scene.light.direct(scene.room, scene.bvh, scene.lights, choice, here, which, uv);
+    const float which = sampler.next();
+    const Vec2f uv = sampler.next2(), way = sampler.next2();
+    const Vec3f asked = scene.light.direct(scene.room, scene.bvh, scene.lights, here, which, uv);
     const Vec3f found = scene.light.bounced(scene.room, scene.bvh, scene.lights, here, way).irradiance;
     return reading.irradiance * reading.trust + (asked + found) * (1 - reading.trust);
 }
