@@ -28,7 +28,7 @@ struct Angle {
 // What a node holds, while the tree grows.
 struct LightTree::Shape {
     Vec3f low, high, axis, gravity;
-    float spread = 0, power = 0;   // spread: half angle of the cone
+    float spread = 0, power = 0;  // spread: half angle of the cone
     bool two_sided = false;
     std::int32_t emitter = -1;
 
@@ -72,7 +72,8 @@ struct LightTree::Shape {
     float cost() const {
         if (!(power > 0)) return 0;
         const float r = radius(), reach = std::min(spread + 0.5f * kHalfTurn, kHalfTurn);
-        const float solid = 1 - std::cos(spread) + 0.25f * (2 * reach * std::sin(spread) - std::cos(spread - 2 * reach) - 2 * spread * std::sin(spread) + std::cos(spread));
+        const float solid = 1 - std::cos(spread) +
+                            0.25f * (2 * reach * std::sin(spread) - std::cos(spread - 2 * reach) - 2 * spread * std::sin(spread) + std::cos(spread));
         return power * (r * r + 1e-8f) * (solid + 1e-3f);
     }
 };
@@ -148,7 +149,8 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     std::size_t middle = begin + (end - begin) / 2;
     if (best_bin >= 0) {
         const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(begin), last = shapes.begin() + static_cast<std::ptrdiff_t>(end);
-        middle = static_cast<std::size_t>(std::stable_partition(first, last, [&](const Shape& s) { return bin_of(s, best_axis) <= best_bin; }) - shapes.begin());
+        middle = static_cast<std::size_t>(std::stable_partition(first, last, [&](const Shape& s) { return bin_of(s, best_axis) <= best_bin; }) -
+                                          shapes.begin());
     }
     build(shapes, begin, middle, depth + 1);
     const std::int32_t second = build(shapes, middle, end, depth + 1);
@@ -176,7 +178,7 @@ float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
     }
     const float d = std::sqrt(d2), far2 = std::max(std::sqrt(near2), 0.1f * node.radius) * std::max(d, node.radius) + 1e-10f;
     const float here = std::min(1.f, height / std::sqrt(far2));
-    if (!(d2 > r2)) return node.power * here / far2;   // within the ball anything may face here
+    if (!(d2 > r2)) return node.power * here / far2;  // within the ball anything may face here
     const float sine = node.radius / d, away = std::clamp(-dot(node.axis, to) / d, -1.f, 1.f), cosine = node.two_sided ? std::abs(away) : away;
     // The narrowest angle to the normals, by the middle of the node and by any point of its ball.
     const Angle least = Angle{cosine, std::sqrt(1 - cosine * cosine)}.less({node.cosine, node.sine});
@@ -235,7 +237,7 @@ LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
     std::size_t head = 0;
     while (head + 1 < heads_.size() && !(u * all < shares[head])) ++head;
     const float below = head ? shares[head - 1] : 0.f;
-    if (!(shares[head] > below)) return {};   // by rounding only
+    if (!(shares[head] > below)) return {};  // by rounding only
     Drawn out{-1, (shares[head] - below) / all};
     u = (u * all - below) / (shares[head] - below);
     for (std::int32_t at = heads_[head];;) {

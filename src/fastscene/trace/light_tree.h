@@ -18,16 +18,16 @@ class LightTree {
   public:
     // A flat bit of something that shines.
     struct Emitter {
-        Vec3f low, high;          // its box, metres
-        Vec3f center;             // of gravity
-        Vec3f normal;             // unit; it shines into the half space before it …
-        bool two_sided = false;   // … or into both
-        float power = 0;          // in any unit; 0: never drawn
+        Vec3f low, high;         // its box, metres
+        Vec3f center;            // of gravity
+        Vec3f normal;            // unit; it shines into the half space before it …
+        bool two_sided = false;  // … or into both
+        float power = 0;         // in any unit; 0: never drawn
     };
     explicit LightTree(const std::vector<Emitter>& emitters);
 
     struct Drawn {
-        int emitter = -1;   // -1: nothing shines here
+        int emitter = -1;  // -1: nothing shines here
         float chance = 0;
     };
     // `normal` of length 1: of the surface that is lit. `u`: uniform in [0, 1); emitters that lie together get numbers that lie together.
@@ -37,13 +37,13 @@ class LightTree {
 
   private:
     struct Node {
-        Vec3f center, half;                       // of the box and the ball about it; of a leaf: of gravity
-        Vec3f axis;                               // of the cone
-        float radius = 0, cosine = 1, sine = 0;   // cosine, sine: of the cone's half angle
+        Vec3f center, half;                      // of the box and the ball about it; of a leaf: of gravity
+        Vec3f axis;                              // of the cone
+        float radius = 0, cosine = 1, sine = 0;  // cosine, sine: of the cone's half angle
         float power = 0;
         bool two_sided = false;
-        std::int32_t emitter = -1;   // of a leaf
-        std::int32_t second = -1;    // child; the first one is the next node
+        std::int32_t emitter = -1;  // of a leaf
+        std::int32_t second = -1;   // child; the first one is the next node
     };
     struct Shape;
     static Shape shape_of(const Emitter& emitter);
@@ -55,20 +55,20 @@ class LightTree {
     void choose_heads();
 
     static constexpr std::size_t kMostHeads = 32;
-    using Shares = std::array<float, kMostHeads>;   // rising sums of the heads' importances
+    using Shares = std::array<float, kMostHeads>;  // rising sums of the heads' importances
     Shares shares_of_heads(Vec3f position, Vec3f normal) const;
 
     // Where an emitter is found.
     struct Place {
-        std::int32_t head = -1;    // of heads_; -1: not in the tree
-        std::int32_t depth = 0;    // how many levels below it
-        std::uint64_t path = 0;    // a bit a level, 1 = the second child
+        std::int32_t head = -1;  // of heads_; -1: not in the tree
+        std::int32_t depth = 0;  // how many levels below it
+        std::uint64_t path = 0;  // a bit a level, 1 = the second child
     };
     void find(std::int32_t node, Place place);
 
     std::vector<Node> nodes_;
-    std::vector<std::int32_t> heads_;   // nodes, which together hold everything
-    std::vector<Place> places_;         // by emitter
+    std::vector<std::int32_t> heads_;  // nodes, which together hold everything
+    std::vector<Place> places_;        // by emitter
 };
 
 }  // namespace fastscene

@@ -30,7 +30,11 @@ struct Lamps {
             for (int i = 0; i < each; ++i) {
                 Corners c;
                 for (Vec3f& p : c) p = middle + somewhere(dice, 0.1f);
-                LightTree::Emitter e{c[0], c[0], (c[0] + c[1] + c[2]) / 3.f, normalize(cross(c[1] - c[0], c[2] - c[0])), k % 3 == 0,
+                LightTree::Emitter e{c[0],
+                                     c[0],
+                                     (c[0] + c[1] + c[2]) / 3.f,
+                                     normalize(cross(c[1] - c[0], c[2] - c[0])),
+                                     k % 3 == 0,
                                      i % 20 == 7 ? 0.f : dice.uniform(0.1f, 2)};
                 for (const Vec3f p : c)
                     for (std::size_t a = 0; a < 3; ++a) e.low[a] = std::min(e.low[a], p[a]), e.high[a] = std::max(e.high[a], p[a]);

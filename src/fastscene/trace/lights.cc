@@ -10,7 +10,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kLargeArea = 0.5f;
-constexpr float kSunRadius = 0.008f;   // of its disc, in radians: 0.9 degrees across
+constexpr float kSunRadius = 0.008f;  // of its disc, in radians: 0.9 degrees across
 
 // Nearer than this a lamp's part is no brighter to the cache: keeps single samples from burning holes.
 constexpr float kNearest = 0.03f;
@@ -78,7 +78,7 @@ Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large
             emitters_.push_back({.mesh = static_cast<std::int32_t>(m), .triangle = t});
             tree.push_back(box_of({abc[0], abc[1], abc[2]}));
             tree.back().normal = normalize(cross(abc[1] - abc[0], abc[2] - abc[0]));
-            tree.back().two_sided = !closed_[m];   // a thin shade shines to both sides, a solid from its front
+            tree.back().two_sided = !closed_[m];  // a thin shade shines to both sides, a solid from its front
             tree.back().power = area_of(abc) * bright;
         }
     }
