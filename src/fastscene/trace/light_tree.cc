@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kHalfTurn = 3.14159265f;
 constexpr int kMostCuts = 30;     // below so many levels halves by number: a path has 64 bits
-constexpr float kCompact = 0.1f;  // metres
+constexpr float kCompact = 0.25f;  // metres
 
 float angle_between(Vec3f a, Vec3f b) { return std::acos(std::clamp(dot(a, b), -1.f, 1.f)); }
 
