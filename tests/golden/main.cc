@@ -51,7 +51,9 @@ bool run_case(Case& one, const Checker& checker, bool verbose) {
     if (findings.empty()) findings.push_back({"", 0, 0, 0, true, "nothing stored"});
     if (verbose)
         for (const Finding& f : findings) print("  " + f.name, f);
-    const auto worst = std::max_element(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return badness(a) < badness(b); });
+    const auto worst = std::max_element(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+        return a.good != b.good ? a.good : badness(a) < badness(b);   // what failed is shown first
+    });
     Finding shown = *worst;
     const auto failed = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
     if (failed) shown.remark = fmt::format("{} of {}: {}{}", failed, findings.size(), worst->name, worst->remark.empty() ? "" : ": " + worst->remark);
