@@ -159,6 +159,7 @@ void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasur
             std::vector<std::vector<float>> seen = m.clip->of_pictures(pictures);
             for (std::size_t i = 0; i < subjects.size(); ++i) subjects[i].seen[m.clip.get()] = std::move(seen[i]);
         } catch (const Error&) {
+            // One of them cannot be shown; each is tried alone by its measure.
         }
     }
 }

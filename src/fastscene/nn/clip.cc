@@ -1,6 +1,7 @@
 #include "fastscene/nn/clip.h"
 
 #include <limits>
+#include <utility>
 
 #include "fastscene/nn/config_fields.h"
 #include "fastscene/nn/layers.h"
@@ -19,8 +20,8 @@ Tensor self_attention(const Scope& s, const Tensor& x, std::int64_t asked, const
 }
 
 Tensor perceptron(const Scope& s, const Tensor& x, const ClipTower& tower) {
-    const Tensor inner = linear(s / "fc1", x, tower.inner);
-    return linear(s / "fc2", tower.quick_gelu ? quick_gelu(inner) : at::gelu(inner), tower.width);
+    Tensor inner = linear(s / "fc1", x, tower.inner);
+    return linear(s / "fc2", tower.quick_gelu ? quick_gelu(std::move(inner)) : at::gelu(inner), tower.width);
 }
 
 // `wanted`: the last layer puts out so many of its tokens, the first ones.

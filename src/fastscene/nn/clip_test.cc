@@ -214,6 +214,14 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
         EXPECT_LT((tried - expected).abs().max().item<double>(), 1e-5) << count;
     }
     const at::NoGradGuard no_gradients;
+    // What somebody else holds, or a part of it, stays as it was; what is moved in gives its memory.
+    const at::Tensor held = nn::hashed_input("x", {64});
+    nn::quick_gelu(held);
+    nn::quick_gelu(held.narrow(0, 32, 32));
+    EXPECT_TRUE(at::equal(held, nn::hashed_input("x", {64})));
+    at::Tensor given = nn::hashed_input("x", {64}).clone();
+    const void* memory = given.data_ptr();
+    EXPECT_EQ(nn::quick_gelu(std::move(given)).data_ptr(), memory);
     const at::Tensor ends = nn::quick_gelu(at::tensor({-1e30f, -1e3f, 0.f, 1e3f, 1e30f, std::numeric_limits<float>::quiet_NaN()}));
     EXPECT_TRUE(at::allclose(ends.narrow(0, 1, 4), at::tensor({0.f, 0.f, 1e3f, 1e30f})));
     EXPECT_TRUE(ends[5].isnan().item<bool>());

@@ -40,8 +40,9 @@ Tensor exact_gelu(const Tensor& x) { return x.requires_grad() && at::GradMode::i
 
 // One sweep: a perceptron's inner layer is the largest thing in a network, and each temporary of its size would come from the system, cleared,
 // in every layer.
-Tensor quick_gelu(const Tensor& x) {
-    if (at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat || !x.is_contiguous()) return x * at::sigmoid(kQuick * x);
+Tensor quick_gelu(Tensor x) {
+    const bool alone = x.use_count() == 1 && x.storage().use_count() == 1;
+    if (!alone || at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat || !x.is_contiguous()) return x * at::sigmoid(kQuick * x);
     float* const numbers = x.data_ptr<float>();
     at::parallel_for(0, x.numel(), kGeluGrain, [numbers](std::int64_t i, std::int64_t end) {
         for (; i + kLanes <= end; i += kLanes) store(numbers + i, quick_gelu_of(load(numbers + i)));

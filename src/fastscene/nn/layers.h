@@ -26,7 +26,7 @@ at::Tensor layer_norm(const Scope& s, const at::Tensor& x, double eps = 1e-5);
 at::Tensor attention(const at::Tensor& q, const at::Tensor& k, const at::Tensor& v, std::int64_t heads, const at::Tensor& mask = {},
                      bool in_float = false);
 
-// x sigmoid(1.702 x). Without gradients on a CPU it takes x's own memory, which no longer holds x then.
-at::Tensor quick_gelu(const at::Tensor& x);
+// x sigmoid(1.702 x). Who moves x in, and nobody else holds it, has it in x's own memory (without gradients, floats on a CPU).
+at::Tensor quick_gelu(at::Tensor x);
 
 }  // namespace fastscene::nn

@@ -221,6 +221,14 @@ TEST(Customers, WhoAsksForATableWithChairsGetsIt) {
     EXPECT_NEAR(small.find("dining_table_round")->piece.size_m.y, usual.find("dining_table_round")->piece.size_m.y, 0.03f);
 }
 
+// A table is as long as its chairs need, and as long as was said.
+TEST(Customers, ChairsDoNotOutvoteAMeasure) {
+    EXPECT_GT(object_of(read("a dining room with a long table and ten chairs"), "dining_table")->size_m.x, 2.5f);
+    EXPECT_GT(object_of(read("a room with a long dining table"), "dining_table")->size_m.x, 2.1f);
+    EXPECT_GT(object_of(read("a dining room with a table for ten"), "dining_table")->size_m.x, 2.5f);
+    EXPECT_NEAR(object_of(read("a dining room with a 2 metre long table and ten chairs"), "dining_table")->size_m.x, 2.f, 1e-3f);
+}
+
 // Ten chairs find their places at one table, whatever form the style has for it.
 TEST(Customers, ALongTableSeatsThemAll) {
     for (const std::uint64_t seed : {1, 2, 3})

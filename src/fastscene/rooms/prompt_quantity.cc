@@ -97,7 +97,6 @@ void seat_at(Reading& r, std::size_t at, int owner) {
     if (is_table(klass)) {
         if (klass != "dining_table_round") o.klass = "dining_table";
         if (o.size.empty() && people >= kMany) o.size = "large";
-        if (people >= kMany && o.klass == "dining_table" && !(o.size_m.x > 0)) o.size_m.x = kPlace * static_cast<float>((people - 1) / 2);
         return tell_count(r, at, want(r, at, "chair", people));
     }
     if (klass == "sofa" || klass == "loveseat") {
@@ -144,11 +143,14 @@ void seat_people(Reading& r) {
         else seat_in_room(r, i);
         r.m[i].settled = true;
     }
-    // "a table with ten chairs": as long as those need.
+    // "a table with ten chairs": as long as those need, unless its length was said.
     int chairs = 0;
     for (const PromptObject& o : r.spec.objects) chairs += o.klass == "chair" && !o.forbidden ? o.count : 0;
-    for (PromptObject& o : r.spec.objects)
-        if (chairs >= kMany && o.klass == "dining_table" && o.count == 1) o.size_m.x = std::max(o.size_m.x, kPlace * static_cast<float>((chairs - 1) / 2));
+    for (PromptObject& o : r.spec.objects) {
+        const bool measured = std::any_of(r.m.begin(), r.m.end(), [&](const Match& m) { return m.measure && m.about == o.id; });
+        if (chairs >= kMany && o.klass == "dining_table" && o.count == 1 && !measured)
+            o.size_m.x = std::max(o.size_m.x, kPlace * static_cast<float>((chairs - 1) / 2));
+    }
 }
 
 }  // namespace fastscene::reading

@@ -161,6 +161,18 @@ struct NoisyPicture {
         std::sort(row.begin(), row.end(), [](const SecondSurface& a, const SecondSurface& b) { return a.x < b.x; });
     }
 
+    // All of the pixel's rays met one surface.
+    bool is_whole(int x, int y) const { return own_share.at(x, y) == 1.f; }
+    // Whether a pixel, or one of the eight around it, passes test(x, y).
+    template <class Test>
+    bool any_beside(int x, int y, const Test& test) const {
+        for (int k = 0; k < 9; ++k) {
+            const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
+            if (test(guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1), qy)) return true;
+        }
+        return false;
+    }
+
     // Pixels of a row that lie at the edge of the sun's shadow, as a pixel beside them says, though their first `rays` rays, all they had, agree.
     std::vector<int> beside_shadow_edges(int y, int rays) const {
         const NoisyLight& sun = lights[1];
@@ -171,32 +183,22 @@ struct NoisyPicture {
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
             const Vec3f normal = guides.normal.at(x, y);
-            if (own_share.at(x, y) != 1.f || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
-            bool beside = false;
-            for (int k = 0; k < 9 && !beside; ++k) {
-                const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
-                const int qx = guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1);
-                beside = at_edge(qx, qy);
-            }
-            if (beside) found.push_back(x);
+            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
+            if (any_beside(x, y, at_edge)) found.push_back(x);
         }
         return found;
     }
 
     // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several, or (`others`) another one.
     std::vector<int> beside_outlines(int y, int rays, bool others) const {
-        const auto whole = [&](int x, int row) { return own_share.at(x, row) == 1.f; };
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
-            if (!whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays)) continue;
-            bool outline = false;
-            for (int k = 0; k < 9 && !outline; ++k) {
-                const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
-                const int qx = guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1);
-                outline = !whole(qx, qy) || (others && another_surface(guides.position.at(x, y), guides.normal.at(x, y), guides.position.at(qx, qy),
-                                                                       guides.normal.at(qx, qy)));
-            }
-            if (outline) found.push_back(x);
+            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays)) continue;
+            const Vec3f position = guides.position.at(x, y), normal = guides.normal.at(x, y);
+            const auto outline = [&](int qx, int qy) {
+                return !is_whole(qx, qy) || (others && another_surface(position, normal, guides.position.at(qx, qy), guides.normal.at(qx, qy)));
+            };
+            if (any_beside(x, y, outline)) found.push_back(x);
         }
         return found;
     }
@@ -312,20 +314,23 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
             }
         progress.advance(end - begin);
     });
-    // Once more, the edges of the sun's shadows: of four rays all may see the sun where a fifth of it is hidden, and edges would be ragged.
-    constexpr int kShadowLooks = 2;
-    for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number) {
+    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look(x, y) changes any pixel.
+    const auto look_again = [&](const auto& doubtful_in, const auto& look) {
         std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
         parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
-            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = noisy->beside_shadow_edges(y, round);
+            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = doubtful_in(y);
         });
         parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
             run.check_stop();
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) noisy->set_again(x, y, trace(x, y, samples / 4));
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) look(x, y);
         });
-    }
-    // A second look beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
+    };
+    // First the edges of the sun's shadows: of four rays all may see the sun where a fifth of it is hidden, and edges would be ragged.
+    constexpr int kShadowLooks = 2;
+    for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number)
+        look_again([&](int y) { return noisy->beside_shadow_edges(y, round); }, [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
     // that come next meet another surface costs little to know; where they do, it is asked beside that pixel too.
     constexpr int kLooks = 4;
     const int next = samples / 2;
@@ -338,20 +343,11 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         }
         return false;
     };
-    for (int look_number = 0; noisy && look_number < kLooks; ++look_number) {
-        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
-        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
-            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = noisy->beside_outlines(y, round, look_number == 0);
-        });
-        parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
-            run.check_stop();
-            for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) {
-                    if (std::exchange(looked.at(x, y), std::uint8_t{1})) continue;
-                    if (meets_another(x, y)) noisy->set_again(x, y, trace(x, y, next));
-                }
-        });
-    }
+    for (int look_number = 0; noisy && look_number < kLooks; ++look_number)
+        look_again([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
+                   [&](int x, int y) {
+                       if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y)) noisy->set_again(x, y, trace(x, y, next));
+                   });
     if (noisy) noisy->denoise_into(out, look);
     return out;
 }
