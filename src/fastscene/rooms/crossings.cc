@@ -111,7 +111,7 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
 }
 
 bool is_soft(std::string_view klass) {
-    static constexpr std::array<std::string_view, 6> kSoft{"rug", "cushion", "throw", "curtain", "teddy_bear", "cat"};
+    static constexpr std::array<std::string_view, 7> kSoft{"rug", "cushion", "throw", "curtain", "teddy_bear", "cat", "dog"};
     return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
 }
 

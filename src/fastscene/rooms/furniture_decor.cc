@@ -225,7 +225,47 @@ void picture(Kit& k) {
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.35f;
 }
+// A hide: the outline of what wore it, with its own color; a cow's has blots.
+void hide_rug(Kit& k) {
+    const bool cow = k.request.pattern == "cowhide";
+    const Vec3f s = k.wanted(cow ? Vec3f{2.f, 0.01f, 1.75f} : Vec3f{1.5f, 0.02f, 1.05f});
+    Material m = *material_named("carpet");
+    m.name = cow ? "cowhide" : "fur";
+    m.color_a = cow ? Vec3f{0.7f, 0.66f, 0.58f} : Vec3f{0.66f, 0.6f, 0.5f};
+    m.color_b = m.color_a * 0.7f;
+    m.bump_m = cow ? 0.002f : 0.01f;
+    const auto color = k.request.color_name.empty() ? std::nullopt : color_named(k.request.color_name);
+    if (color && !cow) m.color_a = *color, m.color_b = *color * 0.6f;
+    if (cow) {
+        m.pattern = Pattern::camouflage, m.scale_m = 0.75f, m.seed = k.seed();
+        m.color_b = color.value_or(k.dice.chance(0.5f) ? Vec3f{0.19f, 0.085f, 0.04f} : Vec3f{0.035f, 0.03f, 0.027f}), m.color_c = m.color_a;
+    }
+    const int fur = k.piece.main_material = k.material(m);
+    // Half of it, from the neck (z < 0) to the tail: the rest is its mirror image.
+    static constexpr std::array<Vec2f, 13> kHalf{{{0.f, -0.5f}, {0.13f, -0.49f}, {0.2f, -0.4f}, {0.36f, -0.43f}, {0.5f, -0.38f}, {0.47f, -0.29f}, {0.36f, -0.2f}, {0.335f, 0.f}, {0.37f, 0.18f}, {0.5f, 0.29f}, {0.47f, 0.4f}, {0.27f, 0.4f}, {0.f, 0.5f}}};
+    std::vector<Vec2f> ring;
+    for (const Vec2f& p : kHalf) ring.push_back({p.x, p.y});
+    for (std::size_t i = kHalf.size() - 1; i-- > 1;) ring.push_back({-kHalf[i].x, kHalf[i].y});
+    std::vector<Vec2f> closed{ring.back()};
+    closed.insert(closed.end(), ring.begin(), ring.end());
+    closed.push_back(ring[0]), closed.push_back(ring[1]);
+    const std::uint32_t seed = k.seed();
+    std::vector<Vec2f> outline;
+    const std::vector<Vec2f> smooth = shapes::curve(closed, 6);
+    for (std::size_t i = 6; i + 12 < smooth.size() + 5; ++i) outline.push_back(smooth[i]);
+    // The long side of the rug's box is its spine.
+    const auto place = [&](Vec2f p, float x, float z) {
+        const float n = 1.f + 0.025f * shapes::wobble({7 * p.x, 7 * p.y, 0}, seed);
+        return Vec2f{x * p.y * n, z * p.x * n};
+    };
+    std::vector<Vec2f> rim;
+    for (const Vec2f& p : outline) rim.push_back(place(p, s.x, s.z));
+    Mesh hide = shapes::prism(rim, 0.f, s.y, 0.002f);
+    for (std::size_t i = 0; i < hide.coords.size(); ++i) hide.coords[i] = {hide.positions[i].x, hide.positions[i].z, 0};
+    k.add(std::move(hide), fur);
+}
 void rug(Kit& k) {
+    if (k.request.pattern == "cowhide" || k.request.pattern == "hide") return hide_rug(k);
     const Vec3f s = k.wanted({2.3f, 0.012f, 1.6f});
     Material m = k.style.rug;
     // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). Formal rooms have medallions,
@@ -378,6 +418,33 @@ void candle(Kit& k) {
     for (std::size_t i = 0; i < 3; ++i) {
         k.rod(wax, {xs[i], 0.011f, zs[i]}, {xs[i], hs[i], zs[i]}, 0.026f, -1, 20);
         wick.burn({xs[i], hs[i] - 0.001f, zs[i]}, 0.036f);
+    }
+    k.piece.mount = Mount::surface;
+}
+// Five arms on a turned foot, a candle on each.
+void candelabrum(Kit& k) {
+    const int metal = k.main(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("brass")), wax = k.material(plain("wax", {0.75f, 0.71f, 0.62f}, 0.6f));
+    const std::array<Vec2f, 12> p{Vec2f{0.075f, 0}, {0.078f, 0.01f}, {0.05f, 0.022f}, {0.016f, 0.04f}, {0.024f, 0.06f}, {0.012f, 0.08f}, {0.011f, 0.15f}, {0.02f, 0.168f}, {0.011f, 0.186f}, {0.014f, 0.25f}, {0.008f, 0.27f}, {0.008f, 0.3f}};
+    k.add(shapes::lathe(p, 24, true), metal);
+    Wick wick(k);
+    const auto light = [&](Vec3f at) {
+        const std::array<Vec2f, 6> cup{Vec2f{0.006f, -0.012f}, {0.014f, -0.004f}, {0.03f, 0.004f}, {0.031f, 0.008f}, {0.015f, 0.01f}, {0.013f, 0.024f}};
+        k.add(shapes::lathe(cup, 20), metal, at);
+        const float high = k.dice.uniform(0.09f, 0.115f);
+        k.rod(wax, at + Vec3f{0, 0.012f, 0}, at + Vec3f{0, high, 0}, 0.0105f, 0.0095f, 14);
+        wick.burn(at + Vec3f{0, high - 0.001f, 0}, 0.03f);
+    };
+    light({0, 0.3f, 0});
+    for (int i = 0; i < 4; ++i) {
+        const Vec3f out = i % 2 == 0 ? Vec3f{i == 0 ? 1.f : -1.f, 0, 0.18f} : Vec3f{i == 1 ? 1.f : -1.f, 0, -0.18f};
+        const float far = i % 2 == 0 ? 0.15f : 0.085f, rise = i % 2 == 0 ? 0.255f : 0.285f;
+        std::vector<Vec3f> arm;
+        for (int j = 0; j <= 14; ++j) {
+            const float t = static_cast<float>(j) / 14.f;
+            arm.push_back(out * (far * (0.06f + 0.94f * std::sin(0.5f * kPi * t))) + Vec3f{0, 0.18f - 0.05f * std::sin(kPi * std::min(1.f, 1.5f * t)) + (rise - 0.18f) * t * t, 0});
+        }
+        k.add(shapes::tube(arm, 0.006f, 8), metal);
+        light(arm.back());
     }
     k.piece.mount = Mount::surface;
 }
@@ -537,6 +604,7 @@ void coat_rack(Kit& k) {
           coat);
 }
 void cat(Kit& k) {
+    if (k.request.pattern == kAsleep) return cat_asleep(k);
     const Vec3f coats[] = {{0.35f, 0.18f, 0.07f}, {0.06f, 0.055f, 0.05f}, {0.5f, 0.48f, 0.44f}};
     Material m = plain("fur", coats[k.dice.index(3)], 0.95f);
     m.pattern = Pattern::carpet;
@@ -563,7 +631,7 @@ void cat(Kit& k) {
 }
 
 constexpr Entry kDecor[] = {{"plant", plant}, {"plant_tree", plant_tree}, {"plant_small", plant_small}, {"vase", vase}, {"vase_small", vase_small}, {"bouquet", bouquet}, {"picture", picture}, {"rug", rug}, {"curtain", curtain}, {"basket", basket},
-                            {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
+                            {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"candelabrum", candelabrum}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
                             {"coat_rack", coat_rack}, {"cat", cat}};
 
 }  // namespace

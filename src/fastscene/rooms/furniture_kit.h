@@ -81,6 +81,8 @@ Material steel();
 Material foliage(Kit& k, Vec3f tone, float scale);
 Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float droop, float point);
 Vec3f around(float angle);
+// What a cat is when it sleeps (furniture_keepsakes.cc).
+void cat_asleep(Kit& k);
 
 // Four legs of the style under a top: half extents to the legs' middles, from the floor to y.
 void legs(Kit& k, int material_index, float half_x, float half_z, float y, float thickness = 0.05f);
@@ -108,6 +110,7 @@ std::span<const Entry> on_walls();  // boards, hangings, trophies, maps, signs
 std::span<const Entry> window_covers();  // blinds, shutters
 std::span<const Entry> extras();    // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
 std::span<const Entry> upheaval();  // decay, renovation, untidiness: what lies about on floors
+std::span<const Entry> keepsakes(); // a dog, a typewriter, bunting, garlands, hooks with coats: what people love and hang up
 std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
 
 inline constexpr float kTau = 2 * kPi;

@@ -14,7 +14,7 @@ int leg_material(Kit& k, int wood) {
 
 // A rectangular table: top, apron, legs. size.y is the height of the top.
 void plain_table(Kit& k, Vec3f s, float thick) {
-    const int wood = k.main(k.style.wood), leg = leg_material(k, wood);
+    const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth), leg = leg_material(k, wood);
     k.board(wood, {0, s.y - thick, 0}, {s.x, thick, s.z}, 0.006f);
     const float t = std::min(0.07f, 0.14f * s.y + 0.01f), in = 0.06f;
     legs(k, leg, 0.5f * s.x - in - 0.5f * t, 0.5f * s.z - in - 0.5f * t, s.y - thick + 0.002f, t);
@@ -26,7 +26,7 @@ void plain_table(Kit& k, Vec3f s, float thick) {
     k.top(s.y, 0, 0, 0.46f * s.x, 0.46f * s.z);
 }
 void round_table(Kit& k, float d, float y, float thick) {
-    const int wood = k.main(k.style.wood), leg = leg_material(k, wood);
+    const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth), leg = leg_material(k, wood);
     k.add(shapes::prism(shapes::circle(0.5f * d, 48), y - thick, y, 0.006f), wood);
     if (y > 0.6f && k.style.legs != LegType::splayed) {
         const std::array<Vec2f, 8> p{Vec2f{0.26f * d, 0}, {0.26f * d, 0.025f}, {0.06f * d, 0.06f}, {0.04f * d, 0.2f * y}, {0.05f * d, 0.5f * y}, {0.04f * d, 0.8f * y}, {0.12f * d, y - thick - 0.01f}, {0.12f * d, y - thick + 0.002f}};
@@ -44,7 +44,7 @@ void put_small(Kit& k, std::string klass, Vec3f at, float turn = 0.f) { k.merge(
 
 // A thick top on two crossed trestles and a stretcher.
 void trestle_table(Kit& k, Vec3f s) {
-    const int wood = k.main(k.style.wood), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
     k.board(wood, {0, s.y - 0.05f, 0}, {s.x, 0.05f, s.z}, 0.008f);
     const float x = 0.5f * s.x - 0.26f, z = 0.5f * s.z - 0.1f, y = s.y - 0.045f;
     for (const float sx : {-1.f, 1.f}) {
@@ -112,17 +112,73 @@ void coffee_table(Kit& k) {
         k.board(k.piece.main_material, {0, 0.1f, 0}, {s.x - 0.16f, 0.02f, s.z - 0.14f});
 }
 void side_table(Kit& k) { round_table(k, 0.45f, 0.53f, 0.022f); }
+// A cloth over a top of this outline (counter-clockwise from above): it lies on it, and hangs over its rim in folds.
+void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
+    Material cloth = k.style.fabric;
+    const bool said = !k.request.holder_color.empty();
+    const Vec3f color = said ? *color_named(k.request.holder_color) : Vec3f{0.74f, 0.72f, 0.68f};
+    cloth.color_a = cloth.color_c = color, cloth.color_b = color * 0.85f;
+    cloth.name = "tablecloth";
+    k.print(cloth, said ? std::optional(color) : std::nullopt);
+    const int linen = k.material(cloth);
+    std::vector<float> along{0.f};   // metres along the rim
+    for (std::size_t i = 0; i < rim.size(); ++i) along.push_back(along.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
+    constexpr float kOver = 0.004f, kLift = 0.003f, kFold = 0.16f;
+    const float folds = std::round(along.back() / kFold);
+    Mesh m;
+    const int columns = static_cast<int>(along.back() / 0.02f), hem = 12;
+    const auto at = [&](int c, int row) {
+        const float s = along.back() * static_cast<float>(c % columns) / static_cast<float>(columns);
+        std::size_t i = 0;
+        while (i + 2 < along.size() && along[i + 1] <= s) ++i;
+        const Vec2f a = rim[i], b = rim[(i + 1) % rim.size()], p = a + (b - a) * ((s - along[i]) / std::max(1e-6f, along[i + 1] - along[i]));
+        const Vec2f run = (b - a) * (1.f / std::max(1e-6f, length(b - a))), across{run.y, -run.x}, out = across.x * p.x + across.y * p.y < 0 ? across * -1.f : across;
+        if (row == 0) return std::pair{Vec3f{0, y + kLift, 0}, Vec3f{0, 0, 0}};
+        const float drop = down * static_cast<float>(row - 1) / static_cast<float>(hem), wave = 0.5f + 0.5f * std::sin(kTau * folds * s / along.back()), spread = kOver + (row > 1 ? 0.02f + 0.03f * wave * drop / down : 0.f);
+        const Vec2f q = p + out * spread;
+        return std::pair{Vec3f{q.x, y + kLift - drop * (row > 1 ? 1.f : 0.f), q.y}, Vec3f{p.x + out.x * drop, 0, p.y + out.y * drop}};
+    };
+    for (int row = 0; row <= hem + 1; ++row)
+        for (int c = 0; c <= columns; ++c) {
+            const auto [p, q] = at(c, row);
+            m.positions.push_back(p);
+            m.coords.push_back({q.x, q.z, 0});
+        }
+    const auto id = [&](int c, int row) { return static_cast<std::uint32_t>(row * (columns + 1) + c); };
+    for (int row = 0; row <= hem; ++row)
+        for (int c = 0; c < columns; ++c) {
+            // Seen from above the rim runs counter-clockwise about +y: outward is up and out.
+            if (row > 0) m.triangles.insert(m.triangles.end(), {id(c, row), id(c + 1, row), id(c, row + 1)});
+            m.triangles.insert(m.triangles.end(), {id(c + 1, row), id(c + 1, row + 1), id(c, row + 1)});
+        }
+    m.normals.assign(m.positions.size(), Vec3f{0, 1, 0});
+    shapes::smooth_normals(m);
+    // The top is flat, whatever the rim does.
+    for (int row = 0; row <= 1; ++row)
+        for (int c = 0; c <= columns; ++c) m.normals[id(c, row)] = {0, 1, 0};
+    k.add(std::move(m), linen);
+    for (Surface& s : k.piece.surfaces) s.center.y = std::max(s.center.y, y + kLift);
+}
+bool has_cloth(const Kit& k) { return k.request.holder_material == kTableCloth; }
+
 void dining_table(Kit& k) {
     enum { four_legs, trestle, pedestal };
     const int form = form_for(k, {{"modern", four_legs, pedestal}, {"scandinavian", four_legs, pedestal}, {"japandi", four_legs, trestle}, {"industrial", trestle, four_legs}, {"classic", four_legs, pedestal}, {"boho", trestle, pedestal},
                                   {"rustic", trestle, four_legs}, {"mid-century", pedestal, four_legs}, {"mediterranean", trestle, four_legs}, {"art deco", pedestal, four_legs}}, four_legs);
     const bool sized = k.request.size_m.x > 0.f || k.request.size_m.z > 0.f;
     const Vec3f s = k.wanted({1.7f, 0.75f, 0.9f});
+    const bool round = form == pedestal && !sized;
     if (form == trestle) trestle_table(k, s);
-    else if (form == pedestal && !sized) round_table(k, 0.75f * s.x, s.y, 0.035f);
+    else if (round) round_table(k, 0.75f * s.x, s.y, 0.035f);
     else plain_table(k, s, 0.04f);
+    constexpr float kDown = 0.24f;
+    if (has_cloth(k)) lay_cloth_on(k, round ? shapes::circle(0.375f * s.x, 72) : shapes::rounded_rectangle(s.x, s.z, 0.03f, 4), s.y, kDown);
 }
-void dining_table_round(Kit& k) { round_table(k, k.wanted({1.2f, 0.75f, 1.2f}).x, 0.75f, 0.035f); }
+void dining_table_round(Kit& k) {
+    const float d = k.wanted({1.2f, 0.75f, 1.2f}).x;
+    round_table(k, d, 0.75f, 0.035f);
+    if (has_cloth(k)) lay_cloth_on(k, shapes::circle(0.5f * d, 72), 0.75f, 0.3f);
+}
 void console_table(Kit& k) { plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f); k.piece.against_wall = true; }
 
 void desk(Kit& k) {

@@ -13,20 +13,21 @@ bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "ba
 bool is_hung(std::string_view klass) {
     return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "wall_lamp", "neon_sign", "whiteboard", "chalkboard", "pin_board", "tapestry", "macrame",
                              "flag", "antlers", "deer_head", "world_map", "dartboard", "chandelier", "pendant_lamp", "ceiling_lamp", "ceiling_fan", "paper_lantern",
-                             "bulb_pendant", "track_light", "disco_ball", "hanging_plant"});
+                             "bulb_pendant", "track_light", "disco_ball", "hanging_plant", "bunting", "garland", "christmas_stocking", "coat_hooks"});
 }
 
 }  // namespace
 
 bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 43> kSmall{
+    static constexpr std::array<std::string_view, 50> kSmall{
         "monitor",    "ship_model",  "table_lamp",  "vase",        "vase_small",  "book_stack",    "bowl",
         "candle",     "plant_small", "picture",     "mirror",      "tv",          "clock",         "rug",
         "cushion",    "guitar",      "cat",         "alarm_clock", "bottles",     "cup",           "cutting_board",
         "globe",      "kettle",      "laptop",      "magazines",   "photo_frame", "picture_ledge", "place_setting",
         "pot",        "sculpture",   "storage_box", "teddy_bear",  "toaster",     "toiletries",    "towel_stack",
         "toy_blocks", "tray",        "utensils",    "bouquet",     "throw",       "cactus",        "lantern",
-        "fish_bowl"};
+        "fish_bowl",  "candelabrum", "typewriter",  "record_player", "crystal_ball", "bunting",     "garland",
+        "dog"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }
 
@@ -48,7 +49,7 @@ bool lights_from_above(std::string_view klass) {
 }
 
 bool lies_about(std::string_view klass) { return is_one_of(klass, {"clothes_heap", "paper_litter", "drop_cloth", "rubble", "pizza_boxes"}); }
-bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat"}); }
+bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat", "dog"}); }
 
 bool Ask::at_shell() const {
     return is_one_of(relation, {"in the corner", "in the middle", "far wall", "against"}) || is_opening(at) ||

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prints.h"
 #include "fastscene/rooms/prompt_parts.h"
 
@@ -73,6 +74,8 @@ bool is_brown(std::string_view material) {
     return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
 }
 
+bool is_lamp(std::string_view klass) { return klass.ends_with("_lamp") || is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"}); }
+
 // What "dark" and "light" mean for a thing of this material.
 std::string shade_of(std::string_view word, const PromptObject& object) {
     const bool light = word == "bright" || word == "light" || word == "hell" || word == "clair" || word == "claire";
@@ -84,6 +87,12 @@ bool can_be_counted(const Match& noun) {
     static constexpr std::array<std::string_view, 6> kCounted{"window", "door", "bay_window", "skylight", "column", "alcove"};
     if (noun.word->meaning == "kitchen_counter") return false;  // a kitchen has one run of units
     return noun.is(WordKind::object) || std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
+}
+
+// "a stack of books", "a row of boots": where one piece is many such things.
+bool is_heap(const std::string& words) {
+    const auto ends = [&](std::string_view tail) { return words.ends_with(tail); };
+    return ends("stack of") || ends("pile of") || ends("heap of") || ends("row of");
 }
 
 // What of a kitchen's units a word names: "marble countertops", "green cabinets", "a tiled backsplash", "a steel sink".
@@ -183,6 +192,11 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         object.style = a.word->meaning;
         if (a.word->exact) r.tell(at, "style " + object.style + whose, object.id);
         else r.tell_near(at, "style " + object.style + whose, object.id);
+    } else if (is_shade(a) && is_lamp(object.klass) && is_one_of(a.words, {"dim", "bright"})) {
+        // Of lamps it is their light.
+        if (r.spec.light.empty()) r.spec.light = a.words;
+        if (r.spec.light == a.words) r.tell(at, "light: " + a.words, object.id);
+        else r.tell_near(at, "light: contradicts " + r.spec.light + ", which came first");
     } else if (is_shade(a)) {
         if (object.color.empty()) object.color = shade_of(a.words, object), r.tell(at, "color " + object.color + whose, object.id);
         else r.tell_near(at, "the color" + whose + " stays " + object.color, object.id);
@@ -195,10 +209,13 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         } else if (flowers) {
             if (!object.counted) object.count = 1;
             r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
+        } else if (is_heap(a.words) && is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack", "firewood", "paper_litter"})) {
+            if (!object.counted) object.count = 1, object.counted = true;
+            r.tell(at, object.klass + " is one", object.id);
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
             object.counted = true;
-            object.in_row = object.in_row || a.words.ends_with("row of");
+            object.in_row = object.in_row || a.words.find("row of") != std::string::npos;
             r.tell(at, "count " + a.word->meaning + whose, object.id);
         }
     }
@@ -213,6 +230,8 @@ bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     if (left.comma) return false;
     // "with white linen, blue walls": a material ends its own phrase.
     if (left.is(WordKind::material) && !right.is(WordKind::material) && connector + 1 != noun) return false;
+    // "emerald tiles and brass taps": tiles are a surface, said as a noun.
+    if (left.is(WordKind::material) && is_one_of(left.words, {"tiles", "bricks", "tiling", "planks", "floorboards", "paneling", "panels"})) return false;
     if (connector + 1 == noun) return false;
     // "in red and blue curtains": what "in" leads belongs to the noun before.
     std::size_t k = connector;
@@ -289,11 +308,36 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
     return {};
 }
 
+bool is_tablecloth(const std::string& words) { return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"}); }
+// Tables that a cloth is drawn for.
+bool is_laid(std::string_view klass) { return is_one_of(klass, {"dining_table", "dining_table_round"}); }
+
+// "a yellow gingham tablecloth": its color and its print; the table below keeps its own.
+void lay_cloth(Reading& r, std::size_t cloth, std::size_t owner) {
+    PromptObject& table = r.object_of(owner);
+    table.holder_material = kTableCloth;
+    for (std::size_t k = 0; k < r.m.size(); ++k) {
+        if (r.m[k].noun != static_cast<int>(cloth) || r.m[k].is(WordKind::count)) continue;
+        const Word& word = *r.m[k].word;
+        if (r.m[k].is(WordKind::color) && table.holder_color.empty()) table.holder_color = word.meaning, r.tell(k, "tablecloth in color " + word.meaning, table.id);
+        else if (r.m[k].is(WordKind::pattern) && table.pattern.empty() && is_print(word.meaning)) table.pattern = word.meaning, r.tell(k, "tablecloth with pattern " + word.meaning, table.id);
+        else r.tell_near(k, "of the tablecloth: as such cloths are", table.id);
+    }
+    r.tell(cloth, "cloth on the " + table.words, table.id);
+}
+
 // "bedding in white", "bed with white sheets": the cloth of a piece takes color for the piece itself.
 void pass_on_cloth(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         if (!r.m[i].is(WordKind::detail) || r.m[i].word->meaning != "textile" || r.m[i].negated) continue;
         std::optional<std::size_t> owner;
+        // A tablecloth is a table's, wherever that is named.
+        const bool of_table = is_tablecloth(r.m[i].words);
+        for (std::size_t k = 0; k < r.m.size() && of_table && !owner; ++k)
+            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).klass)) owner = k;
+        if (of_table && owner) lay_cloth(r, i, *owner);
+        if (of_table && !owner) r.tell_near(i, "no table was named that it could lie on");
+        if (of_table) continue;
         for (std::size_t k = i; k-- > 0 && !owner;)
             if (has_object(r.m[k]) && r.m[k].is(WordKind::object)) owner = k;
         for (std::size_t k = i + 1; k < r.m.size() && !owner; ++k)

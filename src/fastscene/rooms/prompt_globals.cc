@@ -165,6 +165,7 @@ void read_nuance(Reading& r, std::size_t i) {
     else if (what == "round" || what == "arched") r.tell(i, "shape: " + what);
     else if (what == "bunk stairs") r.tell(i, "stairs up to the bunk, a drawer in each step");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[std::min(noun_from(r, i + 1), r.m.size() - 1)].words);
+    else if (what == "asleep") r.tell(i, "lies there asleep");
     else if (what == "corner shape") r.tell(i, "shape: it reaches around a corner");
     else if (what == "on the wall") r.tell(i, "hangs on the wall");
     else if (what == "owner") r.tell_near(i, "whose it is: nothing in the room shows it");

@@ -52,11 +52,11 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 26> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
+    static constexpr std::array<std::string_view, 30> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
                                                                  "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding",
                                                                  "string_lights",   "pipes",   "gears",       "hung_pans", "fittings",    "venetian_blind", "roller_blind", "roman_blind",
                                                                  "shutters",        "shoji",   "antlers",     "track_light", "bulb_pendant",
-                                                                 "recessed_lights"};
+                                                                 "recessed_lights", "bunting", "christmas_stocking", "coat_hooks", "pot_rack"};
     const std::string& klass = m.word->meaning;
     if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
@@ -179,6 +179,20 @@ void name_tables(Matches& m) {
     }
 }
 
+// "an art deco bar with five stools": no room is named but this. Who names a counter or an island with stools means high ones.
+void name_bars(Matches& m) {
+    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && !x.negated; });
+    std::size_t first = 0;
+    while (first < m.size() && (modifies(m[first]) || m[first].is(WordKind::mood) || m[first].is(WordKind::light) || m[first].is(WordKind::time) || m[first].is_function("the") || m[first].is_function("in"))) ++first;
+    bool bar = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"}); });
+    if (!named && first < m.size() && is_one_of(m[first].words, {"bar", "pub"}) && m[first].is(WordKind::object)) m[first].word = Word{WordKind::room, "living", false, "without=tv"}, bar = true;
+    for (Match& x : m)
+        if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"})) x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
+    const bool high = bar || std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning == "kitchen_island"; });
+    for (Match& x : m)
+        if (high && x.is(WordKind::object) && is_one_of(x.words, {"stool", "stools"})) x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};
+}
+
 // Some words mean another thing in another room.
 void heed_the_room(Matches& m) {
     std::string room;
@@ -292,6 +306,13 @@ void name_kinds(Matches& m) {
         // "a violin maker's workshop": what is made there says who works there.
         if (m[i].is(WordKind::object) && m[i + 1].is(WordKind::nuance) && m[i + 1].word->meaning == "owner" && (m[i + 1].words.ends_with("ers") || m[i + 1].words.ends_with("ors") || m[i + 1].words.ends_with("ists")))
             m[i].word = Word{WordKind::nuance, "owner"};
+        // "a sleeping cat", "a dog asleep on the rug": told by the words next to it.
+        for (const std::size_t k : {i, i + 1}) {
+            const std::size_t animal = k == i ? i + 1 : i;
+            if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"}) || !is_one_of(m[k].words, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled up", "curled", "sleepy", "lying", "lies"})) continue;
+            if (m[animal].word->meaning == "cat" && !m[k].words.starts_with("l")) m[animal].word->adds = std::string("pattern=") + kAsleep;
+            m[k].word = Word{WordKind::nuance, "asleep"};
+        }
         // "Barcelona chairs" look out on nothing.
         if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))
             m[i].word = Word{WordKind::nuance, "kind", false};
@@ -339,6 +360,7 @@ void take_added(const Word& word, PromptObject& object) {
     for (const auto& [name, field] : {std::pair{"material", &object.material}, {"color", &object.color}, {"size", &object.size}, {"pattern", &object.pattern}})
         if (const std::string value = added_by(word, name); !value.empty()) *field = value;
     if (const std::string count = added_by(word, "count"); !count.empty()) object.count = std::stoi(count), object.counted = true;
+    if (const std::string length = added_by(word, "length"); !length.empty() && !(object.size_m.x > 0)) object.size_m.x = std::stof(length), object.size = "large";
     if (!added_by(word, "row").empty()) object.in_row = true;
 }
 
@@ -398,6 +420,7 @@ int holder_of(const Reading& r, std::size_t i) {
 
 void settle_double_meanings(Reading& r) {
     mark_negated(r.m);
+    name_bars(r.m);
     settle_rooms(r);
     heed_the_room(r.m);
     name_tables(r.m);
@@ -409,12 +432,15 @@ void settle_double_meanings(Reading& r) {
 // "a chapel", "a hat shop": the nearest room of ours has a screen, and that one has none.
 void leave_out(Reading& r) {
     for (const Match& m : r.m) {
-        const std::string klass = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "without") : "";
-        if (klass.empty()) continue;
-        const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
-        const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) { return x.is(WordKind::object) && is_it(x.word->meaning); });
-        const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return is_it(o.klass); });
-        if (!asked && !there) r.add_object(klass, m.words).forbidden = true;
+        std::string left = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "without") : "";
+        while (!left.empty()) {
+            const std::string klass = left.substr(0, left.find('+'));
+            left.erase(0, std::min(left.size(), klass.size() + 1));
+            const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
+            const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) { return x.is(WordKind::object) && is_it(x.word->meaning); });
+            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return is_it(o.klass); });
+            if (!asked && !there) r.add_object(klass, m.words).forbidden = true;
+        }
     }
 }
 

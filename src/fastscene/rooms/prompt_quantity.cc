@@ -34,6 +34,12 @@ void merge_ranges(Matches& m) {
     }
 }
 
+// "a row of five chairs", "a set of four": so many, whatever a row is else.
+void merge_groups(Matches& m) {
+    for (std::size_t i = 0; i + 1 < m.size(); ++i)
+        if (m[i].is(WordKind::count) && m[i].words.ends_with(" of") && is_number(m[i + 1])) merge(m, i, 2, number_of(m[i + 1]));
+}
+
 // "fewer than five", "at most one", "up to six".
 void merge_bounds(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i)
@@ -129,6 +135,7 @@ void seat_in_room(Reading& r, std::size_t at) {
 void settle_quantities(Matches& m) {
     merge_bounds(m);
     merge_ranges(m);
+    merge_groups(m);
     merge_seats(m);
 }
 

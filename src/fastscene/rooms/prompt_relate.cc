@@ -45,10 +45,11 @@ bool opens_clause(const Reading& r, std::size_t at) {
 
 // Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp, nothing stands on a picture.
 bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
-    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers", "neon_sign", "macrame"}),
+    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers", "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
                low = is_one_of(place.klass, {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair", "floor_lamp", "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
                flat_or_hung = is_one_of(place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier", "curtain", "floor_lamp", "table_lamp", "plant"});
-    if (relation == "above") return hangs ? !low : !is_one_of(place.klass, {"picture", "mirror", "clock"});
+    const bool tall = is_one_of(place.klass, {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree", "canopy_bed", "four_poster_bed", "christmas_tree", "coat_rack"});
+    if (relation == "above") return hangs ? !low && !tall : !is_one_of(place.klass, {"picture", "mirror", "clock"});
     if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
     if (relation == "in front of" || relation == "at the foot of")
         return thing.klass == "rug" ? !low && !flat_or_hung && !place.klass.ends_with("table") && place.klass != "dining_table_round" : place.klass != "rug";
@@ -124,6 +125,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}), at_piece = placed && r.m[target].is(WordKind::object);
     if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pendant_lamp";
     if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
+    // Pans above an island hang from the ceiling.
+    if (object.klass == "hung_pans" && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pot_rack";
     // "A paper lantern on the nightstand" is a lamp with such a shade.
     if (object.klass == "paper_lantern" && relation == "on" && at_piece) object.klass = "table_lamp", object.style = "japandi";
     std::string to;
@@ -234,6 +237,16 @@ bool names_other_things(const Reading& r, std::size_t at) {
     return false;
 }
 
+// Whether between this noun and the words of place something else has an article or a joint of its own, and is no word of ours.
+bool names_a_stranger(const Reading& r, std::size_t subject, std::size_t at) {
+    bool begins = false;
+    for (std::size_t k = subject + 1; k < at; ++k) {
+        begins = begins || r.m[k].is(WordKind::count) || r.m[k].is_function("and") || r.m[k].is_function("the");
+        if (begins && !r.m[k].word && !r.m[k].comma) return true;
+    }
+    return false;
+}
+
 // What stands on tops, and is said to.
 bool stands_on_tops(const PromptObject& o) { return furnishing::is_small(o.klass) && !furnishing::lies_on_seats(o.klass) && o.klass != "rug" && !o.forbidden; }
 
@@ -310,6 +323,8 @@ void relate_one(Reading& r, std::size_t at) {
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
     // "blue tiles behind the sink": a surface that is named by its material.
     if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) && r.object_of(at - 1).klass == "wall") subject = at - 1;
+    // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named before.
+    if (subject && names_a_stranger(r, *subject, at)) return r.tell_near(at, "where: of a thing that is not understood");
     // "… books and rain on the window", "… a sofa and snow on the roof": the weather is there, not the books.
     if (subject && at > 0 && (r.m[at - 1].is(WordKind::weather) || r.m[at - 1].is(WordKind::light)) && *subject + 1 < at &&
         std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(*subject), r.m.begin() + static_cast<std::ptrdiff_t>(at), [](const Match& m) { return m.is_function("and"); }))

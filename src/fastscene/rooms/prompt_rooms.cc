@@ -46,6 +46,17 @@ void choose_room(Matches& m, PromptSpec& spec) {
             spec.structure = m[i].word->meaning;
             m[i].word = Word{WordKind::nuance, "structure", m[i].word->exact};
         }
+    // "a garage turned into a gym": what it was.
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        if (!m[i].is(WordKind::room)) continue;
+        bool turned = false;
+        for (std::size_t k = i + 1; k < m.size() && k < i + 6 && !m[k].comma && !has_object(m[k]); ++k) {
+            for (const char* verb : {"turned", "converted", "transformed", "remodeled", "made into", "now", "used as"}) turned = turned || m[k].words.starts_with(verb);
+            if (!m[k].is(WordKind::room)) continue;
+            if (turned && m[k].word->meaning != m[i].word->meaning) m[i].word = Word{WordKind::nuance, "house"};
+            break;
+        }
+    }
     const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
     if (!named) return;
     for (Match& x : m)

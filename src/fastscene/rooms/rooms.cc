@@ -101,8 +101,10 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     return sky;
 }
 
-// How much of their light the lamps give, by the hour.
-float lamp_level(const PromptSpec& spec) {
+// How much of their light the lamps give, by the hour. Where no day comes in they are lit.
+float lamp_level(const PromptSpec& spec, const Plan& plan) {
+    const bool daylit = !plan.skylights.empty() || std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
+    if (!daylit && spec.light != "neon") return 1.f;
     if (spec.light == "neon") return 0.3f;   // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
     if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
@@ -332,7 +334,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     room.style = plan.style.name;
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
-    const float lamps = lamp_level(spec);
+    const float lamps = lamp_level(spec, plan);
     for (Material& material : room.materials)   // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);

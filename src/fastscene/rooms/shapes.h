@@ -49,6 +49,15 @@ Mesh prism(std::span<const Vec2f> outline, float y0, float y1, float bevel_m = 0
 std::vector<Vec2f> rounded_rectangle(float width, float depth, float radius, int steps = 6);
 std::vector<Vec2f> circle(float radius, int steps = 40);
 
+// A rounded limb: from a to b, its radius growing from ra to rb.
+struct Limb {
+    Vec3f a, b;
+    float ra, rb;
+};
+// The one smooth skin about all limbs, which flow into each other where they are nearer than about `flow_m`: animals. Closed; `cell_m` is the
+// length of its triangles' edges, coords are positions.
+Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m);
+
 // An open sheet: point(u, v) for u, v in [0, 1]; the normal is d/du x d/dv.
 Mesh sheet(int columns, int rows, const std::function<Vec3f(float, float)>& point);
 // The sheet with a second one `thickness_m` behind it and closed rims.
