@@ -9,6 +9,7 @@
 
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/test_prompts.h"
 #include "fastscene/rooms/validate.h"
 
@@ -288,6 +289,219 @@ TEST(Customers, NarrowRoomsAreNarrow) {
 TEST(Customers, TerracottaFloorsAreTiles) {
     EXPECT_EQ(asked_room("a boho sunroom with a terracotta floor", 1).room.plan.style.floor.pattern, Pattern::tile);
     EXPECT_NE(asked_room("a boho sunroom with a wooden floor", 1).room.plan.style.floor.pattern, Pattern::tile);
+}
+
+// ---- words that went to the wrong thing
+
+TEST(Customers, RowsAndStacksAreAsManyAsWasSaid) {
+    const PromptSpec row = read("a waiting room with a row of five blue chairs against the wall");
+    EXPECT_EQ(object_of(row, "chair")->count, 5);
+    EXPECT_TRUE(object_of(row, "chair")->in_row);
+    EXPECT_EQ(object_of(read("a study with a stack of books on the desk"), "book_stack")->count, 1);
+    EXPECT_EQ(object_of(read("a hallway with a row of boots"), "shoe_rack")->count, 1);
+    EXPECT_EQ(object_of(read("a living room with a row of plants"), "plant")->count, 3);
+}
+
+TEST(Customers, TilesEndTheirPhrase) {
+    const PromptSpec spec = read("a bathroom with emerald tiles and brass taps");
+    EXPECT_EQ(object_of(spec, "fittings")->color, "");
+    EXPECT_EQ(object_of(spec, "fittings")->material, "brass");
+    EXPECT_EQ(object_of(spec, "wall")->color, "emerald");
+}
+
+TEST(Customers, DimLampsAreNotOfCharcoal) {
+    const PromptSpec spec = read("a study with a dim desk lamp");
+    EXPECT_EQ(object_of(spec, "table_lamp")->color, "");
+    EXPECT_EQ(spec.light, "dim");
+    EXPECT_EQ(object_of(read("a study with a dark armchair"), "armchair")->color, "charcoal");
+}
+
+TEST(Customers, WhatIsNotUnderstoodLeavesItsPlaceToNobody) {
+    const PromptSpec spec = read("a bedroom with red curtains and a flurbinator under the tv");
+    EXPECT_EQ(object_of(spec, "curtain")->relation, "");
+    EXPECT_EQ(fate_of(spec, "under"), "else: where: of a thing that is not understood");
+    EXPECT_EQ(object_of(read("a study with a weird lamp next to the desk"), "table_lamp")->relation, "next to");
+}
+
+TEST(Customers, NothingHangsAboveWhatReachesTheCeiling) {
+    EXPECT_EQ(object_of(read("a parlor with a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to, "fireplace");
+    EXPECT_EQ(object_of(read("a parlor with a loveseat, a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to, "fireplace");
+    EXPECT_EQ(object_of(read("a parlor with a vase next to the sideboard and a portrait above it"), "picture")->relation_to, "sideboard");
+}
+
+TEST(Customers, AWallThatIsNamedNeedsNoOther) {
+    EXPECT_EQ(object_of(read("a sunroom with a daybed against the wall and a striped blanket on the armchair"), "daybed")->relation_to, "");
+}
+
+TEST(Customers, TableclothsLieOnTables) {
+    const PromptSpec spec = read("a breakfast room with a yellow gingham tablecloth and a bowl of lemons on the table");
+    const PromptObject* table = object_of(spec, "dining_table");
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->color, "");
+    EXPECT_EQ(table->holder_color, "yellow");
+    EXPECT_EQ(table->pattern, "gingham");
+    EXPECT_EQ(object_of(spec, "bowl")->color, "");
+    EXPECT_EQ(object_of(spec, "bowl")->pattern, "");
+    for (const std::string& style : styles())
+        for (const char* klass : {"dining_table", "dining_table_round"}) {
+            PieceRequest r = request_of(klass, style);
+            const Piece bare = make_piece(r);
+            r.holder_material = kTableCloth, r.holder_color = "yellow", r.pattern = "gingham";
+            const Piece laid = make_piece(r);
+            const auto at = [&](const Piece& p) { return p.materials[static_cast<std::size_t>(p.main_material)]; };
+            EXPECT_EQ(at(laid).pattern, at(bare).pattern) << style << " " << klass;   // the wood stays as it is
+            const auto cloth = std::find_if(laid.materials.begin(), laid.materials.end(), [](const Material& m) { return m.name == "tablecloth"; });
+            ASSERT_NE(cloth, laid.materials.end()) << style << " " << klass;
+            EXPECT_LT(away(cloth->color_a, *color_named("yellow")), 0.01f) << style;
+            // It covers the top, and hangs over its rim.
+            Vec3f low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
+            for (const Mesh& m : laid.meshes)
+                for (const Vec3f& v : m.positions)
+                    if (m.material == cloth - laid.materials.begin())
+                        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
+            EXPECT_GT(high.y, bare.size_m.y - 0.001f) << style << " " << klass;
+            EXPECT_LT(low.y, bare.size_m.y - 0.15f) << style << " " << klass;
+            EXPECT_GT(high.x - low.x, bare.size_m.x - 0.3f) << style << " " << klass;
+            EXPECT_GT(laid.surfaces.front().center.y, bare.surfaces.front().center.y) << style << " " << klass;
+        }
+}
+
+TEST(Customers, RoomsWithoutWindowsHaveTheirLampsLit) {
+    for (const char* text : {"a bathroom without a window", "a study with no windows"}) {
+        Asked a = asked_room(text, 1);
+        EXPECT_EQ(a.spec.time.empty() ? "day" : a.spec.time, "day") << text;
+        float lit = 0;
+        const Room room = room_of(a.spec, a.room, {1, nullptr, {}});
+        for (const Material& m : room.materials) lit = std::max(lit, luminance(m.emission));
+        EXPECT_GT(lit, 1.f) << text;
+    }
+}
+
+TEST(Customers, BarsAreRoomsWithHighStools) {
+    const PromptSpec bar = read("an art deco bar with a burgundy counter and five gold stools");
+    EXPECT_EQ(bar.style, "art deco");
+    ASSERT_TRUE(object_of(bar, "kitchen_island"));
+    EXPECT_EQ(object_of(bar, "kitchen_island")->color, "burgundy");
+    ASSERT_TRUE(object_of(bar, "bar_stool"));
+    EXPECT_EQ(object_of(bar, "bar_stool")->count, 5);
+    EXPECT_TRUE(object_of(read("a kitchen with an island and two stools"), "bar_stool"));
+    EXPECT_TRUE(object_of(read("a bathroom with a teak stool"), "stool"));
+}
+
+TEST(Customers, WhatARoomWasIsNotWhatItIs) {
+    EXPECT_EQ(read("a garage turned into a gym").room, "loft");
+    EXPECT_EQ(read("a barn converted into a library").room, "study");
+}
+
+TEST(Customers, ALongTableIsLongWithoutChairs) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Asked a = asked_room("a mid-century dining room with a long table and a chandelier above it", seed);
+        ASSERT_TRUE(a.find("dining_table")) << seed;
+        EXPECT_GT(a.find("dining_table")->piece.size_m.x, 2.1f) << seed;
+    }
+}
+
+TEST(Customers, TeenagersHaveNoRockingHorse) {
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+        const Asked a = asked_room("a teenager's bedroom with posters", seed);
+        for (const char* toy : {"rocking_horse", "teddy_bear", "toy_blocks", "play_table"}) EXPECT_FALSE(a.find(toy)) << toy << ", seed " << seed;
+    }
+}
+
+// ---- what was asked for has its form, and its place
+
+TEST(Customers, CrystalIsNoBrass) {
+    for (const char* text : {"a dining room with a crystal chandelier above the table", "a dining room with a chandelier of crystal"}) {
+        const Asked a = asked_room(text, 1);
+        const Placed* lamp = a.find("chandelier");
+        ASSERT_TRUE(lamp) << text;
+        std::size_t cut = 0, all = 0;
+        for (const Mesh& m : lamp->piece.meshes) {
+            all += m.triangles.size();
+            if (lamp->piece.materials[static_cast<std::size_t>(m.material)].name == "cut crystal") cut += m.triangles.size();
+        }
+        EXPECT_GT(2 * cut, all) << text;
+    }
+}
+
+TEST(Customers, DogsAndCatsLieWhereTheyShould) {
+    EXPECT_EQ(object_of(read("a living room with a cat sleeping on the sofa"), "cat")->pattern, kAsleep);
+    EXPECT_EQ(object_of(read("a living room with a cat on the sofa"), "cat")->pattern, "");
+    const PieceRequest awake = request_of("cat", "modern");
+    PieceRequest asleep = awake;
+    asleep.pattern = kAsleep;
+    EXPECT_LT(make_piece(asleep).size_m.y, 0.6f * make_piece(awake).size_m.y);
+    int within = 0;
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+        const Asked a = asked_room("a living room with a dog on the rug", seed);
+        const Placed *dog = a.find("dog"), *rug = a.find("rug");
+        ASSERT_TRUE(dog && rug) << seed;
+        EXPECT_EQ(dog->piece.source, "built-in");
+        within += distance_to(footprint_of(*rug), flat(dog->position)) < 0.02f;
+    }
+    EXPECT_GE(within, 5);
+}
+
+TEST(Customers, ABlanketAtTheFootOfTheBedLiesThere) {
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const Asked a = asked_room("a bedroom with a bed and a striped blanket at the foot of the bed", seed);
+        const Placed *bed = a.find("bed"), *blanket = a.find("throw");
+        ASSERT_TRUE(bed && blanket) << seed;
+        EXPECT_GT(dot(blanket->position - bed->position, front_of(bed->yaw)), 0.15f * bed->piece.size_m.z) << seed;
+        EXPECT_LT(distance_to(footprint_of(*bed), flat(blanket->position)), 0.01f) << seed;
+    }
+}
+
+TEST(Customers, LightsAroundAWindowHangAtIt) {
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const Asked a = asked_room("a bedroom with fairy lights around the window", seed);
+        const Placed* lights = a.find("string_lights");
+        ASSERT_TRUE(lights) << seed;
+        EXPECT_TRUE(std::any_of(a.room.plan.openings.begin(), a.room.plan.openings.end(), [&](const Opening& o) {
+            return o.kind == Opening::Kind::window && length(a.room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, lights->position.y) - lights->position) < 0.1f;
+        })) << seed;
+    }
+}
+
+TEST(Customers, BedsOnBothSidesOfANightstandHaveItBetweenThem) {
+    const PromptSpec spec = read("a hotel bedroom with twin beds flanking a walnut nightstand");
+    EXPECT_EQ(object_of(spec, "nightstand")->relation, "between");
+    EXPECT_EQ(object_of(spec, "nightstand")->relation_to, "bed_single");
+    EXPECT_EQ(object_of(spec, "nightstand")->material, "walnut");
+}
+
+// Built in, without a furniture pack, and where it was asked for.
+TEST(Customers, KeepsakesStandWhereTheyWereAskedFor) {
+    for (const auto& [text, klass] : {std::pair{"a study with a typewriter on the desk", "typewriter"}, {"a study with a record player on the sideboard", "record_player"}, {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
+                                      {"a dining room with two candelabras on the sideboard", "candelabrum"}, {"a kids room with bunting on the wall", "bunting"}, {"a living room with a fireplace and a garland over the mantel", "garland"},
+                                      {"a living room with a fireplace and stockings on the fireplace", "christmas_stocking"}, {"a hallway with a bench under coat hooks", "coat_hooks"}, {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
+        for (const std::uint64_t seed : {1, 2}) {
+            const Asked a = asked_room(text, seed);
+            const Placed* piece = a.find(klass);
+            ASSERT_TRUE(piece) << text << ", seed " << seed;
+            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)), std::optional(false)) << text << ", seed " << seed;
+            for (const PromptWord& w : a.spec.words) EXPECT_NE(w.fate, PromptWord::Fate::not_understood) << text << ": " << w.words;
+        }
+}
+
+TEST(Customers, HidesHaveTheirOutline) {
+    const auto area = [](const Piece& p) {   // seen from above
+        float sum = 0;
+        for (const Mesh& m : p.meshes)
+            for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
+                const Vec3f n = cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]);
+                sum += std::max(0.f, n.y) / 2;
+            }
+        return sum;
+    };
+    const PromptObject* rug = nullptr;
+    const PromptSpec spec = read("a living room with a cowhide");
+    ASSERT_TRUE((rug = object_of(spec, "rug")));
+    PieceRequest r = request_of("rug", "modern");
+    r.pattern = rug->pattern;
+    const Piece hide = make_piece(r);
+    EXPECT_LT(area(hide), 0.85f * hide.size_m.x * hide.size_m.z);
+    EXPECT_GT(area(hide), 0.5f * hide.size_m.x * hide.size_m.z);
 }
 
 }  // namespace

@@ -23,12 +23,13 @@ Material coat_of(Vec3f color) {
 // It lies with its head on its paws, eyes closed, the tail around it. The skin is the same for all dogs: made once.
 void dog(Kit& k) {
     static const Mesh body = [] {
-        const std::array<Limb, 17> limbs{{{{0, 0.12f, -0.2f}, {0, 0.125f, 0.1f}, 0.12f, 0.115f},              // the trunk
+        const std::array<Limb, 18> limbs{{{{0, 0.1f, -0.22f}, {0, 0.108f, -0.06f}, 0.082f, 0.082f},           // loins, then the deeper chest
+                                          {{0, 0.108f, -0.06f}, {0, 0.125f, 0.1f}, 0.084f, 0.108f},
                                           {{0, 0.15f, 0.1f}, {0.01f, 0.165f, 0.25f}, 0.095f, 0.068f},         // shoulders and neck
-                                          {{0.1f, 0.085f, -0.2f}, {0.115f, 0.06f, -0.1f}, 0.085f, 0.06f},     // haunches
-                                          {{-0.1f, 0.085f, -0.2f}, {-0.115f, 0.06f, -0.1f}, 0.085f, 0.06f},
-                                          {{0.15f, 0.035f, -0.12f}, {0.15f, 0.028f, 0.02f}, 0.036f, 0.027f},  // hind paws
-                                          {{-0.15f, 0.035f, -0.12f}, {-0.15f, 0.028f, 0.02f}, 0.036f, 0.027f},
+                                          {{0.075f, 0.09f, -0.22f}, {0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},   // haunches
+                                          {{-0.075f, 0.09f, -0.22f}, {-0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},
+                                          {{0.15f, 0.034f, -0.14f}, {0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},  // hind paws
+                                          {{-0.15f, 0.034f, -0.14f}, {-0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},
                                           {{0.085f, 0.1f, 0.1f}, {0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},       // forelegs
                                           {{-0.085f, 0.1f, 0.1f}, {-0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},
                                           {{0.1f, 0.038f, 0.2f}, {0.07f, 0.03f, 0.42f}, 0.034f, 0.028f},
@@ -40,14 +41,14 @@ void dog(Kit& k) {
                                           {{0.0f, 0.08f, -0.3f}, {0.1f, 0.035f, -0.36f}, 0.03f, 0.026f},      // tail
                                           {{0.1f, 0.035f, -0.36f}, {0.2f, 0.028f, -0.28f}, 0.026f, 0.022f},
                                           {{0.2f, 0.028f, -0.28f}, {0.235f, 0.022f, -0.16f}, 0.022f, 0.012f}}};
-        return shapes::skin(limbs, 0.045f, 0.0125f);
+        return shapes::skin(limbs, 0.03f, 0.0175f);
     }();
     static const Mesh ears = [] {
         Mesh both;
         for (const float s : {-1.f, 1.f}) {
             const float x = 0.02f + s * 0.058f;
             const std::array<Limb, 2> flap{{{{x, 0.205f, 0.285f}, {x + s * 0.028f, 0.15f, 0.3f}, 0.017f, 0.026f}, {{x + s * 0.028f, 0.15f, 0.3f}, {x + s * 0.024f, 0.105f, 0.315f}, 0.026f, 0.014f}}};
-            shapes::append(both, shapes::skin(flap, 0.02f, 0.008f));
+            shapes::append(both, shapes::skin(flap, 0.02f, 0.013f));
         }
         return both;
     }();
@@ -87,13 +88,14 @@ void cat_asleep(Kit& k) {
             const float a = 2.1f + 0.42f * static_cast<float>(i);
             limbs.push_back({arc(a, 0.165f) + Vec3f{0, 0.024f, 0}, arc(a + 0.42f, 0.168f - 0.004f * static_cast<float>(i)) + Vec3f{0, 0.023f, 0}, 0.021f, 0.02f});
         }
+        limbs.push_back({{0, 0.035f, 0}, {0, 0.06f, -0.02f}, 0.05f, 0.06f});   // what it lies around: its belly
         const Vec3f head{-0.085f, 0.085f, 0.085f};
         limbs.push_back({arc(-1.9f, 0.105f) + Vec3f{0, 0.075f, 0}, head, 0.055f, 0.05f});
         limbs.push_back({head, head + Vec3f{0.012f, 0, 0.012f}, 0.053f, 0.05f});
         limbs.push_back({head + Vec3f{0.028f, -0.018f, 0.03f}, head + Vec3f{0.038f, -0.02f, 0.038f}, 0.024f, 0.02f});
         for (const auto& [from, to] : {std::pair{Vec3f{-0.035f, 0.035f, 0.01f}, Vec3f{-0.043f, 0.066f, 0.008f}}, {Vec3f{0.016f, 0.038f, -0.03f}, Vec3f{0.018f, 0.069f, -0.036f}}}) limbs.push_back({head + from, head + to, 0.02f, 0.005f});
         limbs.push_back({{0.03f, 0.03f, 0.1f}, {-0.05f, 0.026f, 0.125f}, 0.028f, 0.022f});   // a paw
-        return shapes::skin(limbs, 0.024f, 0.0075f);
+        return shapes::skin(limbs, 0.024f, 0.0105f);
     }();
     static constexpr std::array<Vec3f, 4> kCoats{{{0.42f, 0.21f, 0.08f}, {0.07f, 0.065f, 0.06f}, {0.5f, 0.48f, 0.44f}, {0.26f, 0.22f, 0.18f}}};
     const int fur = k.main(coat_of(kCoats[static_cast<std::size_t>(k.dice.index(4))]));
@@ -205,8 +207,8 @@ void record_player(Kit& k) {
 
 // A ball of clear glass on a turned foot.
 void crystal_ball(Kit& k) {
-    Material clear = plain("crystal", {0.5f, 0.56f, 0.66f}, 0.04f);
-    clear.metal = 0.75f;
+    Material clear = plain("crystal", {0.4f, 0.46f, 0.68f}, 0.03f);
+    clear.metal = 0.5f;
     const int ball = k.main(clear), foot = k.material(*material_named("brass"));
     const std::array<Vec2f, 9> p{Vec2f{0.07f, 0}, {0.072f, 0.012f}, {0.05f, 0.022f}, {0.024f, 0.035f}, {0.03f, 0.048f}, {0.05f, 0.058f}, {0.058f, 0.07f}, {0.054f, 0.072f}, {0.02f, 0.064f}};
     k.add(shapes::lathe(p, 32, false), foot);
@@ -274,7 +276,7 @@ void garland(Kit& k) {
     Mesh berries;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const Vec3f along = normalize(path[i + 1] - path[i]);
-        const int many = std::max(3, static_cast<int>(length(path[i + 1] - path[i]) / 0.0055f));
+        const int many = std::max(3, static_cast<int>(length(path[i + 1] - path[i]) / 0.0082f));
         for (int j = 0; j < many; ++j) {
             const Vec3f at = lerp(path[i], path[i + 1], k.dice.uniform());
             // A leaf is made lying along +x and put where it grows: out and along the cord.
@@ -292,7 +294,7 @@ void garland(Kit& k) {
             shapes::append(leaves[static_cast<std::size_t>(j % 3 == 0)], m);
         }
         if (i % 2 == 0)
-            for (int j = 0; j < 2; ++j) shapes::append(berries, shapes::ball(path[i] + Vec3f{k.dice.uniform(-0.02f, 0.02f), k.dice.uniform(-0.025f, 0.02f), 0.025f + k.dice.uniform(0.f, 0.015f)}, {0.009f, 0.009f, 0.009f}, 8));
+            for (int j = 0; j < 2; ++j) shapes::append(berries, shapes::ball(path[i] + Vec3f{k.dice.uniform(-0.02f, 0.02f), k.dice.uniform(-0.025f, 0.02f), 0.025f + k.dice.uniform(0.f, 0.015f)}, {0.009f, 0.009f, 0.009f}, 6));
     }
     k.add(std::move(leaves[0]), leaf);
     k.add(std::move(leaves[1]), pale);
@@ -317,12 +319,12 @@ void christmas_stocking(Kit& k) {
         k.rod(metal, {x, 0.52f, 0.02f}, {x, 0.515f, 0.05f}, 0.005f, -1, 8);
         // Leg, heel and foot in one skin, pressed flat.
         const std::array<Limb, 4> limbs{{{{0, 0.33f, 0}, {0, 0.15f, 0}, 0.066f, 0.06f}, {{0, 0.15f, 0}, {0.005f, 0.085f, 0}, 0.06f, 0.06f}, {{0.005f, 0.08f, 0}, {0.11f, 0.066f, 0}, 0.058f, 0.05f}, {{0.1f, 0.066f, 0}, {0.125f, 0.064f, 0}, 0.05f, 0.047f}}};
-        Mesh sock = shapes::skin(limbs, 0.03f, 0.011f);
+        Mesh sock = shapes::skin(limbs, 0.03f, 0.02f);
         const std::array<Limb, 1> band{{{{-0.012f, 0.375f, 0}, {0.012f, 0.375f, 0}, 0.07f, 0.07f}}};
-        Mesh cuff = shapes::skin(band, 0.01f, 0.011f);
+        Mesh cuff = shapes::skin(band, 0.01f, 0.019f);
         for (Vec3f& p : cuff.positions) p.y = 0.375f + 0.55f * (p.y - 0.375f);
         const std::array<Limb, 1> tip{{{{0.142f, 0.064f, 0}, {0.15f, 0.064f, 0}, 0.04f, 0.035f}}};
-        Mesh toe = shapes::skin(tip, 0.01f, 0.009f);
+        Mesh toe = shapes::skin(tip, 0.01f, 0.016f);
         const int body = said || i != 1 ? red : green;
         for (const auto& [mesh, material] : {std::pair{&sock, body}, {&cuff, white}, {&toe, white}}) {
             for (Vec3f& p : mesh->positions) p.z = 0.55f * p.z;

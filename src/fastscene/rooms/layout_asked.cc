@@ -99,6 +99,7 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
     else if (ask.wish->klass == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
+    else if (ask.relation == "at the foot of" && is_bed(klass_of(anchor)) && lies_on_seats(ask.wish->klass)) i = at_the_foot(anchor, r, *ask.wish);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
     else if (ask.relation == "under") i = under_piece(anchor, ask, r, piece);
@@ -121,6 +122,17 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
 
 std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRequest& r) {
     if (ask.wish->klass == "monitor" && klass_of(anchor) == "desk") return next_screen(anchor, r, *ask.wish);
+    // A dog on the rug lies within it.
+    if (klass_of(anchor) == "rug" && lies_on_seats(ask.wish->klass))
+        for (int tries = 0; tries < 8; ++tries) {
+            const std::size_t before = l_.mark();
+            const Vec2f spread{0.3f * size(anchor).x, 0.3f * size(anchor).z};
+            const Vec2f there = flat(at(anchor).position + right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) + front_of(at(anchor).yaw) * l_.dice().uniform(-spread.y, spread.y));
+            if (const auto i = l_.on_floor_near(there, r, *ask.wish)) {
+                if (stands_as_asked(l_.plan(), l_.placed(), at(*i), *ask.wish).value_or(false)) return i;
+                l_.undo(before);
+            }
+        }
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
@@ -131,6 +143,20 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
         if (const auto i = l_.on_top(anchor, smaller, *ask.wish)) return i;
     }
     return {};
+}
+
+// "A blanket at the foot of the bed" lies on it there, across.
+std::optional<int> Furnisher::at_the_foot(int anchor, const PieceRequest& r, const PromptObject& wish) {
+    const Placed bed = at(anchor);
+    const bool along = lies_along_wall(bed.piece.klass);
+    const float half = 0.5f * (along ? bed.piece.size_m.x : bed.piece.size_m.z);
+    for (const float from_end : {0.5f, 0.62f, 0.42f, 0.75f})
+        for (const float side : {1.f, -1.f}) {
+            if (!along && side < 0) continue;
+            const Vec3f way = along ? right_of(bed.yaw) * side : front_of(bed.yaw);
+            if (const auto i = l_.on_top_at(anchor, r, flat(bed.position + way * (half - from_end)), bed.yaw + (along ? 0.5f * kPi : 0.f), wish)) return i;
+        }
+    return l_.on_top(anchor, r, wish);
 }
 
 std::optional<int> Furnisher::above_piece(int anchor, const Ask& ask, const PieceRequest& r, const Piece& piece) {

@@ -136,6 +136,7 @@ class Furnisher {
     void remaining_wishes(bool small);
     std::optional<int> at_piece(int anchor, const Ask& ask);
     std::optional<int> on_piece(int anchor, const Ask& ask, const PieceRequest& r);
+    std::optional<int> at_the_foot(int anchor, const PieceRequest& r, const PromptObject& wish);
     std::optional<int> above_piece(int anchor, const Ask& ask, const PieceRequest& r, const Piece& piece);
     std::optional<int> under_piece(int anchor, const Ask& ask, const PieceRequest& r, const Piece& piece);
     std::optional<int> before_piece(int anchor, const Ask& ask, const PieceRequest& r);

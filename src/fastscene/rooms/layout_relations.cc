@@ -83,11 +83,18 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)), far = gap(box, at.box);
     const bool opening = at.index < 0;
     if (relation == "on" && piece.sill >= 0) return piece.sill == at.opening;
-    if (relation == "on") return piece.on == at.index || (at.box.y1 < 0.08f && far < 0.05f);
+    if (relation == "on" && piece.on == at.index) return true;
+    if (relation == "on") {
+        // What is smaller than a rug lies with its middle on it; of a sofa the front legs do.
+        const bool smaller = std::max(box.half.x, box.half.y) < std::min(at.box.half.x, at.box.half.y);
+        return at.box.y1 < 0.08f && (smaller ? distance_to(at.box, box.center) < 0.01f : far < 0.05f);
+    }
     if (relation == "under") return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
     if (relation == "above") return std::abs(aside) < at.box.half.x + 0.1f && box.y0 >= at.box.y1 - 0.02f && far < 0.3f;
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
+    // What lies on a bed lies towards its foot; of one along the wall, at an end.
+    if (relation == "at the foot of" && piece.on == at.index && at.index >= 0) return ahead > 0.2f * at.box.half.y || std::abs(aside) > 0.35f * at.box.half.x;
     if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
     // Beside a window beds stand with their heads at its wall.
     const float deep = opening ? extent(box, at.front) : 0.f;

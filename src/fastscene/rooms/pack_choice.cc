@@ -91,14 +91,13 @@ const std::vector<Choice>& choices() {
         {"surveillance", {"surveillance_camera", "cctv"}},
         {"pen", {"text_marker", "pencil", "penbox"}, "vase_small"},
         {"kennel", {"dog_house"}, "basket"},
-        {"wine_bottle", {"wine_bottle", "bottle"}, "vase_small"},
-        {"beer_bottle", {"beer_bottle", "beer_glass"}, "vase_small"},
+        {"wine_bottle", {"wine_bottle", "bottle"}, "bottles"},
+        {"beer_bottle", {"beer_bottle", "beer_glass"}, "bottles"},
         {"tennis_racket", {"tennis_racket", "table_tennis_bat"}},
         {"mannequin", {"mannequin_female", "mannequin_male"}},
         {"music_stand", {}, "ladder_shelf"},
         {"folding_screen", {}, "ladder_shelf"},
         {"globe", {}, "vase"},
-        {"crystal_ball", {}, "vase"},
         {"teapot", {"teapot"}, "kettle"},
         {"birthday_cake", {"birthday_cake"}, "bowl"},
         {"gift", {"gift"}, "basket"},
@@ -124,7 +123,7 @@ bool has_word(std::string_view klass, std::string_view word) { return klass.find
 
 bool keeps_builder(const std::string& klass) {
     // Extras that the pack shows better than our builders do; every other class with a builder of ours keeps it.
-    if (is_one_of(klass, {"rocking_horse", "aquarium"})) return false;
+    if (is_one_of(klass, {"rocking_horse", "aquarium", "dog"})) return false;
     return std::binary_search(piece_classes().begin(), piece_classes().end(), klass);
 }
 

@@ -309,9 +309,11 @@ void name_kinds(Matches& m) {
         // "a sleeping cat", "a dog asleep on the rug": told by the words next to it.
         for (const std::size_t k : {i, i + 1}) {
             const std::size_t animal = k == i ? i + 1 : i;
-            if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"}) || !is_one_of(m[k].words, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled up", "curled", "sleepy", "lying", "lies"})) continue;
-            if (m[animal].word->meaning == "cat" && !m[k].words.starts_with("l")) m[animal].word->adds = std::string("pattern=") + kAsleep;
-            m[k].word = Word{WordKind::nuance, "asleep"};
+            if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"})) continue;
+            const std::string verb = m[k].words.substr(0, m[k].words.find(' '));
+            if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled", "sleepy", "lying", "lies"})) continue;
+            if (m[animal].word->meaning == "cat" && !verb.starts_with("l")) m[animal].word->adds = std::string("pattern=") + kAsleep;
+            if (!m[k].is(WordKind::relation)) m[k].word = Word{WordKind::nuance, "asleep"};   // "sleeping on" says where as well
         }
         // "Barcelona chairs" look out on nothing.
         if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))

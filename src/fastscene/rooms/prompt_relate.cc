@@ -77,7 +77,12 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
     std::optional<std::size_t> last, place_of_another;
     for (std::size_t k = subject; k-- > 0;) {
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
-        if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) continue;
+        if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) {
+            // "a tall clock next to the fireplace and a portrait above": not above the clock, so above what the clock stands at.
+            const PromptObject& thing = r.spec.objects[static_cast<std::size_t>(r.m[k].object)];
+            if (place_of_another && thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass) return place_of_another;
+            continue;
+        }
         if (!several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) continue;
         const bool place = std::any_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(k),
                                        [&](const Match& m) { return m.relation && m.target == static_cast<int>(k); });
@@ -111,6 +116,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         for (std::size_t k = subject + 1; k < at; ++k)
             if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
                 return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
+    // Stockings and leaves on a mantel hang at the wall above it.
+    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) && r.m[target].is(WordKind::object)) relation = "above";
     // "clothes on the floor" were dropped there, "papers" slid apart.
     if (placed && relation == "on" && r.object_of(target).klass == "floor") {
         if (object.klass == "folded_clothes") object.klass = "clothes_heap";
@@ -177,6 +184,14 @@ void relate_both_sides(Reading& r, std::size_t at) {
     for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
         if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
+    // "twin beds flanking a nightstand": what is small stands between the large.
+    if (target && is_bed(r.object_of(*subject).klass) && r.object_of(*subject).relation.empty() && is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) && r.object_of(*target).count == 1 && r.object_of(*target).relation.empty()) {
+        PromptObject &beds = r.object_of(*subject), &small = r.object_of(*target);
+        small.relation = "between", small.relation_to = small.relation_and = beds.klass;
+        r.tell(at, small.klass + " between the " + beds.words, small.id);
+        r.m[at].relation = true;
+        return;
+    }
     attach(r, at, *subject, target, "on both sides of");
 }
 
@@ -321,6 +336,7 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
+    if (relation == "against" && r.m[at].words.ends_with(" wall")) target.reset();   // it has said what
     // "blue tiles behind the sink": a surface that is named by its material.
     if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) && r.object_of(at - 1).klass == "wall") subject = at - 1;
     // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named before.
