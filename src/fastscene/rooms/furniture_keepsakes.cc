@@ -89,11 +89,10 @@ void cat_asleep(Kit& k) {
             limbs.push_back({arc(a, 0.165f) + Vec3f{0, 0.024f, 0}, arc(a + 0.42f, 0.168f - 0.004f * static_cast<float>(i)) + Vec3f{0, 0.023f, 0}, 0.021f, 0.02f});
         }
         limbs.push_back({{0, 0.035f, 0}, {0, 0.06f, -0.02f}, 0.05f, 0.06f});   // what it lies around: its belly
-        const Vec3f head{-0.085f, 0.085f, 0.085f};
+        const Vec3f head{-0.085f, 0.1f, 0.085f};
         limbs.push_back({arc(-1.9f, 0.105f) + Vec3f{0, 0.075f, 0}, head, 0.055f, 0.05f});
         limbs.push_back({head, head + Vec3f{0.012f, 0, 0.012f}, 0.053f, 0.05f});
         limbs.push_back({head + Vec3f{0.028f, -0.018f, 0.03f}, head + Vec3f{0.038f, -0.02f, 0.038f}, 0.024f, 0.02f});
-        for (const auto& [from, to] : {std::pair{Vec3f{-0.035f, 0.035f, 0.01f}, Vec3f{-0.043f, 0.066f, 0.008f}}, {Vec3f{0.016f, 0.038f, -0.03f}, Vec3f{0.018f, 0.069f, -0.036f}}}) limbs.push_back({head + from, head + to, 0.02f, 0.005f});
         limbs.push_back({{0.03f, 0.03f, 0.1f}, {-0.05f, 0.026f, 0.125f}, 0.028f, 0.022f});   // a paw
         return shapes::skin(limbs, 0.024f, 0.0105f);
     }();
@@ -101,7 +100,11 @@ void cat_asleep(Kit& k) {
     const int fur = k.main(coat_of(kCoats[static_cast<std::size_t>(k.dice.index(4))]));
     const int lid = k.material(plain("eyelid", k.piece.materials[static_cast<std::size_t>(fur)].color_a * 0.15f, 0.8f)), nose = k.material(plain("nose", {0.3f, 0.12f, 0.1f}, 0.4f));
     k.add(body, fur);
-    const Vec3f head{-0.085f, 0.085f, 0.085f};
+    const Vec3f head{-0.085f, 0.1f, 0.085f};
+    for (const float s : {-1.f, 1.f}) {   // ears
+        const Vec3f base = head + normalize(Vec3f{s, 0, -s}) * 0.032f + Vec3f{-0.008f, 0.03f, -0.008f};
+        k.rod(fur, base, base + normalize(Vec3f{s, 0, -s}) * 0.012f + Vec3f{0, 0.052f, 0}, 0.022f, 0.003f, 10);
+    }
     for (const float s : {-1.f, 1.f}) {
         const Vec3f side = normalize(Vec3f{s, 0, -s}) * 0.022f, out = normalize(Vec3f{1, 0, 1});
         const std::array<Vec3f, 3> line{head + side * 0.6f + out * 0.057f + Vec3f{0, 0.006f, 0}, head + side + out * 0.056f + Vec3f{0, 0.001f, 0}, head + side * 1.5f + out * 0.05f + Vec3f{0, 0.006f, 0}};

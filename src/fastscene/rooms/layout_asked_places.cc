@@ -304,6 +304,11 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     if (const auto i = where_asked(wish, r, piece)) return i;
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     if (wish.klass == "tv") return television(r, wish);
+    // Dogs lie on the floor, on a rug where there is one; on the sofa when somebody says so.
+    if (wish.klass == "dog" && wish.relation.empty()) {
+        const auto rug = l_.find("rug");
+        if (const auto i = l_.on_floor_near(rug ? flat(at(*rug).position) : Vec2f{0, 0}, r, wish)) return i;
+    }
     if (lies_on_seats(wish.klass) && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
         case Mount::surface:
@@ -352,7 +357,15 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     if (const auto i = l_.against_wall(r, w, wish)) return i;
     w.clear_of_windows = w.corner = false;
     if (const auto i = l_.against_wall(r, w, wish)) return i;
-    return stands_at_walls(piece) ? std::nullopt : l_.free_standing(r, wish);
+    if (const auto i = stands_at_walls(piece) ? std::nullopt : l_.free_standing(r, wish)) return i;
+    if (wish.klass != "plant" || wish.size == "large") return {};
+    // "A dozen plants": where no floor is left they stand in small pots, on sills and tops, or hang beside windows.
+    PieceRequest pot = r;
+    pot.klass = "plant_small", pot.model = nullptr, pot.pack = nullptr;
+    if (const auto i = l_.on_sill(pot, {}, wish)) return i;
+    if (const auto i = l_.on_any_top(pot, wish)) return i;
+    pot.klass = "hanging_plant";
+    return hung_aside(pot, wish);
 }
 
 }  // namespace fastscene::furnishing

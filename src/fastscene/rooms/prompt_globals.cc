@@ -168,6 +168,7 @@ void read_nuance(Reading& r, std::size_t i) {
     else if (r.m[i].words == "framed") r.tell(i, "pictures hang in frames");
     else if (r.m[i].words == "colored" && i > 0 && r.m[i - 1].is(WordKind::color)) r.tell(i, "of that color");
     else if (r.m[i].words == "turned" && i + 1 < r.m.size() && (r.m[i + 1].is_function("into") || r.m[i + 1].words == "into")) r.tell(i, "what the room was before");
+    else if (what == "windowless") r.tell(i, "without: window");
     else if (what == "asleep") r.tell(i, "lies there asleep");
     else if (what == "corner shape") r.tell(i, "shape: it reaches around a corner");
     else if (what == "on the wall") r.tell(i, "hangs on the wall");

@@ -452,6 +452,7 @@ void find_nouns(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         Match& m = r.m[i];
         if (m.is(WordKind::relation) || m.is(WordKind::negation) || m.is(WordKind::function)) fills = fills_the_room(r, i) || (fills && m.is_function("and"));
+        if (m.is(WordKind::nuance) && m.word->meaning == "windowless" && !m.negated) r.add_object("window", m.words).forbidden = true;
         if (!m.is(WordKind::object) && !m.is(WordKind::structure)) continue;
         if (is_definite(r.m, i) && m.is(WordKind::object) && !m.negated)
             if (const int before = spoken_of_before(r, i); before >= 0) {

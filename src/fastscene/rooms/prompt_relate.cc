@@ -389,6 +389,7 @@ void relate_one(Reading& r, std::size_t at) {
         if (!subject && *target + 1 < r.m.size() && r.m[*target + 1].comma) subject = noun_after(r, *target + 1);
         if (!subject) subject = head_of_last_clause(r, at);
     }
+    if (!subject && at > 0 && r.m[at - 1].is(WordKind::detail) && target && r.m[at - 1].about == r.m[*target].object) return r.tell(at, "where the " + r.m[at - 1].words + " lies", r.m[*target].object);
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     if (is_passive(r.m[at]) && target) {
         const std::string turned = relation == "between" ? "on both sides of" : relation;
