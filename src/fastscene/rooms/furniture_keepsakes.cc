@@ -88,7 +88,7 @@ void cat_asleep(Kit& k) {
             const float a = 2.1f + 0.42f * static_cast<float>(i);
             limbs.push_back({arc(a, 0.165f) + Vec3f{0, 0.024f, 0}, arc(a + 0.42f, 0.168f - 0.004f * static_cast<float>(i)) + Vec3f{0, 0.023f, 0}, 0.021f, 0.02f});
         }
-        limbs.push_back({{0, 0.035f, 0}, {0, 0.06f, -0.02f}, 0.05f, 0.06f});   // what it lies around: its belly
+        limbs.push_back({{0.02f, 0.04f, 0.03f}, {0, 0.052f, -0.03f}, 0.062f, 0.068f});   // what it lies around: its belly
         const Vec3f head{-0.085f, 0.1f, 0.085f};
         limbs.push_back({arc(-1.9f, 0.105f) + Vec3f{0, 0.075f, 0}, head, 0.055f, 0.05f});
         limbs.push_back({head, head + Vec3f{0.012f, 0, 0.012f}, 0.053f, 0.05f});

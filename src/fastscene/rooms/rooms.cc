@@ -206,6 +206,7 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
                     word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
         tell_size(placed, spec);
         if (placed.piece.klass == placed.wish.klass) continue;
+        if (placed.wish.klass == "plant" && is_one_of(placed.piece.klass, {"plant_small", "hanging_plant"})) continue;   // in a smaller pot they are plants
         for (PromptWord& word : spec.words)
             if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
                 word.fate = PromptWord::Fate::approximated;
