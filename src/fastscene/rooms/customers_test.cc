@@ -325,7 +325,8 @@ TEST(Customers, WhatIsNotUnderstoodLeavesItsPlaceToNobody) {
 
 TEST(Customers, NothingHangsAboveWhatReachesTheCeiling) {
     EXPECT_EQ(object_of(read("a parlor with a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to, "fireplace");
-    EXPECT_EQ(object_of(read("a parlor with a loveseat, a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to, "fireplace");
+    EXPECT_EQ(object_of(read("a parlor with a loveseat, a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to,
+              "fireplace");
 }
 
 TEST(Customers, AWallThatIsNamedNeedsNoOther) {
@@ -457,7 +458,8 @@ TEST(Customers, LightsAroundAWindowHangAtIt) {
         const Placed* lights = a.find("string_lights");
         ASSERT_TRUE(lights) << seed;
         EXPECT_TRUE(std::any_of(a.room.plan.openings.begin(), a.room.plan.openings.end(), [&](const Opening& o) {
-            return o.kind == Opening::Kind::window && length(a.room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, lights->position.y) - lights->position) < 0.1f;
+            return o.kind == Opening::Kind::window &&
+                   length(a.room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, lights->position.y) - lights->position) < 0.1f;
         })) << seed;
     }
 }
@@ -471,24 +473,32 @@ TEST(Customers, BedsOnBothSidesOfANightstandHaveItBetweenThem) {
 
 // Built in, without a furniture pack, and where it was asked for.
 TEST(Customers, KeepsakesStandWhereTheyWereAskedFor) {
-    for (const auto& [text, klass] : {std::pair{"a study with a typewriter on the desk", "typewriter"}, {"a study with a record player on the sideboard", "record_player"}, {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
-                                      {"a dining room with two candelabras on the sideboard", "candelabrum"}, {"a kids room with bunting on the wall", "bunting"}, {"a living room with a fireplace and a garland over the mantel", "garland"},
-                                      {"a living room with a fireplace and stockings on the fireplace", "christmas_stocking"}, {"a hallway with a bench under coat hooks", "coat_hooks"}, {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
+    for (const auto& [text, klass] : {std::pair{"a study with a typewriter on the desk", "typewriter"},
+                                      {"a study with a record player on the sideboard", "record_player"},
+                                      {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
+                                      {"a dining room with two candelabras on the sideboard", "candelabrum"},
+                                      {"a kids room with bunting on the wall", "bunting"},
+                                      {"a living room with a fireplace and a garland over the mantel", "garland"},
+                                      {"a living room with a fireplace and stockings on the fireplace", "christmas_stocking"},
+                                      {"a hallway with a bench under coat hooks", "coat_hooks"},
+                                      {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
         for (const std::uint64_t seed : {1, 2}) {
             const Asked a = asked_room(text, seed);
             const Placed* piece = a.find(klass);
             ASSERT_TRUE(piece) << text << ", seed " << seed;
-            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)), std::optional(false)) << text << ", seed " << seed;
+            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)), std::optional(false))
+                << text << ", seed " << seed;
             for (const PromptWord& w : a.spec.words) EXPECT_NE(w.fate, PromptWord::Fate::not_understood) << text << ": " << w.words;
         }
 }
 
 TEST(Customers, HidesHaveTheirOutline) {
-    const auto area = [](const Piece& p) {   // seen from above
+    const auto area = [](const Piece& p) {  // seen from above
         float sum = 0;
         for (const Mesh& m : p.meshes)
             for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
-                const Vec3f n = cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]);
+                const Vec3f n = cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]],
+                                      m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]);
                 sum += std::max(0.f, n.y) / 2;
             }
         return sum;
@@ -506,11 +516,12 @@ TEST(Customers, HidesHaveTheirOutline) {
 TEST(Customers, ADozenPlantsFindRoom) {
     int standing = 0;
     for (const std::uint64_t seed : {1, 2, 3}) standing += asked_room("a bathroom with a dozen plants", seed).standing("plant");
-    EXPECT_GE(standing, 26);   // of 36
+    EXPECT_GE(standing, 26);  // of 36
 }
 
 TEST(Customers, DogsLieOnTheFloorUnlessSaidOtherwise) {
-    for (const std::uint64_t seed : {1, 2, 3}) EXPECT_LT(asked_room("a living room with a dog and a sofa", seed).find("dog")->position.y, 0.05f) << seed;
+    for (const std::uint64_t seed : {1, 2, 3})
+        EXPECT_LT(asked_room("a living room with a dog and a sofa", seed).find("dog")->position.y, 0.05f) << seed;
 }
 
 TEST(Customers, WindowlessRoomsHaveNone) {
@@ -519,7 +530,9 @@ TEST(Customers, WindowlessRoomsHaveNone) {
     for (const Opening& o : a.room.plan.openings) EXPECT_NE(o.kind, Opening::Kind::window);
 }
 
-TEST(Customers, WhereAClothLiesIsTold) { EXPECT_EQ(fate_of(read("a kitchen with a red tablecloth on a round table"), "on"), "understood: where the tablecloth lies"); }
+TEST(Customers, WhereAClothLiesIsTold) {
+    EXPECT_EQ(fate_of(read("a kitchen with a red tablecloth on a round table"), "on"), "understood: where the tablecloth lies");
+}
 
 }  // namespace
 }  // namespace fastscene

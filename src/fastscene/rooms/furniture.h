@@ -63,8 +63,9 @@ struct PieceRequest {
     const PackModel* model = nullptr;
 };
 
-inline constexpr const char* kTableCloth = "cloth";   // the holder's material of a table with a cloth on it: then pattern and holder's color are the cloth's
-inline constexpr const char* kAsleep = "asleep";   // the pattern of a cat that sleeps
+inline constexpr const char* kTableCloth =
+    "cloth";  // the holder's material of a table with a cloth on it: then pattern and holder's color are the cloth's
+inline constexpr const char* kAsleep = "asleep";     // the pattern of a cat that sleeps
 inline constexpr const char* kHungScreen = "hung";   // the pattern of a TV that hangs on a wall: without feet
 inline constexpr float kMonitorStep = 0.59f;   // from one monitor to the next, metres
 

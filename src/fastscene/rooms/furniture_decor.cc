@@ -242,7 +242,19 @@ void hide_rug(Kit& k) {
     }
     const int fur = k.piece.main_material = k.material(m);
     // Half of it, from the neck (z < 0) to the tail: the rest is its mirror image.
-    static constexpr std::array<Vec2f, 13> kHalf{{{0.f, -0.5f}, {0.13f, -0.49f}, {0.2f, -0.4f}, {0.36f, -0.43f}, {0.5f, -0.38f}, {0.47f, -0.29f}, {0.36f, -0.2f}, {0.335f, 0.f}, {0.37f, 0.18f}, {0.5f, 0.29f}, {0.47f, 0.4f}, {0.27f, 0.4f}, {0.f, 0.5f}}};
+    static constexpr std::array<Vec2f, 13> kHalf{{{0.f, -0.5f},
+                                                  {0.13f, -0.49f},
+                                                  {0.2f, -0.4f},
+                                                  {0.36f, -0.43f},
+                                                  {0.5f, -0.38f},
+                                                  {0.47f, -0.29f},
+                                                  {0.36f, -0.2f},
+                                                  {0.335f, 0.f},
+                                                  {0.37f, 0.18f},
+                                                  {0.5f, 0.29f},
+                                                  {0.47f, 0.4f},
+                                                  {0.27f, 0.4f},
+                                                  {0.f, 0.5f}}};
     std::vector<Vec2f> ring;
     for (const Vec2f& p : kHalf) ring.push_back({p.x, p.y});
     for (std::size_t i = kHalf.size() - 1; i-- > 1;) ring.push_back({-kHalf[i].x, kHalf[i].y});
@@ -423,12 +435,15 @@ void candle(Kit& k) {
 }
 // Five arms on a turned foot, a candle on each.
 void candelabrum(Kit& k) {
-    const int metal = k.main(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("brass")), wax = k.material(plain("wax", {0.75f, 0.71f, 0.62f}, 0.6f));
-    const std::array<Vec2f, 12> p{Vec2f{0.075f, 0}, {0.078f, 0.01f}, {0.05f, 0.022f}, {0.016f, 0.04f}, {0.024f, 0.06f}, {0.012f, 0.08f}, {0.011f, 0.15f}, {0.02f, 0.168f}, {0.011f, 0.186f}, {0.014f, 0.25f}, {0.008f, 0.27f}, {0.008f, 0.3f}};
+    const int metal = k.main(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("brass")),
+              wax = k.material(plain("wax", {0.75f, 0.71f, 0.62f}, 0.6f));
+    const std::array<Vec2f, 12> p{Vec2f{0.075f, 0}, {0.078f, 0.01f}, {0.05f, 0.022f},  {0.016f, 0.04f}, {0.024f, 0.06f}, {0.012f, 0.08f},
+                                  {0.011f, 0.15f},  {0.02f, 0.168f}, {0.011f, 0.186f}, {0.014f, 0.25f}, {0.008f, 0.27f}, {0.008f, 0.3f}};
     k.add(shapes::lathe(p, 24, true), metal);
     Wick wick(k);
     const auto light = [&](Vec3f at) {
-        const std::array<Vec2f, 6> cup{Vec2f{0.006f, -0.012f}, {0.014f, -0.004f}, {0.03f, 0.004f}, {0.031f, 0.008f}, {0.015f, 0.01f}, {0.013f, 0.024f}};
+        const std::array<Vec2f, 6> cup{Vec2f{0.006f, -0.012f}, {0.014f, -0.004f}, {0.03f, 0.004f},
+                                       {0.031f, 0.008f},       {0.015f, 0.01f},   {0.013f, 0.024f}};
         k.add(shapes::lathe(cup, 20), metal, at);
         const float high = k.dice.uniform(0.09f, 0.115f);
         k.rod(wax, at + Vec3f{0, 0.012f, 0}, at + Vec3f{0, high, 0}, 0.0105f, 0.0095f, 14);
@@ -441,7 +456,8 @@ void candelabrum(Kit& k) {
         std::vector<Vec3f> arm;
         for (int j = 0; j <= 14; ++j) {
             const float t = static_cast<float>(j) / 14.f;
-            arm.push_back(out * (far * (0.06f + 0.94f * std::sin(0.5f * kPi * t))) + Vec3f{0, 0.18f - 0.05f * std::sin(kPi * std::min(1.f, 1.5f * t)) + (rise - 0.18f) * t * t, 0});
+            arm.push_back(out * (far * (0.06f + 0.94f * std::sin(0.5f * kPi * t))) +
+                          Vec3f{0, 0.18f - 0.05f * std::sin(kPi * std::min(1.f, 1.5f * t)) + (rise - 0.18f) * t * t, 0});
         }
         k.add(shapes::tube(arm, 0.006f, 8), metal);
         light(arm.back());
@@ -630,9 +646,27 @@ void cat(Kit& k) {
     k.add(shapes::tube(tail, 0.017f, 10), fur);
 }
 
-constexpr Entry kDecor[] = {{"plant", plant}, {"plant_tree", plant_tree}, {"plant_small", plant_small}, {"vase", vase}, {"vase_small", vase_small}, {"bouquet", bouquet}, {"picture", picture}, {"rug", rug}, {"curtain", curtain}, {"basket", basket},
-                            {"book_stack", book_stack}, {"bowl", bowl}, {"candle", candle}, {"candelabrum", candelabrum}, {"clock", clock_piece}, {"piano", piano}, {"guitar", guitar}, {"aquarium", aquarium}, {"rocking_horse", rocking_horse},
-                            {"coat_rack", coat_rack}, {"cat", cat}};
+constexpr Entry kDecor[] = {{"plant", plant},
+                            {"plant_tree", plant_tree},
+                            {"plant_small", plant_small},
+                            {"vase", vase},
+                            {"vase_small", vase_small},
+                            {"bouquet", bouquet},
+                            {"picture", picture},
+                            {"rug", rug},
+                            {"curtain", curtain},
+                            {"basket", basket},
+                            {"book_stack", book_stack},
+                            {"bowl", bowl},
+                            {"candle", candle},
+                            {"candelabrum", candelabrum},
+                            {"clock", clock_piece},
+                            {"piano", piano},
+                            {"guitar", guitar},
+                            {"aquarium", aquarium},
+                            {"rocking_horse", rocking_horse},
+                            {"coat_rack", coat_rack},
+                            {"cat", cat}};
 
 }  // namespace
 

@@ -253,7 +253,9 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), on_walls(), window_covers(), extras(), upheaval(), wished(), keepsakes()}) all.insert(all.end(), group.begin(), group.end());
+    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), on_walls(),
+                             window_covers(), extras(), upheaval(), wished(), keepsakes()})
+        all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
 }

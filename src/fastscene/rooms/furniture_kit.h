@@ -110,7 +110,7 @@ std::span<const Entry> on_walls();  // boards, hangings, trophies, maps, signs
 std::span<const Entry> window_covers();  // blinds, shutters
 std::span<const Entry> extras();    // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
 std::span<const Entry> upheaval();  // decay, renovation, untidiness: what lies about on floors
-std::span<const Entry> keepsakes(); // a dog, a typewriter, bunting, garlands, hooks with coats: what people love and hang up
+std::span<const Entry> keepsakes();  // a dog, a typewriter, bunting, garlands, hooks with coats: what people love and hang up
 std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
 
 inline constexpr float kTau = 2 * kPi;

@@ -158,7 +158,8 @@ Material cut_glass(const Kit& k) {
 
 // A frame of metal, all hung with cut glass: strings of beads from the crown to the arms, drops below them, a basket that ends in a ball.
 void crystal_chandelier(Kit& k) {
-    const int crystal = k.piece.main_material = k.material(cut_glass(k)), metal = k.material(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("chrome")), clear = k.material(glass()),
+    const int crystal = k.piece.main_material = k.material(cut_glass(k)),
+              metal = k.material(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("chrome")), clear = k.material(glass()),
               sleeve = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)), flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
     k.add(shapes::prism(shapes::circle(0.065f, 28), -0.03f, 0.f), metal);
     k.rod(metal, {0, -0.78f, 0}, {0, -0.02f, 0}, 0.006f);
@@ -181,7 +182,10 @@ void crystal_chandelier(Kit& k) {
     const auto ring = [&](float y, float r) { k.add(shapes::ring(r, 0.005f, 36), metal, {0, y, 0}); };
     ring(-0.24f, 0.11f), ring(-0.7f, 0.2f), ring(-0.79f, 0.11f);
     constexpr int kArms = 8;
-    const auto at = [](int i, int of, float r, float y) { return Vec3f{r * std::cos(kTau * static_cast<float>(i) / static_cast<float>(of)), y, r * std::sin(kTau * static_cast<float>(i) / static_cast<float>(of))}; };
+    const auto at = [](int i, int of, float r, float y) {
+        return Vec3f{r * std::cos(kTau * static_cast<float>(i) / static_cast<float>(of)), y,
+                     r * std::sin(kTau * static_cast<float>(i) / static_cast<float>(of))};
+    };
     for (int i = 0; i < kArms; ++i) {
         std::vector<Vec3f> arm;
         for (int j = 0; j <= 12; ++j) {
@@ -194,7 +198,8 @@ void crystal_chandelier(Kit& k) {
         k.add(shapes::lathe(pan, 18), clear, tip);
         k.rod(sleeve, tip, tip + Vec3f{0, 0.085f, 0}, 0.011f);
         k.add(shapes::ball(tip + Vec3f{0, 0.112f, 0}, {0.013f, 0.03f, 0.013f}, 10), flame);
-        for (int j = 0; j < 5; ++j) drop(tip + Vec3f{0.042f * std::cos(1.2566f * static_cast<float>(j)), 0.004f, 0.042f * std::sin(1.2566f * static_cast<float>(j))}, 0.055f);
+        for (int j = 0; j < 5; ++j)
+            drop(tip + Vec3f{0.042f * std::cos(1.2566f * static_cast<float>(j)), 0.004f, 0.042f * std::sin(1.2566f * static_cast<float>(j))}, 0.055f);
         string(at(i, kArms, 0.11f, -0.25f), tip + Vec3f{0, 0.012f, 0}, 0.1f, 22);
         string(tip, at(i + 1, kArms, 0.4f, tip.y), 0.07f, 14);
         drop(lerp(tip, at(i + 1, kArms, 0.4f, tip.y), 0.5f) - Vec3f{0, 0.075f, 0}, 0.07f);

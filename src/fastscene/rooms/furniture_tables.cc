@@ -44,7 +44,8 @@ void put_small(Kit& k, std::string klass, Vec3f at, float turn = 0.f) { k.merge(
 
 // A thick top on two crossed trestles and a stretcher.
 void trestle_table(Kit& k, Vec3f s) {
-    const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth), frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
+    const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth),
+              frame = k.style.legs == LegType::metal_frame ? k.material(k.style.metal) : wood;
     k.board(wood, {0, s.y - 0.05f, 0}, {s.x, 0.05f, s.z}, 0.008f);
     const float x = 0.5f * s.x - 0.26f, z = 0.5f * s.z - 0.1f, y = s.y - 0.045f;
     for (const float sx : {-1.f, 1.f}) {
@@ -121,7 +122,7 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
     cloth.name = "tablecloth";
     k.print(cloth, said ? std::optional(color) : std::nullopt);
     const int linen = k.material(cloth);
-    std::vector<float> along{0.f};   // metres along the rim
+    std::vector<float> along{0.f};  // metres along the rim
     for (std::size_t i = 0; i < rim.size(); ++i) along.push_back(along.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
     constexpr float kOver = 0.004f, kLift = 0.003f, kFold = 0.16f;
     const float folds = std::round(along.back() / kFold);
@@ -132,9 +133,12 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
         std::size_t i = 0;
         while (i + 2 < along.size() && along[i + 1] <= s) ++i;
         const Vec2f a = rim[i], b = rim[(i + 1) % rim.size()], p = a + (b - a) * ((s - along[i]) / std::max(1e-6f, along[i + 1] - along[i]));
-        const Vec2f run = (b - a) * (1.f / std::max(1e-6f, length(b - a))), across{run.y, -run.x}, out = across.x * p.x + across.y * p.y < 0 ? across * -1.f : across;
+        const Vec2f run = (b - a) * (1.f / std::max(1e-6f, length(b - a))), across{run.y, -run.x},
+                    out = across.x * p.x + across.y * p.y < 0 ? across * -1.f : across;
         if (row == 0) return std::pair{Vec3f{0, y + kLift, 0}, Vec3f{0, 0, 0}};
-        const float drop = down * static_cast<float>(row - 1) / static_cast<float>(hem), wave = 0.5f + 0.5f * std::sin(kTau * folds * s / along.back()), spread = kOver + (row > 1 ? 0.02f + 0.03f * wave * drop / down : 0.f);
+        const float drop = down * static_cast<float>(row - 1) / static_cast<float>(hem),
+                    wave = 0.5f + 0.5f * std::sin(kTau * folds * s / along.back()),
+                    spread = kOver + (row > 1 ? 0.02f + 0.03f * wave * drop / down : 0.f);
         const Vec2f q = p + out * spread;
         return std::pair{Vec3f{q.x, y + kLift - drop * (row > 1 ? 1.f : 0.f), q.y}, Vec3f{p.x + out.x * drop, 0, p.y + out.y * drop}};
     };

@@ -127,7 +127,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
         for (int tries = 0; tries < 8; ++tries) {
             const std::size_t before = l_.mark();
             const Vec2f spread{0.3f * size(anchor).x, 0.3f * size(anchor).z};
-            const Vec2f there = flat(at(anchor).position + right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) + front_of(at(anchor).yaw) * l_.dice().uniform(-spread.y, spread.y));
+            const Vec2f there = flat(at(anchor).position + right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) +
+                                     front_of(at(anchor).yaw) * l_.dice().uniform(-spread.y, spread.y));
             if (const auto i = l_.on_floor_near(there, r, *ask.wish)) {
                 if (stands_as_asked(l_.plan(), l_.placed(), at(*i), *ask.wish).value_or(false)) return i;
                 l_.undo(before);
@@ -154,7 +155,8 @@ std::optional<int> Furnisher::at_the_foot(int anchor, const PieceRequest& r, con
         for (const float side : {1.f, -1.f}) {
             if (!along && side < 0) continue;
             const Vec3f way = along ? right_of(bed.yaw) * side : front_of(bed.yaw);
-            if (const auto i = l_.on_top_at(anchor, r, flat(bed.position + way * (half - from_end)), bed.yaw + (along ? 0.5f * kPi : 0.f), wish)) return i;
+            if (const auto i = l_.on_top_at(anchor, r, flat(bed.position + way * (half - from_end)), bed.yaw + (along ? 0.5f * kPi : 0.f), wish))
+                return i;
         }
     return l_.on_top(anchor, r, wish);
 }

@@ -94,7 +94,8 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
     // What lies on a bed lies towards its foot; of one along the wall, at an end.
-    if (relation == "at the foot of" && piece.on == at.index && at.index >= 0) return ahead > 0.2f * at.box.half.y || std::abs(aside) > 0.35f * at.box.half.x;
+    if (relation == "at the foot of" && piece.on == at.index && at.index >= 0)
+        return ahead > 0.2f * at.box.half.y || std::abs(aside) > 0.35f * at.box.half.x;
     if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
     // Beside a window beds stand with their heads at its wall.
     const float deep = opening ? extent(box, at.front) : 0.f;

@@ -11,22 +11,49 @@ namespace {
 bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
 // Hangs where it is asked to: what stands below it is placed first.
 bool is_hung(std::string_view klass) {
-    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "wall_lamp", "neon_sign", "whiteboard", "chalkboard", "pin_board", "tapestry", "macrame",
-                             "flag", "antlers", "deer_head", "world_map", "dartboard", "chandelier", "pendant_lamp", "ceiling_lamp", "ceiling_fan", "paper_lantern",
-                             "bulb_pendant", "track_light", "disco_ball", "hanging_plant", "bunting", "garland", "christmas_stocking", "coat_hooks"});
+    return is_one_of(klass, {"picture",
+                             "mirror",
+                             "shelf",
+                             "picture_ledge",
+                             "clock",
+                             "wall_lamp",
+                             "neon_sign",
+                             "whiteboard",
+                             "chalkboard",
+                             "pin_board",
+                             "tapestry",
+                             "macrame",
+                             "flag",
+                             "antlers",
+                             "deer_head",
+                             "world_map",
+                             "dartboard",
+                             "chandelier",
+                             "pendant_lamp",
+                             "ceiling_lamp",
+                             "ceiling_fan",
+                             "paper_lantern",
+                             "bulb_pendant",
+                             "track_light",
+                             "disco_ball",
+                             "hanging_plant",
+                             "bunting",
+                             "garland",
+                             "christmas_stocking",
+                             "coat_hooks"});
 }
 
 }  // namespace
 
 bool is_small(std::string_view klass) {
     static constexpr std::array<std::string_view, 50> kSmall{
-        "monitor",    "ship_model",  "table_lamp",  "vase",        "vase_small",  "book_stack",    "bowl",
-        "candle",     "plant_small", "picture",     "mirror",      "tv",          "clock",         "rug",
-        "cushion",    "guitar",      "cat",         "alarm_clock", "bottles",     "cup",           "cutting_board",
-        "globe",      "kettle",      "laptop",      "magazines",   "photo_frame", "picture_ledge", "place_setting",
-        "pot",        "sculpture",   "storage_box", "teddy_bear",  "toaster",     "toiletries",    "towel_stack",
-        "toy_blocks", "tray",        "utensils",    "bouquet",     "throw",       "cactus",        "lantern",
-        "fish_bowl",  "candelabrum", "typewriter",  "record_player", "crystal_ball", "bunting",     "garland",
+        "monitor",    "ship_model",  "table_lamp",  "vase",          "vase_small",   "book_stack",    "bowl",
+        "candle",     "plant_small", "picture",     "mirror",        "tv",           "clock",         "rug",
+        "cushion",    "guitar",      "cat",         "alarm_clock",   "bottles",      "cup",           "cutting_board",
+        "globe",      "kettle",      "laptop",      "magazines",     "photo_frame",  "picture_ledge", "place_setting",
+        "pot",        "sculpture",   "storage_box", "teddy_bear",    "toaster",      "toiletries",    "towel_stack",
+        "toy_blocks", "tray",        "utensils",    "bouquet",       "throw",        "cactus",        "lantern",
+        "fish_bowl",  "candelabrum", "typewriter",  "record_player", "crystal_ball", "bunting",       "garland",
         "dog"};
     return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
 }

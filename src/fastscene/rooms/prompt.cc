@@ -13,7 +13,23 @@ using namespace reading;
 std::string described(const PromptObject& object) {
     std::string text = object.klass;
     const bool units = object.klass.starts_with("kitchen_");
-    for (const auto& [name, value] : {std::pair{"color", &object.color}, {"and", &object.color2}, {is_bed(object.klass) ? "bedding in color" : units ? "top in color" : object.holder_material == kTableCloth ? "cloth in color" : "vase in color", &object.holder_color}, {units ? "top of" : object.holder_material == kTableCloth ? "with a" : "vase of", &object.holder_material}, {"wall behind in color", &object.back_color}, {"wall behind of", &object.back_material}, {"material", &object.material}, {"pattern", &object.pattern}, {"size", &object.size}, {"style", &object.style}})
+    for (const auto& [name, value] : {std::pair{"color", &object.color},
+                                      {"and", &object.color2},
+                                      {is_bed(object.klass)                    ? "bedding in color"
+                                       : units                                 ? "top in color"
+                                       : object.holder_material == kTableCloth ? "cloth in color"
+                                                                               : "vase in color",
+                                       &object.holder_color},
+                                      {units                                   ? "top of"
+                                       : object.holder_material == kTableCloth ? "with a"
+                                                                               : "vase of",
+                                       &object.holder_material},
+                                      {"wall behind in color", &object.back_color},
+                                      {"wall behind of", &object.back_material},
+                                      {"material", &object.material},
+                                      {"pattern", &object.pattern},
+                                      {"size", &object.size},
+                                      {"style", &object.style}})
         if (!value->empty()) text += std::string(", ") + name + " " + *value;
     if (object.count > 1) text += ", " + std::to_string(object.count) + " of them";
     if (!object.relation.empty()) text += ", " + object.relation + (object.relation_to.empty() ? "" : " the " + object.relation_to);

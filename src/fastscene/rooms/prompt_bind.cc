@@ -74,7 +74,9 @@ bool is_brown(std::string_view material) {
     return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
 }
 
-bool is_lamp(std::string_view klass) { return klass.ends_with("_lamp") || is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"}); }
+bool is_lamp(std::string_view klass) {
+    return klass.ends_with("_lamp") || is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"});
+}
 
 // What "dark" and "light" mean for a thing of this material.
 std::string shade_of(std::string_view word, const PromptObject& object) {
@@ -209,7 +211,8 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         } else if (flowers) {
             if (!object.counted) object.count = 1;
             r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
-        } else if (is_heap(a.words) && is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack", "firewood", "paper_litter"})) {
+        } else if (is_heap(a.words) && is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack",
+                                                                "firewood", "paper_litter"})) {
             if (!object.counted) object.count = 1, object.counted = true;
             r.tell(at, object.klass + " is one", object.id);
         } else if (can_be_counted(n)) {
@@ -231,7 +234,8 @@ bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     // "with white linen, blue walls": a material ends its own phrase.
     if (left.is(WordKind::material) && !right.is(WordKind::material) && connector + 1 != noun) return false;
     // "emerald tiles and brass taps": tiles are a surface, said as a noun.
-    if (left.is(WordKind::material) && is_one_of(left.words, {"tiles", "bricks", "tiling", "planks", "floorboards", "paneling", "panels"})) return false;
+    if (left.is(WordKind::material) && is_one_of(left.words, {"tiles", "bricks", "tiling", "planks", "floorboards", "paneling", "panels"}))
+        return false;
     if (connector + 1 == noun) return false;
     // "in red and blue curtains": what "in" leads belongs to the noun before.
     std::size_t k = connector;
@@ -319,8 +323,10 @@ void lay_cloth(Reading& r, std::size_t cloth, std::size_t owner) {
     for (std::size_t k = 0; k < r.m.size(); ++k) {
         if (r.m[k].noun != static_cast<int>(cloth) || r.m[k].is(WordKind::count)) continue;
         const Word& word = *r.m[k].word;
-        if (r.m[k].is(WordKind::color) && table.holder_color.empty()) table.holder_color = word.meaning, r.tell(k, "tablecloth in color " + word.meaning, table.id);
-        else if (r.m[k].is(WordKind::pattern) && table.pattern.empty() && is_print(word.meaning)) table.pattern = word.meaning, r.tell(k, "tablecloth with pattern " + word.meaning, table.id);
+        if (r.m[k].is(WordKind::color) && table.holder_color.empty())
+            table.holder_color = word.meaning, r.tell(k, "tablecloth in color " + word.meaning, table.id);
+        else if (r.m[k].is(WordKind::pattern) && table.pattern.empty() && is_print(word.meaning))
+            table.pattern = word.meaning, r.tell(k, "tablecloth with pattern " + word.meaning, table.id);
         else r.tell_near(k, "of the tablecloth: as such cloths are", table.id);
     }
     r.tell(cloth, "cloth on the " + table.words, table.id);

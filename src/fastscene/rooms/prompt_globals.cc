@@ -167,7 +167,8 @@ void read_nuance(Reading& r, std::size_t i) {
     else if (what == "kind") r.tell(i, "the kind of " + r.m[std::min(noun_from(r, i + 1), r.m.size() - 1)].words);
     else if (r.m[i].words == "framed") r.tell(i, "pictures hang in frames");
     else if (r.m[i].words == "colored" && i > 0 && r.m[i - 1].is(WordKind::color)) r.tell(i, "of that color");
-    else if (r.m[i].words == "turned" && i + 1 < r.m.size() && (r.m[i + 1].is_function("into") || r.m[i + 1].words == "into")) r.tell(i, "what the room was before");
+    else if (r.m[i].words == "turned" && i + 1 < r.m.size() && (r.m[i + 1].is_function("into") || r.m[i + 1].words == "into"))
+        r.tell(i, "what the room was before");
     else if (what == "windowless") r.tell(i, "without: window");
     else if (what == "asleep") r.tell(i, "lies there asleep");
     else if (what == "corner shape") r.tell(i, "shape: it reaches around a corner");

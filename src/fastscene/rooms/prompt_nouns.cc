@@ -52,11 +52,12 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 30> kNeverMore{"kitchen_counter", "curtain", "towel_rail",  "toy_box", "beams",       "wall",
-                                                                 "floor",           "ceiling", "cushion_set", "shower",  "wainscoting", "moulding",
-                                                                 "string_lights",   "pipes",   "gears",       "hung_pans", "fittings",    "venetian_blind", "roller_blind", "roman_blind",
-                                                                 "shutters",        "shoji",   "antlers",     "track_light", "bulb_pendant",
-                                                                 "recessed_lights", "bunting", "christmas_stocking", "coat_hooks", "pot_rack"};
+    static constexpr std::array<std::string_view, 30> kNeverMore{
+        "kitchen_counter", "curtain",     "towel_rail",  "toy_box",        "beams",           "wall",          "floor",
+        "ceiling",         "cushion_set", "shower",      "wainscoting",    "moulding",        "string_lights", "pipes",
+        "gears",           "hung_pans",   "fittings",    "venetian_blind", "roller_blind",    "roman_blind",   "shutters",
+        "shoji",           "antlers",     "track_light", "bulb_pendant",   "recessed_lights", "bunting",       "christmas_stocking",
+        "coat_hooks",      "pot_rack"};
     const std::string& klass = m.word->meaning;
     if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
@@ -183,14 +184,22 @@ void name_tables(Matches& m) {
 void name_bars(Matches& m) {
     const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && !x.negated; });
     std::size_t first = 0;
-    while (first < m.size() && (modifies(m[first]) || m[first].is(WordKind::mood) || m[first].is(WordKind::light) || m[first].is(WordKind::time) || m[first].is_function("the") || m[first].is_function("in"))) ++first;
-    bool bar = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"}); });
-    if (!named && first < m.size() && is_one_of(m[first].words, {"bar", "pub"}) && m[first].is(WordKind::object)) m[first].word = Word{WordKind::room, "living", false, "without=tv"}, bar = true;
+    while (first < m.size() && (modifies(m[first]) || m[first].is(WordKind::mood) || m[first].is(WordKind::light) || m[first].is(WordKind::time) ||
+                                m[first].is_function("the") || m[first].is_function("in")))
+        ++first;
+    bool bar = std::any_of(m.begin(), m.end(), [](const Match& x) {
+        return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"});
+    });
+    if (!named && first < m.size() && is_one_of(m[first].words, {"bar", "pub"}) && m[first].is(WordKind::object))
+        m[first].word = Word{WordKind::room, "living", false, "without=tv"}, bar = true;
     for (Match& x : m)
-        if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"})) x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
-    const bool high = bar || std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning == "kitchen_island"; });
+        if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"}))
+            x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
+    const bool high =
+        bar || std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning == "kitchen_island"; });
     for (Match& x : m)
-        if (high && x.is(WordKind::object) && is_one_of(x.words, {"stool", "stools"})) x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};
+        if (high && x.is(WordKind::object) && is_one_of(x.words, {"stool", "stools"}))
+            x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};
 }
 
 // Some words mean another thing in another room.
@@ -311,9 +320,10 @@ void name_kinds(Matches& m) {
             const std::size_t animal = k == i ? i + 1 : i;
             if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"})) continue;
             const std::string verb = m[k].words.substr(0, m[k].words.find(' '));
-            if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled", "sleepy", "lying", "lies"})) continue;
+            if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled", "sleepy", "lying", "lies"}))
+                continue;
             if (m[animal].word->meaning == "cat" && !verb.starts_with("l")) m[animal].word->adds = std::string("pattern=") + kAsleep;
-            if (!m[k].is(WordKind::relation)) m[k].word = Word{WordKind::nuance, "asleep"};   // "sleeping on" says where as well
+            if (!m[k].is(WordKind::relation)) m[k].word = Word{WordKind::nuance, "asleep"};  // "sleeping on" says where as well
         }
         // "Barcelona chairs" look out on nothing.
         if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))
@@ -362,7 +372,8 @@ void take_added(const Word& word, PromptObject& object) {
     for (const auto& [name, field] : {std::pair{"material", &object.material}, {"color", &object.color}, {"size", &object.size}, {"pattern", &object.pattern}})
         if (const std::string value = added_by(word, name); !value.empty()) *field = value;
     if (const std::string count = added_by(word, "count"); !count.empty()) object.count = std::stoi(count), object.counted = true;
-    if (const std::string length = added_by(word, "length"); !length.empty() && !(object.size_m.x > 0)) object.size_m.x = std::stof(length), object.size = "large";
+    if (const std::string length = added_by(word, "length"); !length.empty() && !(object.size_m.x > 0))
+        object.size_m.x = std::stof(length), object.size = "large";
     if (!added_by(word, "row").empty()) object.in_row = true;
 }
 

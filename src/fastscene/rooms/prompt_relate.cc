@@ -45,10 +45,14 @@ bool opens_clause(const Reading& r, std::size_t at) {
 
 // Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp, nothing stands on a picture.
 bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
-    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers", "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
-               low = is_one_of(place.klass, {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair", "floor_lamp", "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
-               flat_or_hung = is_one_of(place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier", "curtain", "floor_lamp", "table_lamp", "plant"});
-    const bool tall = is_one_of(place.klass, {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree", "canopy_bed", "four_poster_bed", "christmas_tree", "coat_rack"});
+    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers",
+                                               "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
+               low = is_one_of(place.klass, {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair", "floor_lamp",
+                                             "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
+               flat_or_hung = is_one_of(place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier", "curtain",
+                                                      "floor_lamp", "table_lamp", "plant"});
+    const bool tall = is_one_of(place.klass, {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree", "canopy_bed",
+                                              "four_poster_bed", "christmas_tree", "coat_rack"});
     if (relation == "above") return hangs ? !low && !tall : !is_one_of(place.klass, {"picture", "mirror", "clock"});
     if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
     if (relation == "in front of" || relation == "at the foot of")
@@ -77,10 +81,12 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
     std::optional<std::size_t> last, place_of_another;
     for (std::size_t k = subject; k-- > 0;) {
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
-        if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) {
+        if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation,
+                                            r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) {
             // "a tall clock next to the fireplace and a portrait above": not above the clock, so above what the clock stands at.
             const PromptObject& thing = r.spec.objects[static_cast<std::size_t>(r.m[k].object)];
-            if (place_of_another && thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass) return place_of_another;
+            if (place_of_another && thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass)
+                return place_of_another;
             continue;
         }
         if (!several && r.spec.objects[static_cast<std::size_t>(r.m[k].object)].count > 1) continue;
@@ -117,7 +123,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
                 return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
     // Stockings and leaves on a mantel hang at the wall above it.
-    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) && r.m[target].is(WordKind::object)) relation = "above";
+    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) && r.m[target].is(WordKind::object))
+        relation = "above";
     // "clothes on the floor" were dropped there, "papers" slid apart.
     if (placed && relation == "on" && r.object_of(target).klass == "floor") {
         if (object.klass == "folded_clothes") object.klass = "clothes_heap";
@@ -133,7 +140,8 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pendant_lamp";
     if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
     // Pans above an island hang from the ceiling.
-    if (object.klass == "hung_pans" && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pot_rack";
+    if (object.klass == "hung_pans" && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass))
+        object.klass = "pot_rack";
     // "A paper lantern on the nightstand" is a lamp with such a shade.
     if (object.klass == "paper_lantern" && relation == "on" && at_piece) object.klass = "table_lamp", object.style = "japandi";
     std::string to;
@@ -185,7 +193,9 @@ void relate_both_sides(Reading& r, std::size_t at) {
         if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
     // "twin beds flanking a nightstand": what is small stands between the large.
-    if (target && is_bed(r.object_of(*subject).klass) && r.object_of(*subject).relation.empty() && is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) && r.object_of(*target).count == 1 && r.object_of(*target).relation.empty()) {
+    if (target && is_bed(r.object_of(*subject).klass) && r.object_of(*subject).relation.empty() &&
+        is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) && r.object_of(*target).count == 1 &&
+        r.object_of(*target).relation.empty()) {
         PromptObject &beds = r.object_of(*subject), &small = r.object_of(*target);
         small.relation = "between", small.relation_to = small.relation_and = beds.klass;
         r.tell(at, small.klass + " between the " + beds.words, small.id);
@@ -336,7 +346,7 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "each other") return r.tell_near(at, "where: these pieces stand as there is room for them");
     if (relation == "as usual") return r.tell_near(at, "where: such pieces hang or stand as they always do");
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
-    if (relation == "against" && r.m[at].words.ends_with(" wall")) target.reset();   // it has said what
+    if (relation == "against" && r.m[at].words.ends_with(" wall")) target.reset();  // it has said what
     // "blue tiles behind the sink": a surface that is named by its material.
     if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) && r.object_of(at - 1).klass == "wall") subject = at - 1;
     // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named before.
@@ -389,7 +399,8 @@ void relate_one(Reading& r, std::size_t at) {
         if (!subject && *target + 1 < r.m.size() && r.m[*target + 1].comma) subject = noun_after(r, *target + 1);
         if (!subject) subject = head_of_last_clause(r, at);
     }
-    if (!subject && at > 0 && r.m[at - 1].is(WordKind::detail) && target && r.m[at - 1].about == r.m[*target].object) return r.tell(at, "where the " + r.m[at - 1].words + " lies", r.m[*target].object);
+    if (!subject && at > 0 && r.m[at - 1].is(WordKind::detail) && target && r.m[at - 1].about == r.m[*target].object)
+        return r.tell(at, "where the " + r.m[at - 1].words + " lies", r.m[*target].object);
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     if (is_passive(r.m[at]) && target) {
         const std::string turned = relation == "between" ? "on both sides of" : relation;

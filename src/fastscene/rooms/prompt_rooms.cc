@@ -51,7 +51,8 @@ void choose_room(Matches& m, PromptSpec& spec) {
         if (!m[i].is(WordKind::room)) continue;
         bool turned = false;
         for (std::size_t k = i + 1; k < m.size() && k < i + 6 && !m[k].comma && !has_object(m[k]); ++k) {
-            for (const char* verb : {"turned", "converted", "transformed", "remodeled", "made into", "now", "used as"}) turned = turned || m[k].words.starts_with(verb);
+            for (const char* verb : {"turned", "converted", "transformed", "remodeled", "made into", "now", "used as"})
+                turned = turned || m[k].words.starts_with(verb);
             if (!m[k].is(WordKind::room)) continue;
             if (turned && m[k].word->meaning != m[i].word->meaning) m[i].word = Word{WordKind::nuance, "house"};
             break;

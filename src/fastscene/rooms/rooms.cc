@@ -103,7 +103,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
 
 // How much of their light the lamps give, by the hour. Where no day comes in they are lit.
 float lamp_level(const PromptSpec& spec, const Plan& plan) {
-    const bool daylit = !plan.skylights.empty() || std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
+    const bool daylit = !plan.skylights.empty() ||
+                        std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
     if (!daylit && spec.light != "neon") return 1.f;
     if (spec.light == "neon") return 0.3f;   // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
@@ -206,7 +207,8 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
                     word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
         tell_size(placed, spec);
         if (placed.piece.klass == placed.wish.klass) continue;
-        if (placed.wish.klass == "plant" && is_one_of(placed.piece.klass, {"plant_small", "hanging_plant"})) continue;   // in a smaller pot they are plants
+        if (placed.wish.klass == "plant" && is_one_of(placed.piece.klass, {"plant_small", "hanging_plant"}))
+            continue;  // in a smaller pot they are plants
         for (PromptWord& word : spec.words)
             if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
                 word.fate = PromptWord::Fate::approximated;

@@ -452,13 +452,16 @@ Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m) {
     std::array<int, 3> n{};
     for (std::size_t k = 0; k < 3; ++k) box.low[k] -= flow_m, n[k] = static_cast<int>((box.high[k] + flow_m - box.low[k]) / cell_m) + 2;
     const auto index = [&](int x, int y, int z) { return static_cast<std::size_t>((z * n[1] + y) * n[0] + x); };
-    const auto point = [&](int x, int y, int z) { return box.low + Vec3f{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * cell_m; };
+    const auto point = [&](int x, int y, int z) {
+        return box.low + Vec3f{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * cell_m;
+    };
     std::vector<float> field(static_cast<std::size_t>(n[0] * n[1] * n[2]));
     for (int z = 0; z < n[2]; ++z)
         for (int y = 0; y < n[1]; ++y)
             for (int x = 0; x < n[0]; ++x) field[index(x, y, z)] = distance_to_skin(limbs, flow_m, point(x, y, z));
     // Each cell in six tetrahedra about its diagonal; their cut edges, shared by neighbours, are the vertices.
-    static constexpr std::array<std::array<int, 4>, 6> kTetrahedra{{{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
+    static constexpr std::array<std::array<int, 4>, 6> kTetrahedra{
+        {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
     Mesh m;
     std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> cuts;
     for (int z = 0; z + 1 < n[2]; ++z)

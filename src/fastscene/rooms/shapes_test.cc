@@ -38,7 +38,9 @@ TEST(Shapes, SolidsAreClosedAndFaceOutward) {
         {"smooth lathe", lathe(kProfile, 20, true)}, {"vessel", vessel(kProfile, 0.01f)}, {"rod", rod({0, 0, 0}, {0.3f, 0.4f, 0.5f}, 0.02f, 0.01f)}, {"ball", ball({1, 2, 3}, {0.2f, 0.3f, 0.1f})},
         {"tube", tube(path, 0.02f)}, {"ring", ring(0.3f, 0.04f)}, {"prism", prism(rounded_rectangle(1.f, 0.6f, 0.1f), 0.f, 0.05f)}, {"disc", prism(circle(0.5f), 0.f, 0.02f)},
         {"slab", slab(8, 6, 0.02f, [](float u, float v) { return Vec3f{u, 0.1f * std::sin(4 * u), -v}; })}};
-    const std::array<Limb, 3> limbs{{{{0, 0.1f, 0}, {0, 0.1f, 0.4f}, 0.1f, 0.06f}, {{0.05f, 0.1f, 0.1f}, {0.2f, 0.02f, 0.1f}, 0.04f, 0.03f}, {{0, 0.1f, 0.4f}, {0, 0.2f, 0.5f}, 0.03f, 0.f}}};
+    const std::array<Limb, 3> limbs{{{{0, 0.1f, 0}, {0, 0.1f, 0.4f}, 0.1f, 0.06f},
+                                     {{0.05f, 0.1f, 0.1f}, {0.2f, 0.02f, 0.1f}, 0.04f, 0.03f},
+                                     {{0, 0.1f, 0.4f}, {0, 0.2f, 0.5f}, 0.03f, 0.f}}};
     std::vector<std::pair<const char*, Mesh>> all = solids;
     all.emplace_back("skin", skin(limbs, 0.03f, 0.013f));
     for (const auto& [name, m] : all) {
