@@ -34,7 +34,7 @@ struct Flags {
     std::uint64_t seed = 1;
     int height = 64, samples = 16, reference_samples = 1024, threads = 1, count = 2000;
     std::uint64_t second_seed = 0;
-    bool plain = false;
+    bool plain = false, list_all = false;
     TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};   // as `standard` has them
 };
 
@@ -158,7 +158,7 @@ Json standard(const Flags& flags) {
     TracedRoom room(room_of(flags));
     Json cost;
     const Shot shot = shot_of(room, 11, cost);
-    Json out = bench::compare_with_reference(room, shot, lot_of(flags), flags.reference);
+    Json out = bench::compare_with_reference(room, shot, lot_of(flags), flags.reference, flags.list_all);
     out["cost"] = cost;
     const ImageRgb8 shown = srgb8_from_linear(shot.color);
     if (!flags.out.empty()) save_png(flags.out, shown);
@@ -269,6 +269,7 @@ int main(int argc, char** argv) {
         verb->add_option("--cell-samples", flags.trace.cell_samples);
         verb->add_flag("--keep-noise", flags.trace.keep_noise, "No denoiser.");
         verb->add_option("--count", flags.count, "Pixels of the lot.");
+        verb->add_flag("--list-all", flags.list_all, "Names all pixels of the lot, not the worst hundredth.");
         verb->add_option("--second-seed", flags.second_seed, "Makes the picture once more, with this seed.");
         verb->add_option("--reference", flags.reference);
         verb->add_option("--pictures", flags.pictures);

@@ -82,7 +82,7 @@ Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& 
     return {{"pixels", lot.count}, {"samples", lot.samples}, {"cpu_s", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC}};
 }
 
-Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path) {
+Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path, bool list_all) {
     const std::string bytes = read_file(path);
     std::vector<Vec3f> radiances(static_cast<std::size_t>(lot.count * kParts));
     if (bytes.size() != radiances.size() * sizeof(Vec3f))
@@ -105,7 +105,11 @@ Json compare_with_reference(const TracedRoom& room, const Shot& picture, const L
     std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     double top = 0;
     Json list = Json::array();
-    for (std::size_t i = 0; i < worst.size() / 100; ++i) top += worst[i].first, list.push_back(worst[i].second);
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+        const bool is_worst = i < worst.size() / 100;
+        if (is_worst) top += worst[i].first;
+        if (is_worst || list_all) list.push_back(worst[i].second);
+    }
     return {{"all", all.json(all.squares)}, {"outside", outside.json(all.squares)}, {"shell", shell.json(all.squares)},
             {"things", things.json(all.squares)}, {"share_of_worst_percent", top / all.squares}, {"worst", list}};
 }

@@ -20,7 +20,7 @@ struct Lot {
 // Path traces the lot and keeps the radiances of each pixel's 16 parts in `path`.
 Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& path);
 
-// `picture` (developed, of the lot's height) against that reference, developed as the picture was.
-Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path);
+// `picture` (developed, of the lot's height) against that reference, developed as the picture was. Names the worst hundredth of the pixels, or all.
+Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path, bool list_all);
 
 }  // namespace fastscene::bench

@@ -12,6 +12,7 @@
 #include "fastscene/base/run.h"
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/lights.h"
+#include "fastscene/trace/response.h"
 #include "fastscene/trace/scene_bvh.h"
 #include "fastscene/trace/trace.h"
 
@@ -66,9 +67,15 @@ class IrradianceCache {
     // behind an edge, or in the shade.
     struct SunPatch {
         std::uint32_t first, count;   // of sun_places_
+        Vec3f sun;          // irradiance
         Vec3f leaving;      // radiant exitance
         float area;
         float useful;       // the share of the room that sees it
+        bool behind;        // the far side of a sheet
+    };
+    struct SunPlace {
+        Place at;
+        std::size_t material;
     };
     struct Slot {
         std::uint64_t key = 0;
@@ -90,16 +97,18 @@ class IrradianceCache {
 
     // The steps of gather(), in order.
     std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed);
-    void find_sun_patches(const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed);
+    void find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed);
     void gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
     struct Pass;
     void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress, Pass& pass);
     void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
-    Vec3f sunlit(const SceneBvh& bvh, const Place& at, float which) const;
+    Vec3f sent_on(const Room& room, const SunPatch& patch, const SunPlace& shining, Vec3f direction) const;
+    Vec3f sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;
     Vec3f origin_;
     std::vector<Vec3f> reflectances_;              // by material: of light on its second way
+    std::vector<Coat> coats_;                      // by material: what of them mirrors the sun
     std::vector<bool> closed_;                     // by mesh
     std::vector<Cell> cells_;
     std::vector<std::uint64_t> keys_;              // of cells_, ascending
@@ -108,7 +117,7 @@ class IrradianceCache {
     std::vector<Slot> slots_;                      // open addressing
     std::uint32_t mask_ = 0;
     std::vector<SunPatch> sun_patches_;
-    std::vector<Place> sun_places_;
+    std::vector<SunPlace> sun_places_;
     std::vector<float> sun_powers_;                // cumulative, by patch
 };
 

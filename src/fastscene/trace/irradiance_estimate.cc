@@ -20,11 +20,24 @@ namespace {
 constexpr float kNearSun = 8;
 constexpr float kShort = 0.9999f;   // of the way to a place that shines: not into its own surface
 
+// Of the surface just ahead.
+std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f direction) {
+    const RayHit hit = bvh.first_lit(from, direction);
+    return hit ? static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(hit.mesh)].material) : 0;
+}
+
+// Radiance along `direction` by the sun's irradiance, of what the coat mirrors: as paths have it (sun_glint).
+Vec3f mirrored_sun(const Coat& coat, const Sky& sky, Vec3f normal, Vec3f direction) {
+    const float cosine = dot(normal, sky.sun_dir), facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
+    if (!(coat.sharp > 0 && coat.alpha > 0 && cosine > 0)) return {};
+    return coat.at(facing) * (coat.sharp * ggx_density(normal, std::max(coat.alpha, kWideSun), direction, sky.sun_dir) / cosine);
+}
+
 }  // namespace
 
 // Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room that see it:
 // the outer side of a curtain is bright and lights nothing.
-void IrradianceCache::find_sun_patches(const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed) {
+void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed) {
     constexpr int kPlaces = 24;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cell& cell = cells_[c];
@@ -35,9 +48,11 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, const std::vector<st
             for (int s = 0; s < kSunSamples; ++s) {
                 const Place& at = place(c, s);
                 const Vec3f normal = at.normal * side;
-                if (sunny[c] >> s & 1u) sun_places_.push_back({at.position + normal * distance_epsilon(at.position), normal});
+                if (!(sunny[c] >> s & 1u)) continue;
+                const Vec3f before = at.position + normal * distance_epsilon(at.position);
+                sun_places_.push_back({{before, normal}, material_at(room, bvh, before, -normal)});
             }
-            sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, leaving, cell.area, 0.f});
+            sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, cell.sun, leaving, cell.area, 0.f, side < 0});
         };
         add(1, back * (1.f - cell.transmission));
         if (cell.transmission > 0) add(-1, back * cell.transmission);
@@ -49,7 +64,7 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, const std::vector<st
             float seen = 0;
             for (int k = 0; k < kPlaces; ++k) {
                 const Cell& place = cells_[static_cast<std::size_t>(random.index(static_cast<int>(cells_.size())))];
-                const Place& shining = sun_places_[patch.first + static_cast<std::uint32_t>(k) % patch.count];
+                const Place& shining = sun_places_[patch.first + static_cast<std::uint32_t>(k) % patch.count].at;
                 const Vec3f from = place.center + place.normal * (0.05f * cell_m_), to = shining.position - from;
                 const float far = length(to);
                 if (!(dot(to, shining.normal) < 0 && dot(to, place.normal) > 0)) continue;
@@ -63,8 +78,18 @@ void IrradianceCache::find_sun_patches(const SceneBvh& bvh, const std::vector<st
         sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) + luminance(patch.leaving) * patch.area * patch.useful);
 }
 
+// The radiance of a place in the sun, seen along `direction`. What its coat mirrors goes where a mirror would send it: the floor before a row of lacquered
+// fronts in the sun is a quarter brighter than even light would have it.
+Vec3f IrradianceCache::sent_on(const Room& room, const SunPatch& patch, const SunPlace& shining, Vec3f direction) const {
+    const float through = room.materials[shining.material].transmission;
+    const Coat& coat = coats_[shining.material];
+    const Vec3f even = (reflectances_[shining.material] - coat.mean() * coat.sharp) * (1 / kPi);
+    if (patch.behind) return patch.sun * even * through;
+    return patch.sun * (even * (1.f - through) + mirrored_sun(coat, room.sky, shining.at.normal, direction));
+}
+
 // What arrives from one sunlit patch, drawn by its power and usefulness.
-Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which) const {
+Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const {
     if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
     const float drawn = which * sun_powers_.back();
     const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), drawn);
@@ -73,19 +98,19 @@ Vec3f IrradianceCache::sunlit(const SceneBvh& bvh, const Place& at, float which)
     // What is left of the number that drew the patch draws the place.
     const float below = found > 0 ? sun_powers_[found - 1] : 0.f, share = (drawn - below) / std::max(1e-30f, sun_powers_[found] - below);
     const auto which_place = std::min(patch.count - 1, static_cast<std::uint32_t>(std::max(0.f, share) * static_cast<float>(patch.count)));
-    const Place& shining = sun_places_[patch.first + which_place];
-    const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = shining.position - from;
+    const SunPlace& shining = sun_places_[patch.first + which_place];
+    const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = shining.at.position - from;
     const float d2 = dot(to, to), far = std::sqrt(d2);
     if (!(far > kNearSun * cell_m_)) return {};
     const Vec3f direction = to / far;
-    const float here = dot(at.normal, direction), there = -dot(shining.normal, direction);
+    const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
     const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return patch.leaving * (here * there / (kPi * d2) * patch.area / chance);
+    return sent_on(room, patch, shining, direction) * (here * there / d2 * patch.area / chance);
 }
 
 Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which, Vec2f uv) const {
-    return lights.sample(room, bvh, at.position, at.normal, which, uv) + sunlit(bvh, at, which);
+    return lights.sample(room, bvh, at.position, at.normal, which, uv) + sunlit(room, bvh, at, which);
 }
 
 IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const {

@@ -107,7 +107,7 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
                 const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
                 const Place& at = place(c, s);
                 sum += lights.sample(room, bvh, at.position, at.normal, which, uv);
-                sum += sunlit(bvh, at, which);
+                sum += sunlit(room, bvh, at, which);
                 spread.add(luminance(sum - before));
             }
             error[c] = spread.of_mean();
@@ -205,7 +205,11 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.
     cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
-    for (const Material& m : room.materials) cache.reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, mean_albedo(m)));
+    for (const Material& m : room.materials) {
+        const Vec3f albedo = mean_albedo(m);
+        cache.reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, albedo));
+        cache.coats_.push_back(is_clear(m) || m.mirror > 0.5f ? Coat{} : coat_of(m, albedo, m.roughness));
+    }
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
     cache.build(room);
     cache.drop_buried(bvh);
@@ -215,7 +219,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     const Lights lights(room);
     // Gathering is three quarters of the work: progress counts cells over all passes.
     Progress progress(run, "light", (static_cast<std::int64_t>(cache.cells_.size()) / 1024 + 1) * (kPasses + 1));
-    cache.find_sun_patches(bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
+    cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
     cache.doubt_edges();

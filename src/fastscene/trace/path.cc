@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kMaxBounces = 48;
 constexpr int kSureBounces = 3;   // no path ends before by chance
-constexpr float kWideSun = 0.2f;  // glossy surfaces mirror the sun to the rest of the room as if they were so rough: a sharp glint is met by few paths
 
 // What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
 struct Arrival {

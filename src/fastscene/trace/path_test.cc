@@ -14,13 +14,13 @@
 namespace fastscene {
 namespace {
 
-float mean_radiance(const Room& room, Vec3f direction, int paths) {
+float mean_radiance(const Room& room, Vec3f direction, int paths, Vec3f from = {}) {
     const SceneBvh bvh(room);
     const Lights lights(room);
     double sum = 0;
     for (int i = 0; i < paths; ++i) {
         Sampler sampler(99, static_cast<std::uint32_t>(i));
-        sum += static_cast<double>(luminance(path_radiance({room, bvh, lights}, {}, direction, 0.01f, sampler)));
+        sum += static_cast<double>(luminance(path_radiance({room, bvh, lights}, from, direction, 0.01f, sampler)));
     }
     return static_cast<float>(sum / paths);
 }
@@ -365,6 +365,36 @@ TEST(Path, LightDoesNotDependOnHowSurfacesAreCut) {
         return sum;
     };
     EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);   // 1.44 where places count alike
+}
+
+// A lacquered panel in the sun that comes over the camera's shoulder, and a floor that a barrier keeps in the shade: what of the floor lies where a mirror would
+// send the sun is much brighter than what lies aside.
+TEST(Path, LacquerInTheSunLightsWhatAMirrorWould) {
+    Room room;
+    room.min_corner = kLow, room.max_corner = kHigh;
+    room.materials = {diffuse({0.6f, 0.6f, 0.6f}), diffuse({0.1f, 0.1f, 0.1f}), diffuse({0, 0, 0})};
+    Material& lacquer = room.materials[1];
+    lacquer.roughness = 0.35f;
+    lacquer.specular = 0.3f;
+    room.sky.sun_dir = normalize(Vec3f{0, -1, -1});
+    room.sky.sun_irradiance = {10, 10, 10};
+    const float floor = 1.4f;
+    room.meshes = {box_mesh({kLow.x, floor, kLow.z}, {kHigh.x, floor + 0.1f, 2.2f}, 0, -1, false), box_mesh({-0.6f, -0.9f, 2}, {0.6f, floor, 2.1f}, 1, -1, false),
+                   box_mesh({-1.9f, 0.3f, 0.8f}, {1.9f, floor, 0.85f}, 2, -1, false)};
+    TracedRoom traced(room);
+    traced.gather_light({.cell_m = 0.06f, .cell_samples = 512, .pixel_samples = 16}, {});
+    // Looking straight down.
+    const auto cached = [&](Vec3f from) {
+        const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true};
+        const Mat3f turn = Mat3f::from_columns({1, 0, 0}, {0, 0, -1}, {0, 1, 0});
+        return luminance(traced.perspective({turn, from}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {}).color.at(0, 0));
+    };
+    constexpr int kPaths = 20000;
+    const Vec3f before{0, 1, 1.4f}, aside{1.3f, 1, 1.4f};
+    const float wanted = mean_radiance(room, {0, 1, 0}, kPaths, before), wanted_aside = mean_radiance(room, {0, 1, 0}, kPaths, aside);
+    EXPECT_GT(wanted, 6 * wanted_aside);
+    EXPECT_NEAR(cached(before) / wanted, 1.f, 0.08f);
+    EXPECT_NEAR(cached(aside) / wanted_aside, 1.f, 0.3f);
 }
 
 }  // namespace

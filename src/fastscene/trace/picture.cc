@@ -9,6 +9,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/image/color.h"
 #include "fastscene/trace/denoise.h"
 #include "fastscene/trace/film.h"
 
@@ -189,6 +190,24 @@ struct NoisyPicture {
         return found;
     }
 
+    // Pixels of a row that lie at the edge of a pattern, as a pixel beside them says whose color on the same surface is another, though their first `rays`
+    // rays, all they had, agree.
+    std::vector<int> beside_pattern_edges(int y, int rays) const {
+        constexpr float kContrast = 0.08f;   // of sRGB values
+        const auto color_at = [&](int x, int row) { return srgb_from_linear(luminance(diffuse.at(x, row) + shine.at(x, row))); };
+        std::vector<int> found;
+        for (int x = 0; x < own_share.width; ++x) {
+            const Vec3f position = guides.position.at(x, y), normal = guides.normal.at(x, y);
+            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
+            const float own = color_at(x, y);
+            const auto differs = [&](int qx, int qy) {
+                return std::abs(color_at(qx, qy) - own) > kContrast && !another_surface(position, normal, guides.position.at(qx, qy), guides.normal.at(qx, qy));
+            };
+            if (any_beside(x, y, differs)) found.push_back(x);
+        }
+        return found;
+    }
+
     // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several, or (`others`) another one.
     std::vector<int> beside_outlines(int y, int rays, bool others) const {
         std::vector<int> found;
@@ -288,6 +307,8 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         return world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
     };
     const Vec3f from = eye.world_from_camera.translation;
+    // A ray stands for its share of the pixel: patterns as wide as all of it would be smoothed twice.
+    const float ray_angle = eye.pixel_angle / std::sqrt(static_cast<float>(round));
     // At least so many rays.
     const auto trace = [&](int x, int y, int least) {
         PixelSum pixel;
@@ -295,7 +316,7 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
             for (int s = 0; s < round; ++s) {
                 Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(pixel.taken));
                 const Vec3f direction = towards(x, y, sampler);
-                const Shaded shaded = shade_ray(scene, from, direction, eye.pixel_angle, sampler);
+                const Shaded shaded = shade_ray(scene, from, direction, ray_angle, sampler);
                 // Samples are developed before they are averaged: edges against a bright window stay smooth.
                 pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
             }
@@ -314,8 +335,8 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
             }
         progress.advance(end - begin);
     });
-    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look(x, y) changes any pixel.
-    const auto look_again = [&](const auto& doubtful_in, const auto& look) {
+    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look_at(x, y) changes any pixel.
+    const auto look_again = [&](const auto& doubtful_in, const auto& look_at) {
         std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
         parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = doubtful_in(y);
@@ -323,10 +344,13 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
             run.check_stop();
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) look(x, y);
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) look_at(x, y);
         });
     };
-    // First the edges of the sun's shadows: of four rays all may see the sun where a fifth of it is hidden, and edges would be ragged.
+    // First the edges of patterns: of four rays all may lie on one side.
+    if (noisy)
+        look_again([&](int y) { return noisy->beside_pattern_edges(y, round); }, [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then those of the sun's shadows: all rays may see the sun where a fifth of it is hidden, and edges would be ragged.
     constexpr int kShadowLooks = 2;
     for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number)
         look_again([&](int y) { return noisy->beside_shadow_edges(y, round); }, [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });

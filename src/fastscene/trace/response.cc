@@ -16,14 +16,23 @@ float mirrored_share(float roughness, float metal) { return metal < 0.5f ? 1.f -
 
 }  // namespace
 
+Vec3f Coat::at(float facing) const { return across + (grazing - across) * std::pow(1.f - facing, 5.f); }
+Vec3f Coat::mean() const { return across + (grazing - across) * (1.f / 21); }   // the fifth power becomes 1/21
+
+Coat coat_of(const Material& m, Vec3f albedo, float roughness) {
+    const Vec3f across = lerp(Vec3f{m.specular, m.specular, m.specular}, albedo, m.metal);
+    const float smoothness = 1.f - roughness, alpha = roughness * roughness;
+    return {across,
+            {std::max(smoothness, across.x), std::max(smoothness, across.y), std::max(smoothness, across.z)},
+            mirrored_share(roughness, m.metal),
+            alpha > 1e-3f ? alpha : 0.f};
+}
+
 Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     const Material& m = *s.material;
     const float facing = std::clamp(-dot(s.bumped, direction), 0.02f, 1.f);
-    const float grazing = std::pow(1.f - facing, 5.f), smoothness = 1.f - s.texture.roughness;
-    // Schlick; rough surfaces gain less at grazing angles.
-    const Vec3f f0 = lerp(Vec3f{m.specular, m.specular, m.specular}, s.texture.albedo, m.metal);
-    const Vec3f edge{std::max(smoothness, f0.x), std::max(smoothness, f0.y), std::max(smoothness, f0.z)};
-    Vec3f fresnel = f0 + (edge - f0) * grazing;
+    const Coat coat = coat_of(m, s.texture.albedo, s.texture.roughness);
+    Vec3f fresnel = coat.at(facing);
     if (m.mirror > 0) fresnel = lerp(fresnel, Vec3f{0.92f, 0.93f, 0.92f}, m.mirror);
 
     Response r;
@@ -32,14 +41,11 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
         r.shine = fresnel;
         return r;
     }
-    const float mirrored = mirrored_share(s.texture.roughness, m.metal);
-    base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, mirrored));
-    r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - mirrored));
+    base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp));
+    r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
     r.behind = base * m.transmission;
-    r.shine = fresnel * mirrored;
-    if (mirrored <= 0) return r;
-    r.alpha = s.texture.roughness * s.texture.roughness;
-    if (r.alpha <= 1e-3f) r.alpha = 0;
+    r.shine = fresnel * coat.sharp;
+    if (coat.sharp > 0) r.alpha = coat.alpha;
     return r;
 }
 
@@ -58,14 +64,9 @@ Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
 
 Vec3f mean_reflectance(const Material& m, Vec3f albedo) {
     if (m.mirror > 0.5f) return Vec3f{0.92f, 0.93f, 0.92f};
-    // Schlick's formula, averaged over the hemisphere by the cosine: its fifth power becomes 1/21.
-    const Vec3f f0 = lerp(Vec3f{m.specular, m.specular, m.specular}, albedo, m.metal);
-    const float smoothness = 1.f - m.roughness;
-    Vec3f fresnel;
-    for (std::size_t a = 0; a < 3; ++a) fresnel[a] = f0[a] + (std::max(smoothness, f0[a]) - f0[a]) / 21;
-    const float mirrored = mirrored_share(m.roughness, m.metal);
-    const Vec3f base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, mirrored)));
-    return base + fresnel * std::lerp(kMattCoat, 1.f, mirrored);
+    const Coat coat = coat_of(m, albedo, m.roughness);
+    const Vec3f fresnel = coat.mean(), base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp)));
+    return base + fresnel * std::lerp(kMattCoat, 1.f, coat.sharp);
 }
 
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {

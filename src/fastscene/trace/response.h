@@ -26,6 +26,16 @@ Pane pane_of(const SurfacePointInfo& surface, Vec3f direction);
 // What the color of glass leaves of the light that comes through.
 Vec3f dye_of(const SurfacePointInfo& surface);
 
+// What mirrors on top of a surface: Schlick's approximation, less steep at grazing angles where it is rough.
+struct Coat {
+    Vec3f across, grazing;   // what is mirrored straight on, and at a grazing angle
+    float sharp = 0;         // the share of it that is mirrored; the rest is spread evenly
+    float alpha = 0;         // width of the mirror cone; 0: a perfect mirror
+    Vec3f at(float facing) const;   // facing: cosine to the normal
+    Vec3f mean() const;             // over the hemisphere, by the cosine
+};
+Coat coat_of(const Material& material, Vec3f albedo, float roughness);
+
 // What a surface of this albedo sends back of even light, the coat's share included: for light on its second way.
 Vec3f mean_reflectance(const Material& material, Vec3f albedo);
 
@@ -36,6 +46,7 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out);
 // The radiance towards -direction of the sun in a glossy surface, whose disc no ray meets by chance; `sun`: its irradiance there. Surfaces smoother
 // than `least_alpha` spread it as if they were that rough, so that no pixel sparkles; a perfect mirror shows none.
 inline constexpr float kSharpestSun = 0.1f;   // least_alpha of what a camera sees
+inline constexpr float kWideSun = 0.2f;       // and of what lights the rest of the room: few paths meet a sharper glint
 Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha);
 // Cosine-weighted direction about n; u in [0, 1)^2.
 Vec3f cosine_direction(Vec3f n, Vec2f u);

@@ -379,6 +379,33 @@ TEST(Trace, ShadowEdgesAreNotRagged) {
     EXPECT_LT(std::sqrt(squares / edge), 0.05);   // 0.059 where they are believed
 }
 
+// Edges of a pattern on one surface, evenly lit: pixels on them hold the shares of both colors.
+TEST(Trace, EdgesOfPatternsAreNotRagged) {
+    Material squares = diffuse({0.9f, 0.9f, 0.9f}, {1, 1, 1});
+    squares.pattern = Pattern::checker;
+    squares.color_b = {0.2f, 0.2f, 0.2f};
+    squares.scale_m = 0.31f;
+    TracedRoom traced(empty_room(squares));
+    traced.gather_light(quick(), {});
+    constexpr int kSide = 96;
+    const float lean = 0.13f;
+    const Rigid down{Mat3f::from_columns({std::cos(lean), 0, -std::sin(lean)}, {-std::sin(lean), 0, -std::cos(lean)}, {0, 1, 0}), {}};
+    const auto picture = [&](const ShotParts& parts) { return traced.perspective(down, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color; };
+    const ImageColor seen = picture({.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f}),
+                     wanted = picture({.color = true, .range = false, .pixel_samples = 256, .radiance = true});
+    float low = 1e9f, high = 0;
+    for (const Vec3f& c : wanted.pixels) low = std::min(low, luminance(c)), high = std::max(high, luminance(c));
+    double squared = 0, edge = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const float is = (luminance(seen.pixels[i]) - low) / (high - low), should_be = (luminance(wanted.pixels[i]) - low) / (high - low);
+        if (!(should_be > 0.05f && should_be < 0.9f)) continue;
+        squared += (is - should_be) * (is - should_be);
+        ++edge;
+    }
+    ASSERT_GT(edge, 2 * kSide);
+    EXPECT_LT(std::sqrt(squared / edge), 0.04);   // 0.056 where first rays that agree are believed
+}
+
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
     TracedRoom room(furnished_room());
     room.gather_light(quick(), {});
