@@ -67,11 +67,11 @@ int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
     return best;
 }
 
-Vec3f IrradianceCache::near(Vec3f position, Vec3f normal, float sun) const {
+IrradianceCache::Near IrradianceCache::near(Vec3f position, Vec3f normal) const {
     const int c = nearest(position, normal);
     if (c < 0) return {};
     const Cell& cell = cells_[static_cast<std::size_t>(c)];
-    return cell.direct + cell.indirect + cell.sun * sun;
+    return {cell.direct + cell.indirect, cell.sun};
 }
 
 IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) const {

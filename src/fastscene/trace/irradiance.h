@@ -35,8 +35,11 @@ class IrradianceCache {
         float trust = 0;
     };
     Reading read(Vec3f position, Vec3f normal) const;
-    // From the nearest entry only: for light that bounces, many times over. `sun`: what share of the sun's is wanted.
-    Vec3f near(Vec3f position, Vec3f normal, float sun) const;
+    // From the nearest entry only: for light that bounces, many times over.
+    struct Near {
+        Vec3f light, sun;   // irradiance without the sun's own, and the sun's
+    };
+    Near near(Vec3f position, Vec3f normal) const;
     std::size_t size() const { return cells_.size(); }
 
     // A bit of surface.
@@ -102,7 +105,7 @@ class IrradianceCache {
     struct Pass;
     void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress, Pass& pass);
     void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress);
-    Vec3f sent_on(const Room& room, const SunPatch& patch, const SunPlace& shining, Vec3f direction) const;
+    Vec3f sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
     Vec3f sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;

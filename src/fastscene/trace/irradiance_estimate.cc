@@ -26,13 +26,6 @@ std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f
     return hit ? static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(hit.mesh)].material) : 0;
 }
 
-// Radiance along `direction` by the sun's irradiance, of what the coat mirrors: as paths have it (sun_glint).
-Vec3f mirrored_sun(const Coat& coat, const Sky& sky, Vec3f normal, Vec3f direction) {
-    const float cosine = dot(normal, sky.sun_dir), facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
-    if (!(coat.sharp > 0 && coat.alpha > 0 && cosine > 0)) return {};
-    return coat.at(facing) * (coat.sharp * ggx_density(normal, std::max(coat.alpha, kWideSun), direction, sky.sun_dir) / cosine);
-}
-
 }  // namespace
 
 // Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room that see it:
@@ -78,14 +71,9 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
         sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) + luminance(patch.leaving) * patch.area * patch.useful);
 }
 
-// The radiance of a place in the sun, seen along `direction`. What its coat mirrors goes where a mirror would send it: the floor before a row of lacquered
-// fronts in the sun is a quarter brighter than even light would have it.
-Vec3f IrradianceCache::sent_on(const Room& room, const SunPatch& patch, const SunPlace& shining, Vec3f direction) const {
-    const float through = room.materials[shining.material].transmission;
-    const Coat& coat = coats_[shining.material];
-    const Vec3f even = (reflectances_[shining.material] - coat.mean() * coat.sharp) * (1 / kPi);
-    if (patch.behind) return patch.sun * even * through;
-    return patch.sun * (even * (1.f - through) + mirrored_sun(coat, room.sky, shining.at.normal, direction));
+// The cache's own word for it: textures evened out.
+Vec3f IrradianceCache::sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const {
+    return sun_sent_on(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission, normal, direction, behind);
 }
 
 // What arrives from one sunlit patch, drawn by its power and usefulness.
@@ -106,7 +94,7 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
     const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return sent_on(room, patch, shining, direction) * (here * there / d2 * patch.area / chance);
+    return patch.sun * sent_on(room, shining.material, shining.at.normal, direction, patch.behind) * (here * there / d2 * patch.area / chance);
 }
 
 Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which, Vec2f uv) const {
@@ -124,11 +112,12 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     Vec3f normal = shading_normal(mesh, hit);
     if (hit.back) normal = -normal;
     const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
+    const auto material = static_cast<std::size_t>(mesh.material);
+    const Near front = near(p, normal), behind = m.transmission > 0 ? near(p, -normal) : Near{};
+    Vec3f irradiance = reflectances_[material] * (front.light * (1.f - m.transmission) + behind.light * m.transmission);
     // The sun's first bounce has been asked directly, unless it is close by.
-    const float sun = hit.distance <= kNearSun * cell_m_ ? 1.f : 0.f;
-    Vec3f arriving = near(p, normal, sun) * (1.f - m.transmission);
-    if (m.transmission > 0) arriving += near(p, -normal, sun) * m.transmission;
-    Vec3f irradiance = reflectances_[static_cast<std::size_t>(mesh.material)] * arriving;
+    if (hit.distance <= kNearSun * cell_m_)
+        irradiance += (front.sun * sent_on(room, material, normal, direction, false) + behind.sun * sent_on(room, material, normal, direction, true)) * kPi;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
     return {irradiance, hit.distance, false};
 }

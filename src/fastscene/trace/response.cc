@@ -92,6 +92,16 @@ Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response&
     return response.shine * sun * (ggx_density(surface.bumped, std::max(response.alpha, least_alpha), direction, sky.sun_dir) / cosine);
 }
 
+Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal, Vec3f direction, bool behind) {
+    const Vec3f even = (reflectance - coat.mean() * coat.sharp) * (1 / kPi);
+    if (behind) return even * transmission;
+    const float cosine = dot(normal, sky.sun_dir), facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
+    Vec3f mirrored{};
+    if (coat.sharp > 0 && coat.alpha > 0 && cosine > 0)
+        mirrored = coat.at(facing) * (coat.sharp * ggx_density(normal, std::max(coat.alpha, kWideSun), direction, sky.sun_dir) / cosine);
+    return even * (1.f - transmission) + mirrored;
+}
+
 Vec3f cosine_direction(Vec3f n, Vec2f u) {
     Vec3f s, t;
     make_frame(n, s, t);

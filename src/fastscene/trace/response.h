@@ -48,6 +48,9 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out);
 inline constexpr float kSharpestSun = 0.1f;   // least_alpha of what a camera sees
 inline constexpr float kWideSun = 0.2f;       // and of what lights the rest of the room: few paths meet a sharper glint
 Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha);
+// The radiance towards -direction, per unit of the sun's irradiance on it, of a surface that no camera looks at: evenly, and as a mirror of its gloss would.
+// The floor before a row of lacquered fronts in the sun is a quarter brighter than even light would have it. `behind`: a sheet's far side.
+Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal, Vec3f direction, bool behind);
 // Cosine-weighted direction about n; u in [0, 1)^2.
 Vec3f cosine_direction(Vec3f n, Vec2f u);
 

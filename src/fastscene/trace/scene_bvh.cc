@@ -46,6 +46,8 @@ bool visit_triangle(RTCPointQueryFunctionArguments* args) {
     return true;
 }
 
+constexpr float kBeyondGlass_m = 1e-4f;
+
 }  // namespace
 
 struct SceneBvh::Impl {
@@ -54,6 +56,7 @@ struct SceneBvh::Impl {
     // And once more without clear glass, where there is any: what light meets.
     RTCScene scene = nullptr, watertight = nullptr, lit = nullptr;
     std::vector<Corners> meshes;
+    std::vector<bool> clear;   // by mesh
     ~Impl() {
         if (scene) rtcReleaseScene(scene);
         if (watertight) rtcReleaseScene(watertight);
@@ -70,8 +73,8 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     impl_->scene = rtcNewScene(impl_->device);
     impl_->watertight = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->watertight, RTC_SCENE_FLAG_ROBUST);
-    const auto clear = [&](const Mesh& mesh) { return is_clear(room.materials[static_cast<std::size_t>(mesh.material)]); };
-    if (std::any_of(room.meshes.begin(), room.meshes.end(), clear)) {
+    for (const Mesh& mesh : room.meshes) impl_->clear.push_back(is_clear(room.materials[static_cast<std::size_t>(mesh.material)]));
+    if (std::find(impl_->clear.begin(), impl_->clear.end(), true) != impl_->clear.end()) {
         impl_->lit = rtcNewScene(impl_->device);
     } else {
         impl_->lit = impl_->scene;
@@ -94,7 +97,7 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
         std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
         rtcCommitGeometry(geometry);
         for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
-        if (impl_->lit != impl_->scene && !clear(mesh)) rtcAttachGeometryByID(impl_->lit, geometry, static_cast<unsigned>(m));
+        if (impl_->lit != impl_->scene && !impl_->clear[m]) rtcAttachGeometryByID(impl_->lit, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
         for (std::size_t t = 0; t < count; ++t)
             impl_->meshes[m].push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
@@ -113,9 +116,19 @@ RayHit SceneBvh::Impl::first(RTCScene among, Vec3f origin, Vec3f direction, floa
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(among, &context, &ray);
     // Few rays leave a room, and those that seem to may have met an edge.
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) rtcIntersect1(watertight, &context, &ray);
+    const auto none = [&] { return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID; };
+    if (none()) {
+        rtcIntersect1(watertight, &context, &ray);
+        // That tree has the clear glass, too.
+        while (among == lit && among != scene && !none() && clear[ray.hit.geomID]) {
+            ray.ray.tnear = ray.ray.tfar + kBeyondGlass_m;
+            ray.ray.tfar = far_m;
+            ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(watertight, &context, &ray);
+        }
+    }
     RayHit hit;
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+    if (none()) return hit;
     hit.distance = ray.ray.tfar;
     hit.mesh = static_cast<int>(ray.hit.geomID);
     hit.triangle = static_cast<int>(ray.hit.primID);

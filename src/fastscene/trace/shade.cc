@@ -33,14 +33,14 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         return {behind.light * dye, behind.rest * dye, hit};
     }
     // Between cells, or a polished floor would show them.
-    const auto lit = [&](Vec3f normal) {
-        const IrradianceCache::Reading reading = scene.light.read(s.position, normal);
-        return reading.irradiance + reading.sun * scene.room.look.sun_seen;
-    };
-    Vec3f front = lit(s.normal), back{};
-    if (m.transmission > 0) back = lit(-s.normal);
-    return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission,
-            mean_reflectance(m, s.texture.albedo) * (front * (1.f - m.transmission) + back * m.transmission) * (1.f / kPi), hit};
+    const IrradianceCache::Reading front = scene.light.read(s.position, s.normal),
+                                   back = m.transmission > 0 ? scene.light.read(s.position, -s.normal) : IrradianceCache::Reading{};
+    const Vec3f reflectance = mean_reflectance(m, s.texture.albedo);
+    const Coat coat = m.mirror > 0.5f ? Coat{} : coat_of(m, s.texture.albedo, s.texture.roughness);
+    const auto sent_on = [&](bool behind) { return sun_sent_on(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind); };
+    const Vec3f even = reflectance * (front.irradiance * (1.f - m.transmission) + back.irradiance * m.transmission) * (1.f / kPi),
+                sun = front.sun * sent_on(false) + back.sun * sent_on(true);
+    return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission, even + sun * scene.room.look.sun_seen, hit};
 }
 
 // What a glossy surface mirrors, by one ray into its mirror cone and one to a lamp or window, each weighed by how well it finds

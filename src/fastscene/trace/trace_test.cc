@@ -11,6 +11,7 @@
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
+#include "fastscene/trace/response.h"
 #include "fastscene/trace/sky.h"
 #include "fastscene/trace/test_room.h"
 #include "fastscene/trace/texture.h"
@@ -432,6 +433,23 @@ TEST(Trace, NoRayLeavesAClosedRoom) {
         lost += std::isinf(room.distance(from, normalize(to - from)));
     }
     EXPECT_EQ(lost, 0);
+}
+
+// What no surface stops is asked for again among all triangles: a pane on the way to a window is none that light meets.
+TEST(Trace, LightLeavesThroughPanes) {
+    Material pane = diffuse({1, 1, 1});
+    pane.transmission = 0.92f;
+    pane.roughness = 0.05f;
+    ASSERT_TRUE(is_clear(pane));
+    Room room = empty_room(diffuse({0.5f, 0.5f, 0.5f}));
+    room.materials.push_back(pane);
+    room.meshes = {box({-2, 1.4f, -2.5f}, {2, 1.5f, 2.5f}, false, 0), box({-1, -1, 1}, {1, 1, 1.01f}, false, 1)};
+    const SceneBvh bvh(room);
+    const RayHit seen = bvh.first_hit({}, {0, 0, 1});
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(seen.mesh, 1);
+    EXPECT_FALSE(bvh.first_lit({}, {0, 0, 1}));
+    EXPECT_EQ(bvh.first_lit({0, 0, 2}, normalize(Vec3f{0, 1, -1})).mesh, 0);
 }
 
 TEST(Trace, ClearanceIsZeroInsideAndTheDistanceOutside) {
