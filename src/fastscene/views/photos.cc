@@ -11,6 +11,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/views/photo_picture.h"
 #include "fastscene/views/spacing.h"
+#include "fastscene/views/sweep.h"
 
 namespace fastscene {
 namespace {
@@ -117,6 +118,31 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
     return out;
 }
 
+// Where the capture has none: from what its views agree on, else by lot.
+void make_up_points(const Capture& capture, const PhotosParams& params, PhotoViews& views, const Run& run) {
+    const std::string why = capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";
+    const double spread = radius_of({capture.source, capture.photos, {}, {}}, median_place(capture.photos)) * views.world_from_capture.scale;
+    if (const auto reach = static_cast<float>(spread); reach > 0) {
+        // Cameras that look inward stand around what they see, those in a room a step from each other.
+        views.set.points = swept_points(views.set, params.random_points, 0.3f * reach, 60 * reach, run);
+    }
+    if (views.set.points.empty()) {
+        views.set.points = made_up_points(views.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
+        return run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source, why, views.set.points.size()));
+    }
+    run.warn(fmt::format("{}: {}; {} are used on which its pictures agree", capture.source, why, views.set.points.size()));
+    // Only now it is known how large the place is that the cameras see.
+    std::vector<double> distances;
+    for (const SurfacePoint& p : views.set.points) distances.push_back(static_cast<double>(length(p.position_m)));
+    const double radius = median(std::move(distances));
+    if (radius >= kSmallest_m && radius <= kLargest_m) return;
+    const double factor = kRoom_m / radius;
+    views.world_from_capture.scale *= factor;
+    views.world_from_capture.translation = views.world_from_capture.translation * factor;
+    for (View& view : views.set.views) view.world_from_camera.translation = view.world_from_camera.translation * static_cast<float>(factor);
+    for (SurfacePoint& p : views.set.points) p.position_m = p.position_m * static_cast<float>(factor), p.radius_m *= static_cast<float>(factor);
+}
+
 // `why`: of each view what was wrong with its picture, or nothing. A few damaged ones are left out; most of them wrong is a mistake that the
 // result would hide.
 void leave_out_unusable(const Capture& capture, const std::vector<std::string>& why, std::vector<View>& views, const Run& run) {
@@ -198,13 +224,7 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     check_something_counts(capture, params, out.set.views);
     out.up = length(up) > 0.1f * static_cast<float>(out.set.views.size()) ? normalize(up) : Vec3f{0, -1, 0};
     out.set.points = sized_points(capture, out.world_from_capture, run);
-    if (out.set.points.empty()) {
-        const double spread = radius_of({capture.source, capture.photos, {}, {}}, median_place(capture.photos)) * out.world_from_capture.scale;
-        out.set.points = made_up_points(out.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
-        const std::string why =
-            capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";
-        run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source, why, out.set.points.size()));
-    }
+    if (out.set.points.empty()) make_up_points(capture, params, out, run);
     return out;
 }
 

@@ -26,7 +26,7 @@ void visit_fields(PhotosParams& p, V&& v) {
     v("downscale", p.downscale, Bounds{1, 32}, "Pictures this many times smaller; images_2, images_4 … are taken where they are.");
     v("alpha", p.alpha, Choices{{"black", "mask"}}, "Transparent pixels are black, or do not count.");
     v("invert-masks", p.invert_masks, "White in a mask means: does not count.");
-    v("random-points", p.random_points, Bounds{1, 1e7}, "Starting points made up where the capture has none.");
+    v("random-points", p.random_points, Bounds{1, 1e7}, "Starting points where the capture has none: on what its pictures agree, else by lot.");
 }
 
 // A capture in the trainer's units: world_from_capture makes the seen place a few metres large around the origin, so that neither
