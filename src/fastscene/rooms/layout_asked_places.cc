@@ -12,8 +12,6 @@ namespace {
 // Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of it.
 bool stands_at_walls(const Piece& piece) { return piece.against_wall && piece.size_m.y > (lies_along_wall(piece.klass) ? 1.f : 1.4f); }
 
-bool is_opening_of_shell(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
-
 }  // namespace
 
 // Room for what was asked for at it, and for those that stand in a row with it.
@@ -48,7 +46,7 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
         return ask.relation == "in the middle" ? l_.lay({0, 0}, 0, sized, wish) : std::nullopt;
     }
     // Lights, leaves and pennants around a window hang along its upper edge.
-    if (is_one_of(wish.klass, {"string_lights", "garland", "bunting"}) && is_opening_of_shell(ask.at) && ask.relation != "opposite")
+    if (is_one_of(wish.klass, {"string_lights", "garland", "bunting"}) && ask.relation != "opposite")
         for (const Opening& o : l_.plan().openings) {
             if (!is_opening_of(o, ask.at)) continue;
             PieceRequest strand = r;

@@ -11,36 +11,10 @@ namespace {
 bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
 // Hangs where it is asked to: what stands below it is placed first.
 bool is_hung(std::string_view klass) {
-    return is_one_of(klass, {"picture",
-                             "mirror",
-                             "shelf",
-                             "picture_ledge",
-                             "clock",
-                             "wall_lamp",
-                             "neon_sign",
-                             "whiteboard",
-                             "chalkboard",
-                             "pin_board",
-                             "tapestry",
-                             "macrame",
-                             "flag",
-                             "antlers",
-                             "deer_head",
-                             "world_map",
-                             "dartboard",
-                             "chandelier",
-                             "pendant_lamp",
-                             "ceiling_lamp",
-                             "ceiling_fan",
-                             "paper_lantern",
-                             "bulb_pendant",
-                             "track_light",
-                             "disco_ball",
-                             "hanging_plant",
-                             "bunting",
-                             "garland",
-                             "christmas_stocking",
-                             "coat_hooks"});
+    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "wall_lamp", "neon_sign", "whiteboard", "chalkboard",
+                             "pin_board", "tapestry", "macrame", "flag", "antlers", "deer_head", "world_map", "dartboard", "chandelier",
+                             "pendant_lamp", "ceiling_lamp", "ceiling_fan", "paper_lantern", "bulb_pendant", "track_light", "disco_ball",
+                             "hanging_plant", "bunting", "garland", "christmas_stocking", "coat_hooks"});
 }
 
 }  // namespace

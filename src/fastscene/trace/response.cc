@@ -86,20 +86,25 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
     return a2 / (kPi * k * k) * c / (4 * o);
 }
 
+namespace {
+
+// How a mirror cone, no narrower than `least_alpha`, spreads the sun towards -direction, per unit of its irradiance. None of a perfect mirror.
+float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, Vec3f direction) {
+    const float cosine = dot(normal, sky.sun_dir);
+    return alpha > 0 && cosine > 0 ? ggx_density(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine : 0.f;
+}
+
+}  // namespace
+
 Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha) {
-    const float cosine = dot(surface.bumped, sky.sun_dir);
-    if (!(response.alpha > 0 && cosine > 0)) return {};
-    return response.shine * sun * (ggx_density(surface.bumped, std::max(response.alpha, least_alpha), direction, sky.sun_dir) / cosine);
+    return response.shine * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
 }
 
 Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal, Vec3f direction, bool behind) {
     const Vec3f even = (reflectance - coat.mean() * coat.sharp) * (1 / kPi);
     if (behind) return even * transmission;
-    const float cosine = dot(normal, sky.sun_dir), facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
-    Vec3f mirrored{};
-    if (coat.sharp > 0 && coat.alpha > 0 && cosine > 0)
-        mirrored = coat.at(facing) * (coat.sharp * ggx_density(normal, std::max(coat.alpha, kWideSun), direction, sky.sun_dir) / cosine);
-    return even * (1.f - transmission) + mirrored;
+    const float facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
+    return even * (1.f - transmission) + coat.at(facing) * (coat.sharp * sun_spread(sky, normal, coat.alpha, kWideSun, direction));
 }
 
 Vec3f cosine_direction(Vec3f n, Vec2f u) {
