@@ -7,6 +7,7 @@
 
 #include "fastscene/nn/aotgan_losses.h"
 #include "fastscene/nn/aotgan_net.h"
+#include "fastscene/nn/aotgan_widen.h"
 #include "fastscene/nn/precision.h"
 #include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/training.h"
@@ -135,7 +136,14 @@ class Trainer {
         const Start fresh = [kernels, nothing](const std::string& key, at::IntArrayRef shape) {
             return nothing && key == "decoder.4.weight" ? at::zeros(shape) : kernels(key, shape);
         };
-        return params.start.empty() ? fresh : start_from(load_weights(params.start), "encoder.1.weight", fresh);
+        if (params.start.empty()) return fresh;
+        return start_from(as_wide(unwrapped(load_weights(params.start), "encoder.1.weight"), params.width, seed), "encoder.1.weight", fresh);
+    }
+    // A narrower generator is widened where that goes without a rest; others are told where they do not fit.
+    static Weights as_wide(Weights weights, std::int64_t width, std::uint64_t seed) {
+        if (!weights.has("encoder.1.weight")) return weights;
+        const AotganShape found = aotgan_shape(weights);
+        return found.width < width && width % found.width == 0 ? widened(weights, found, width / found.width, seed) : weights;
     }
 
     Batch draw(Random& dice) const {
