@@ -6,6 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/walk/vector_trig.h"
 
 namespace fastscene {
 namespace {
@@ -15,10 +16,21 @@ struct Angles {
     std::vector<double> sine, cosine;
     template <class AngleOf>
     Angles(int n, AngleOf angle_of) : sine(static_cast<std::size_t>(n)), cosine(static_cast<std::size_t>(n)) {
-        for (int i = 0; i < n; ++i) {
-            sine[static_cast<std::size_t>(i)] = std::sin(angle_of(i));
-            cosine[static_cast<std::size_t>(i)] = std::cos(angle_of(i));
-        }
+        std::vector<double> angle(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i) angle[static_cast<std::size_t>(i)] = angle_of(i);
+        sines(angle, sine);
+        cosines(angle, cosine);
+    }
+};
+
+// Unit directions of a picture's pixels.
+struct OfficialDirections {
+    Angles row, column;
+    OfficialDirections(int width, int height)
+        : row(height, [&](int y) { return (1 - 2.0 * y / height) * std::numbers::pi / 2; }),
+          column(width, [&](int x) { return 2 * std::numbers::pi * (0.5 - static_cast<double>(x) / width); }) {}
+    Vec3d at(std::size_t x, std::size_t y) const {
+        return {row.cosine[y] * column.cosine[x], row.sine[y], -(row.cosine[y] * column.sine[x])};
     }
 };
 
@@ -35,32 +47,42 @@ double PublishedWarp::hole_ratio() const {
 }
 
 Image<Vec3d> published_directions(int width, int height) {
-    const Angles row(height, [&](int y) { return (1 - 2.0 * y / height) * std::numbers::pi / 2; });
-    const Angles column(width, [&](int x) { return 2 * std::numbers::pi * (0.5 - static_cast<double>(x) / width); });
+    const OfficialDirections direction(width, height);
     Image<Vec3d> out(width, height);
     for (std::size_t y = 0, i = 0; y < static_cast<std::size_t>(height); ++y)
-        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, ++i)
-            out.pixels[i] = {row.cosine[y] * column.cosine[x], row.sine[y], -(row.cosine[y] * column.sine[x])};
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x, ++i) out.pixels[i] = direction.at(x, y);
     return out;
 }
 
 PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range, Vec3d move) {
     FASTSCENE_CHECK(color.same_size(range));
     const int w = color.width, h = color.height;
-    const Image<Vec3d> direction = published_directions(w, h);
+    const OfficialDirections direction(w, h);
     Image<Landing> landing(w, h);
     parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
-        for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y)
-            for (std::size_t x = 0; x < static_cast<std::size_t>(w); ++x) {
-                const std::size_t i = y * static_cast<std::size_t>(w) + x;
-                const Vec3d p = direction.pixels[i] * range.pixels[i] - move;
-                const double far = length(p);
-                const Vec3d to = p / far;
-                const double theta = std::atan2(to.y, std::sqrt(to.x * to.x + to.z * to.z)), phi = std::atan2(-to.z, to.x);
-                const double ty = std::floor((0.5 - theta / std::numbers::pi) * h), tx = std::floor((0.5 - phi / (2 * std::numbers::pi)) * w);
-                if (far > 0 && ty > 0 && ty < h && tx > 0 && tx < w)
-                    landing.pixels[i] = {static_cast<std::int32_t>(ty) * w + static_cast<std::int32_t>(tx), far};
+        const auto columns = static_cast<std::size_t>(w);
+        // Of a row: where its pixels lie seen from the new position, and at which angles.
+        std::vector<double> far(columns), up(columns), flat(columns), ahead(columns), left(columns), theta(columns), phi(columns);
+        for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y) {
+            Landing* const row = &landing.pixels[y * columns];
+            for (std::size_t x = 0; x < columns; ++x) {
+                const std::size_t i = y * columns + x;
+                const Vec3d p = direction.at(x, y) * range.pixels[i] - move;
+                far[x] = length(p);
+                const Vec3d to = p / far[x];
+                up[x] = to.y;
+                flat[x] = std::sqrt(to.x * to.x + to.z * to.z);
+                ahead[x] = to.x;
+                left[x] = -to.z;
             }
+            arc_tangents(up, flat, theta);
+            arc_tangents(left, ahead, phi);
+            for (std::size_t x = 0; x < columns; ++x) {
+                const double ty = std::floor((0.5 - theta[x] / std::numbers::pi) * h), tx = std::floor((0.5 - phi[x] / (2 * std::numbers::pi)) * w);
+                if (far[x] > 0 && ty > 0 && ty < h && tx > 0 && tx < w)
+                    row[x] = {static_cast<std::int32_t>(ty) * w + static_cast<std::int32_t>(tx), far[x]};
+            }
+        }
     });
     PublishedWarp out{ImageRgb8(w, h, Rgb8{255, 255, 255}), Image<double>(w, h), Image<std::int32_t>(w, h, kNoSource)};
     for (std::size_t i = 0; i < landing.size(); ++i) {
