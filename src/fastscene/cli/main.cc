@@ -41,7 +41,7 @@ void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
 }
 
 int usage(const std::string& text) {
-    std::cerr << "fastscene: " << text << std::endl;
+    std::cerr << "fastscene: " << printable(text) << std::endl;
     return 2;
 }
 
@@ -61,7 +61,7 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
     ProgressDisplay display(std::cerr, progress_style(common.progress, ::isatty(STDERR_FILENO) == 1));
     const auto fail = [&](const std::string& text, int code) {
         display.end_line();
-        std::cerr << "fastscene: " << text << std::endl;
+        std::cerr << "fastscene: " << printable(text) << std::endl;
         return code;
     };
     try {

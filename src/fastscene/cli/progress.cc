@@ -33,6 +33,18 @@ ProgressStyle progress_style(const std::string& name, bool is_terminal) {
     throw UsageError("--progress: expected auto, plain, json or none, found \"{}\"", name);
 }
 
+std::string printable(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]), next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : std::uint8_t{0};
+        const bool second_set = byte == 0xc2 && next >= 0x80 && next < 0xa0;  // control characters too, in UTF-8
+        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f || second_set) out += fmt::format("\\x{:02x}", second_set ? next : byte);
+        else out += text[i];
+        i += second_set;
+    }
+    return out;
+}
+
 void ProgressDisplay::tell(const Event& event) {
     const std::lock_guard guard(mutex_);
     if (const auto* progress = std::get_if<ProgressEvent>(&event)) show(*progress);
@@ -50,7 +62,7 @@ void ProgressDisplay::say(const std::string& kind, const std::string& text) {
     if (style_ == ProgressStyle::json)
         out_ << Json{{"event", kind}, {"text", text}}.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
     else
-        out_ << (kind == "note" ? "" : kind + ": ") << text << std::endl;
+        out_ << (kind == "note" ? "" : kind + ": ") << printable(text) << std::endl;
 }
 
 // The work is taken to go on as fast as it went so far.

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 #include "fastscene/base/events.h"
 
@@ -15,6 +16,9 @@ namespace fastscene::cli {
 enum class ProgressStyle { line, plain, json, none };
 // Throws UsageError for an unknown name; "auto" is a line on a terminal, plain lines elsewhere.
 ProgressStyle progress_style(const std::string& name, bool is_terminal);
+
+// Messages quote damaged files: bytes that would move the cursor or color the terminal are shown as \x1b.
+std::string printable(std::string_view text);
 
 class ProgressDisplay : public EventSink {
   public:

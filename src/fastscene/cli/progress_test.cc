@@ -66,6 +66,12 @@ TEST(Progress, TheRewrittenLineIsLeftBeforeOtherTextAndWipesWhatWasLonger) {
     EXPECT_EQ(text.back(), '\n');
 }
 
+TEST(Progress, WhatFilesSayDoesNotReachTheTerminalAsOrders) {
+    std::ostringstream out;
+    ProgressDisplay(out, ProgressStyle::plain).tell(WarningEvent{"a\x1b[2J\rb\x7f\xc2\x9b" "31m \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6"});
+    EXPECT_EQ(out.str(), "warning: a\\x1b[2J\\x0db\\x7f\\x9b31m \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6\n");
+}
+
 TEST(Progress, UnknownStylesAreRefused) {
     EXPECT_EQ(progress_style("auto", true), ProgressStyle::line);
     EXPECT_EQ(progress_style("auto", false), ProgressStyle::plain);

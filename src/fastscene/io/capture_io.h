@@ -18,7 +18,8 @@ struct CaptureFolders {
 // DIR holds images/ and the model in sparse/0, sparse or itself. Throws Error naming the file, the byte or line, what was expected and
 // found; pictures are not opened.
 Capture load_colmap_capture(const std::filesystem::path& dir, const CaptureFolders& folders);
-// A transforms.json, or the folder that holds one. Its cameras look along -z with y up; here they look along z with y down.
+// A transforms.json, or the folder that holds one (or NeRF's transforms_train.json). Its cameras look along -z with y up; here they look
+// along z with y down. Poses and points are taken as they are: nerfstudio has applied its applied_transform to both.
 Capture load_nerfstudio_capture(const std::filesystem::path& file, const CaptureFolders& folders);
 
 // Cameras, poses and names of a model alone: text or binary, in exactly this folder.

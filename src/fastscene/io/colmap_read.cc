@@ -212,20 +212,44 @@ bool is_colmap_model(const fs::path& dir) {
     return has("cameras") && has("images");
 }
 
+namespace {
+
+fs::path part_of(const fs::path& model, const char* part, const char* ending) { return model / (std::string(part) + ending); }
+
 // The binary files where both are there, as COLMAP itself does.
+bool is_binary(const fs::path& model) { return fs::exists(part_of(model, "cameras", ".bin")) && fs::exists(part_of(model, "images", ".bin")); }
+
+std::vector<Photo> photos_of_model(const fs::path& model) {
+    if (is_binary(model)) return photos_of_binary(part_of(model, "images", ".bin"), cameras_of_binary(part_of(model, "cameras", ".bin")));
+    return photos_of_text(part_of(model, "images", ".txt"), cameras_of_text(part_of(model, "cameras", ".txt")));
+}
+
+// Where few pictures overlap the mapper leaves several models, 0, 1 …, and the first need not be the largest.
+std::string larger_model_beside(const fs::path& model, std::size_t photos) {
+    std::string said;
+    for (int number = 1; is_colmap_model(model.parent_path() / std::to_string(number)); ++number) try {
+            const fs::path other = model.parent_path() / std::to_string(number);
+            const std::size_t there = photos_of_model(other).size();
+            if (there <= photos) continue;
+            photos = there;
+            said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that", model.string(), other.string(), there, other.string());
+        } catch (const Error&) {  // not the one that was asked for
+        }
+    return said;
+}
+
+}  // namespace
+
 Capture load_colmap_model(const fs::path& model) {
-    const auto file = [&](const char* part, const char* ending) { return model / (std::string(part) + ending); };
-    const bool binary = fs::exists(file("cameras", ".bin")) && fs::exists(file("images", ".bin"));
     Capture capture;
     capture.source = model.string();
-    const Cameras cameras = binary ? cameras_of_binary(file("cameras", ".bin")) : cameras_of_text(file("cameras", ".txt"));
-    capture.photos = binary ? photos_of_binary(file("images", ".bin"), cameras) : photos_of_text(file("images", ".txt"), cameras);
-    if (fs::exists(file("points3D", ".bin")) && binary)
-        capture.points = points_of_binary(file("points3D", ".bin"));
-    else if (fs::exists(file("points3D", ".txt")))
-        capture.points = points_of_text(file("points3D", ".txt"));
-    else if (fs::exists(file("points3D", ".ply")))
-        capture.points = points_of_ply(file("points3D", ".ply"));
+    capture.photos = photos_of_model(model);
+    if (const fs::path file = part_of(model, "points3D", ".bin"); is_binary(model) && fs::exists(file))
+        capture.points = points_of_binary(file);
+    else if (const fs::path text = part_of(model, "points3D", ".txt"); fs::exists(text))
+        capture.points = points_of_text(text);
+    else if (const fs::path ply = part_of(model, "points3D", ".ply"); fs::exists(ply))
+        capture.points = points_of_ply(ply);
     sort_by_name(capture.photos);
     return capture;
 }
@@ -240,6 +264,7 @@ Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) 
     if (const auto place = colmap_model_in(dir)) {
         Capture capture = load_colmap_model(*place);
         capture.source = dir.string();
+        if (place->filename() == "0") capture.warning = larger_model_beside(*place, capture.photos.size());
         name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks,
                    folders.downscale);
         return capture;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <optional>
 
 #include "fastscene/base/error.h"
@@ -26,6 +28,7 @@ class Transforms {
         out.source = file_.string();
         std::size_t number = 0;
         for (const Json& frame : json_.at("frames")) out.photos.push_back(photo(frame, fmt::format("frames[{}]", number++)));
+        if (!folders_.images.empty()) check_own_pictures(out.photos);
         if (json_.contains("ply_file_path") && json_.at("ply_file_path").is_string())
             read_points(dir_ / json_.at("ply_file_path").get<std::string>(), out);
         sort_by_name(out.photos);
@@ -52,19 +55,53 @@ class Transforms {
             refuse(where, fmt::format("expected a number as \"{}\", found {}", name, value.dump().substr(0, 40)));
         return value.get<double>();
     }
-    std::optional<std::string> text(const Json& frame, const char* name) const {
+    std::optional<std::string> text(const Json& frame, const std::string& where, const char* name) const {
         const Json* owner = frame.contains(name) ? &frame : json_.contains(name) ? &json_ : nullptr;
-        return owner && owner->at(name).is_string() ? std::optional<std::string>(owner->at(name).get<std::string>()) : std::nullopt;
+        if (!owner || owner->at(name).is_null()) return {};
+        if (!owner->at(name).is_string()) refuse(where, fmt::format("expected a text as \"{}\", found {}", name, owner->at(name).dump().substr(0, 40)));
+        return owner->at(name).get<std::string>();
+    }
+    bool flag(const Json& frame, const char* name) const {
+        const Json* owner = frame.contains(name) ? &frame : json_.contains(name) ? &json_ : nullptr;
+        return owner && owner->at(name) == Json(true);
+    }
+
+    // The name below another folder: with all of its own folders, without the first …, at last alone. Rigs of several cameras have pictures
+    // of the same last name.
+    static std::vector<fs::path> tails(const fs::path& name) {
+        std::vector<fs::path> out;
+        for (auto begin = name.begin(); begin != name.end(); ++begin) {
+            fs::path tail;
+            for (auto part = begin; part != name.end(); ++part)
+                if (*part != "." && *part != ".." && *part != "/") tail /= *part;
+            if (!tail.empty() && (out.empty() || out.back() != tail)) out.push_back(tail);
+        }
+        return out;
+    }
+    static void check_own_pictures(const std::vector<Photo>& photos) {
+        std::map<fs::path, std::string> owners;
+        for (const Photo& photo : photos)
+            if (const auto [owner, is_new] = owners.try_emplace(photo.file, photo.name); !is_new && owner->second != photo.name)
+                throw Error("--images: expected a picture of its own for each frame, found {} for both {} and {}", photo.file.string(), owner->second,
+                            photo.name);
     }
 
     // NeRF's files leave the ending away; smaller copies lie in images_2, images_4 …
     fs::path picture(const std::string& name) const {
         std::vector<fs::path> places;
         const fs::path path(name);
-        if (!folders_.images.empty()) places = {folders_.images / path.filename()};
-        if (folders_.images.empty() && folders_.downscale > 1 && path.has_parent_path())
-            places.push_back(dir_ / (path.parent_path().string() + "_" + std::to_string(folders_.downscale)) / path.filename());
-        if (folders_.images.empty()) places.push_back(dir_ / path);
+        if (!folders_.images.empty()) {
+            for (const fs::path& tail : tails(path)) places.push_back(folders_.images / tail);
+        } else {
+            if (folders_.downscale > 1 && path.has_parent_path()) {
+                const std::string smaller = "_" + std::to_string(folders_.downscale);
+                const fs::path first = *path.begin();
+                places.push_back(dir_ / (path.parent_path().string() + smaller) / path.filename());
+                places.push_back(dir_ / (first.string() + smaller) / path.lexically_relative(first));
+            }
+            places.push_back(dir_ / path);
+        }
+        if (places.empty()) return dir_ / path;
         for (const fs::path& place : places) {
             if (fs::is_regular_file(place)) return place;
             for (const char* ending : kPictureEndings)
@@ -73,16 +110,40 @@ class Transforms {
         return places.back();
     }
 
-    Lens lens(const Json& frame, const std::string& where, const fs::path& file) const {
-        const std::string name = text(frame, "camera_model").value_or("OPENCV");
+    static std::optional<PictureInfo> info_of_picture(const fs::path& file) {
+        try {
+            return picture_info(file);
+        } catch (const Error&) {
+            return {};
+        }
+    }
+    // Of the first picture that can be read: what is missing or damaged will be left out, and its camera is as the others.
+    std::optional<PictureInfo> usual_picture() {
+        const Json& frames = json_.at("frames");
+        for (std::size_t i = 0; i < frames.size() && !usual_picture_; ++i) usual_picture_ = info_of_picture(picture(name_of(frames[i], fmt::format("frames[{}]", i))));
+        return usual_picture_;
+    }
+
+    // nerfstudio's word for the lens, or instant-ngp's flags.
+    std::string lens_name(const Json& frame, const std::string& where) const {
+        for (const char* other : {"ftheta_p0", "orthographic", "equirectangular"})
+            if (frame.contains(other) || json_.contains(other))
+                refuse(where, fmt::format("expected a lens that \"camera_model\" names (EQUIRECTANGULAR for whole spheres), found \"{}\"", other));
+        const auto name = text(frame, where, "camera_model");
+        return name ? *name : flag(frame, "is_fisheye") ? "OPENCV_FISHEYE" : flag(frame, "latlong") ? "EQUIRECTANGULAR" : "OPENCV";
+    }
+
+    Lens lens(const Json& frame, const std::string& where, const fs::path& file) {
+        const std::string name = lens_name(frame, where);
         static constexpr std::array kKnown{"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "PERSPECTIVE", "OPENCV_FISHEYE", "EQUIRECTANGULAR"};
         if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
             refuse(where, fmt::format("expected camera_model {}, found {}", fmt::join(kKnown, ", "), name));
         double width = number(frame, where, "w").value_or(0), height = number(frame, where, "h").value_or(0);
         if (width == 0 || height == 0) {
-            if (!fs::exists(file)) refuse(where, fmt::format("expected w and h, or the picture to ask; found neither w and h nor {}", file.string()));
-            const PictureInfo info = picture_info(file);
-            width = info.width, height = info.height;
+            auto info = info_of_picture(file);
+            if (!info) info = usual_picture();
+            if (!info) refuse(where, fmt::format("expected w and h, or a picture to ask; found neither w and h nor {}", file.string()));
+            width = info->width, height = info->height;
         }
         if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536))
             refuse(where, fmt::format("expected a picture size, found {} x {}", width, height));
@@ -91,15 +152,20 @@ class Transforms {
         if (name == "EQUIRECTANGULAR") return lens.kind = LensKind::equirectangular, lens;
         if (name == "OPENCV_FISHEYE") lens.kind = LensKind::fisheye;
         const auto angle_x = number(frame, where, "camera_angle_x"), angle_y = number(frame, where, "camera_angle_y");
+        const auto fov_x = number(frame, where, "x_fov"), fov_y = number(frame, where, "y_fov");  // degrees
         const auto fl_x = number(frame, where, "fl_x"), fl_y = number(frame, where, "fl_y");
-        lens.fx = fl_x ? *fl_x : angle_x ? width / 2 / std::tan(*angle_x / 2) : fl_y.value_or(0);
-        lens.fy = fl_y ? *fl_y : angle_y ? height / 2 / std::tan(*angle_y / 2) : lens.fx;
+        const auto focal = [](double size, double angle) { return size / 2 / std::tan(angle / 2); };
+        constexpr double kDegree = std::numbers::pi / 180;
+        lens.fx = fl_x ? *fl_x : angle_x ? focal(width, *angle_x) : fov_x ? focal(width, *fov_x * kDegree) : fl_y.value_or(0);
+        lens.fy = fl_y ? *fl_y : angle_y ? focal(height, *angle_y) : fov_y ? focal(height, *fov_y * kDegree) : lens.fx;
         lens.cx = number(frame, where, "cx").value_or(width / 2), lens.cy = number(frame, where, "cy").value_or(height / 2);
         if (!(lens.fx > 0 && lens.fy > 0))
             refuse(where, fmt::format("expected a positive focal length (fl_x, or camera_angle_x), found {}", lens.fx));
         constexpr std::array<const char*, 4> kNames{"k1", "k2", "k3", "k4"};
         for (std::size_t i = 0; i < kNames.size(); ++i)
             if (lens.kind == LensKind::fisheye || i < 3) lens.k[i] = number(frame, where, kNames[i]).value_or(0);
+        if (const double k4 = number(frame, where, "k4").value_or(0); lens.kind == LensKind::perspective && k4 != 0)
+            refuse(where, fmt::format("expected a \"k4\" of 0 for {} (only OPENCV_FISHEYE has a fourth), found {}", name, k4));
         if (lens.kind == LensKind::perspective) lens.p1 = number(frame, where, "p1").value_or(0), lens.p2 = number(frame, where, "p2").value_or(0);
         return lens;
     }
@@ -124,15 +190,21 @@ class Transforms {
         return {matrix_of(quaternion_of(Mat3d::from_columns(right, -up, -back))), place};
     }
 
-    Photo photo(const Json& frame, const std::string& where) const {
+    std::string name_of(const Json& frame, const std::string& where) const {
         if (!frame.is_object() || !frame.contains("file_path") || !frame.at("file_path").is_string()) refuse(where, "expected file_path, found none");
+        std::string name = frame.at("file_path").get<std::string>();
+        if (name.starts_with("./")) name.erase(0, 2);
+        if (name.empty()) refuse(where, "expected file_path, found an empty one");
+        return name;
+    }
+
+    Photo photo(const Json& frame, const std::string& where) {
         Photo out;
-        out.name = frame.at("file_path").get<std::string>();
-        if (out.name.starts_with("./")) out.name.erase(0, 2);
-        if (out.name.empty()) refuse(where, "expected file_path, found an empty one");
+        out.name = name_of(frame, where);
         out.file = picture(out.name);
-        if (const auto mask = text(frame, "mask_path")) out.mask = dir_ / *mask;
-        if (out.mask.empty()) out.mask = mask_for(folders_.masks.empty() ? dir_ / "masks" : folders_.masks, fs::path(out.name).filename().string());
+        if (const auto mask = text(frame, where, "mask_path")) out.mask = dir_ / *mask;
+        for (const fs::path& tail : tails(out.name))
+            if (out.mask.empty()) out.mask = mask_for(folders_.masks.empty() ? dir_ / "masks" : folders_.masks, tail.string());
         out.lens = lens(frame, where, out.file);
         out.world_from_camera = pose(frame, where);
         return out;
@@ -141,12 +213,19 @@ class Transforms {
     fs::path file_, dir_;
     CaptureFolders folders_;
     Json json_;
+    std::optional<PictureInfo> usual_picture_;
 };
+
+// NeRF's synthetic sets come in parts, of which the first is for training.
+fs::path transforms_in(const fs::path& dir) {
+    const fs::path part = dir / "transforms_train.json";
+    return !fs::exists(dir / "transforms.json") && fs::exists(part) ? part : dir / "transforms.json";
+}
 
 }  // namespace
 
 Capture load_nerfstudio_capture(const fs::path& file, const CaptureFolders& folders) {
-    return Transforms(fs::is_directory(file) ? file / "transforms.json" : file, folders).capture();
+    return Transforms(fs::is_directory(file) ? transforms_in(file) : file, folders).capture();
 }
 
 }  // namespace fastscene

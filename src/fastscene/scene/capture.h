@@ -27,6 +27,7 @@ struct Capture {
     std::vector<Photo> photos;   // sorted by name
     std::vector<CapturePoint> points;
     std::filesystem::path missing_points;  // a file that should have held them and is not there
+    std::string warning;         // what its user should hear; empty: nothing
 };
 
 }  // namespace fastscene

@@ -121,7 +121,7 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
 // Where the capture has none: from what its views agree on, else by lot.
 void make_up_points(const Capture& capture, const PhotosParams& params, PhotoViews& views, const Run& run) {
     const std::string why = capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";
-    const double spread = radius_of({capture.source, capture.photos, {}, {}}, median_place(capture.photos)) * views.world_from_capture.scale;
+    const double spread = radius_of({capture.source, capture.photos, {}, {}, {}}, median_place(capture.photos)) * views.world_from_capture.scale;
     if (const auto reach = static_cast<float>(spread); reach > 0) {
         // Cameras that look inward stand around what they see, those in a room a step from each other.
         views.set.points = swept_points(views.set, params.random_points, 0.3f * reach, 60 * reach, run);
@@ -202,6 +202,7 @@ PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params
 
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run) {
     check_fields("", params);
+    if (!capture.warning.empty()) run.warn(capture.warning);
     const std::vector<const Photo*> photos = present_photos(capture, run);
     PhotoViews out;
     out.world_from_capture = world_from_capture(capture);

@@ -450,6 +450,85 @@ TEST(Photos, NerfstudioKnowsColmapsRadialLenses) {
     }
 }
 
+constexpr const char* kSomewhere = R"("transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]])";
+
+// Rigs of several cameras number their pictures alike, each in a folder of its own.
+TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
+    const fs::path dir = scratch("rig");
+    std::string frames;
+    for (const char* name : {"images/cam0/1.png", "images/cam1/1.png"}) {
+        frames += fmt::format("{}{{\"file_path\": \"{}\", {}}}", frames.empty() ? "" : ",", name, kSomewhere);
+        for (const std::string place : {"images", "images_2", "masks"}) {
+            const fs::path file = dir / (place + fs::path(name).string().substr(6));
+            fs::create_directories(file.parent_path());
+            save_png(file, ImageRgb8(4, 2, {1, 2, 3}));
+        }
+    }
+    write_file(dir / "transforms.json", fmt::format(R"({{"fl_x": 4, "w": 4, "h": 2, "frames": [{}]}})", frames));
+    const auto files = [&](const CaptureFolders& folders) {
+        std::vector<fs::path> out;
+        for (const Photo& photo : load_nerfstudio_capture(dir, folders).photos) out.push_back(photo.file);
+        return out;
+    };
+    const fs::path images = dir / "images", smaller = dir / "images_2";
+    EXPECT_EQ(files({}), (std::vector<fs::path>{images / "cam0/1.png", images / "cam1/1.png"}));
+    EXPECT_EQ(files({images, {}, 1}), (std::vector<fs::path>{images / "cam0/1.png", images / "cam1/1.png"}));
+    EXPECT_EQ(files({{}, {}, 2}), (std::vector<fs::path>{smaller / "cam0/1.png", smaller / "cam1/1.png"}));
+    for (const Photo& photo : load_nerfstudio_capture(dir, {}).photos) EXPECT_EQ(photo.mask, dir / "masks" / fs::path(photo.name).lexically_relative("images"));
+    // A flat folder of one picture: it is not both cameras'.
+    EXPECT_THROW(files({images / "cam0", {}, 1}), Error);
+}
+
+TEST(Photos, InstantNgpsWordsForLenses) {
+    const fs::path dir = scratch("ngp");
+    const auto lens = [&](const std::string& words) {
+        write_file(dir / "transforms.json", fmt::format(R"({{"w": 40, "h": 20, {}, "frames": [{{"file_path": "a.png", {}}}]}})", words, kSomewhere));
+        return load_nerfstudio_capture(dir, {}).photos.at(0).lens;
+    };
+    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0.01, "is_fisheye": true)").kind, LensKind::fisheye);
+    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0, "is_fisheye": false)").kind, LensKind::perspective);
+    EXPECT_EQ(lens(R"("latlong": true)").kind, LensKind::equirectangular);
+    EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fx, 20, 1e-9);
+    EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fy, 20, 1e-7);
+    // What would be drawn wrong is refused: a fourth coefficient of a lens that has three, lenses without a name here.
+    for (const char* odd : {R"("fl_x": 20, "k4": 0.01)", R"("fl_x": 20, "ftheta_p0": 1)", R"("fl_x": 20, "orthographic": true)", R"("fl_x": 20, "camera_model": 3)",
+                            R"("fl_x": 20, "camera_model": "FISHEYE624")"})
+        EXPECT_THROW(lens(odd), Error) << odd;
+}
+
+// NeRF's synthetic sets say no size; one picture that is gone or damaged must not cost the others.
+TEST(Photos, SizesOfMissingPicturesAreThoseOfTheOthers) {
+    const fs::path dir = scratch("sizeless");
+    std::string frames;
+    for (int i = 0; i < 5; ++i) {
+        frames += fmt::format("{}{{\"file_path\": \"./train/r_{}\", {}}}", i ? "," : "", i, kSomewhere);
+        fs::create_directories(dir / "train");
+        if (i > 0) save_png(dir / fmt::format("train/r_{}.png", i), ImageRgb8(40, 30, {1, 2, 3}));
+    }
+    write_file(dir / "train/r_3.png", std::string_view("no picture"));
+    write_file(dir / "transforms_train.json", fmt::format(R"({{"camera_angle_x": 1.5707963, "frames": [{}]}})", frames));
+    const Capture capture = load_nerfstudio_capture(dir, {});
+    ASSERT_EQ(capture.photos.size(), 5u);
+    for (const Photo& photo : capture.photos) EXPECT_NEAR(photo.lens.fx, 20, 1e-4);
+    EXPECT_EQ(views_of_capture(capture, {}, fastscene::Run{}).set.views.size(), 3u);
+    fs::remove_all(dir / "train");
+    EXPECT_THROW(load_nerfstudio_capture(dir, {}), Error);
+}
+
+TEST(Photos, ALargerModelOfCOLMAPIsTold) {
+    const fs::path dir = scratch("models");
+    write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
+    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+    fs::copy(dir / "sparse/0", dir / "sparse/1");
+    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+    write_file(dir / "sparse/1/images.txt", std::string_view("1 1 0 0 0 0 0 0 7 a.png\n\n2 1 0 0 0 0 0 0 7 b.png\n\n"));
+    const Capture capture = load_colmap_capture(dir, {});
+    EXPECT_EQ(capture.photos.size(), 1u);
+    EXPECT_NE(capture.warning.find((dir / "sparse/1").string() + " has more pictures (2)"), std::string::npos) << capture.warning;
+    write_file(dir / "sparse/1/images.txt", std::string_view("damaged"));
+    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+}
+
 TEST(Spacing, IsThatOfTheNearestThree) {
     Random random(5, "spacing");
     std::vector<Vec3f> points;
