@@ -2,6 +2,7 @@
 
 #include <ATen/core/grad_mode.h>
 
+#include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
 #include "fastscene/nn/layers.h"
@@ -11,8 +12,27 @@ namespace {
 
 using at::Tensor;
 
+// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d takes five times as long for that order of channels.
+Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
+    const std::int64_t h = x.size(2), w = x.size(3);
+    const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by}, x.options().memory_format(at::MemoryFormat::ChannelsLast));
+    const Tensor rows = out.narrow(2, by, h);
+    rows.narrow(3, by, w).copy_(x);
+    for (std::int64_t i = 1; i <= by; ++i) {
+        rows.select(3, by - i).copy_(x.select(3, i));
+        rows.select(3, by + w - 1 + i).copy_(x.select(3, w - 1 - i));
+    }
+    for (std::int64_t i = 1; i <= by; ++i) {
+        out.select(2, by - i).copy_(out.select(2, by + i));
+        out.select(2, by + h - 1 + i).copy_(out.select(2, by + h - 1 - i));
+    }
+    return out;
+}
+
 // at::reflection_pad2d knows no bfloat16 in libtorch 1.13; autocast does not reach it.
 Tensor reflected(const Tensor& x, std::int64_t by) {
+    FASTSCENE_CHECK(by < x.size(2) && by < x.size(3));
+    if (!at::GradMode::is_enabled() && x.is_contiguous(at::MemoryFormat::ChannelsLast)) return reflected_by_pixels(x, by);
     if (x.scalar_type() != at::kBFloat16) return at::reflection_pad2d(x, {by, by, by, by});
     return at::reflection_pad2d(x.to(at::kFloat), {by, by, by, by}).to(at::kBFloat16);
 }
@@ -43,11 +63,23 @@ Tensor aot_block(const Scope& s, const AotganShape& shape, const Tensor& x) {
     return s.out(x * (1 - open) + fused * open);
 }
 
-// Twice the size, corners on corners, then conv3x3.
-Tensor up_conv(const Scope& s, const Tensor& x, std::int64_t out) {
-    const Tensor large = at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);
-    const Scope conv = s / "conv";
-    return s.out(at::conv2d(large, conv.parameter("weight", {out, x.size(1), 3, 3}), conv.parameter("bias", {out}), 1, 1));
+Tensor twice_as_large(const Tensor& x) {
+    return at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);   // corners on corners
+}
+
+// conv3x3 of maps that lie side by side, without laying them there: each has its part of the kernel, and the parts' outputs add up.
+Tensor conv_of(const Scope& s, const std::vector<Tensor>& maps, std::int64_t out) {
+    std::int64_t channels = 0;
+    for (const Tensor& map : maps) channels += map.size(1);
+    const Tensor kernel = s.parameter("weight", {out, channels, 3, 3}), bias = s.parameter("bias", {out});
+    Tensor sum;
+    std::int64_t first = 0;
+    for (const Tensor& map : maps) {
+        const Tensor part = at::conv2d(map, kernel.narrow(1, first, map.size(1)), sum.defined() ? Tensor() : bias, 1, 1);
+        sum = sum.defined() ? sum + part : part;
+        first += map.size(1);
+    }
+    return sum;
 }
 
 Tensor unit_vector(const Tensor& x) { return x / x.norm().clamp_min(1e-12); }
@@ -99,12 +131,17 @@ Tensor aotgan_generator(const Scope& s, const AotganShape& shape, const Tensor& 
     Tensor x = (encoder / 0).out(reflected(at::cat({picture, mask}, 1), 3));
     const Tensor whole = at::relu(conv(encoder / 1, x, shape.width, {7, 1, 0}));
     const Tensor half = at::relu(conv(encoder / 3, whole, 2 * shape.width, {4, 2, 1}));
-    const auto beside = [&](const Tensor& made, const Tensor& seen) { return shape.skips ? at::cat({made, seen}, 1) : made; };
     x = at::relu(conv(encoder / 5, half, 4 * shape.width, {4, 2, 1}));
     for (std::int64_t i = 0; i < shape.blocks; ++i) x = aot_block(s / "middle" / i, shape, x);
-    x = beside(at::relu(up_conv(decoder / 0, x, 2 * shape.width)), half);
-    x = beside(at::relu(up_conv(decoder / 2, x, shape.width)), whole);
-    return at::tanh(conv(decoder / 4, x, 3));
+    const auto beside = [&](const Tensor& made, const Tensor& seen) { return shape.skips ? std::vector{made, seen} : std::vector{made}; };
+    const auto larger = [&](const Scope& part, const std::vector<Tensor>& maps, std::int64_t out) {
+        std::vector<Tensor> large;
+        for (const Tensor& map : maps) large.push_back(twice_as_large(map));
+        return at::relu(part.out(conv_of(part / "conv", large, out)));
+    };
+    x = larger(decoder / 0, {x}, 2 * shape.width);
+    x = larger(decoder / 2, beside(x, half), shape.width);
+    return at::tanh((decoder / 4).out(conv_of(decoder / 4, beside(x, whole), 3)));
 }
 
 Tensor aotgan_discriminator(const Scope& s, std::int64_t width, const Tensor& picture, bool power_iteration) {
