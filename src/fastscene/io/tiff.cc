@@ -1,3 +1,4 @@
+#include <half.h>
 #include <tiffio.h>
 
 #include <cstdarg>
@@ -117,6 +118,23 @@ class Tiff {
         return out;
     }
 
+    // Floats of 16, 32 or 64 bits as floats; programs save maps in any of them.
+    std::vector<float> floats() {
+        if (bits == 32) return numbers<float>();
+        std::vector<float> out;
+        if (bits == 64)
+            for (const double v : numbers<double>()) out.push_back(static_cast<float>(v));
+        else
+            for (const std::uint16_t v : numbers<std::uint16_t>()) out.push_back(imath_half_to_float(v));
+        return out;
+    }
+    bool holds_floats() const { return info.light && (bits == 16 || bits == 32 || bits == 64); }
+    // Whether the last sample says how opaque a pixel is, and the ones before it have not been multiplied by that.
+    bool has_loose_alpha() const {
+        std::uint16_t count = 0, *kinds = nullptr;
+        return TIFFGetField(file_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) == 1 && count == 1 && kinds[0] == EXTRASAMPLE_UNASSALPHA;
+    }
+
     PictureInfo info;
     int bits = 0, samples = 0;
 
@@ -176,25 +194,28 @@ ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float
     Tiff tiff(bytes, where);
     ImageF image;
     image.width = tiff.info.width, image.height = tiff.info.height;
-    if (tiff.samples == 1 && tiff.info.light && tiff.bits == 32) {
-        image.pixels = tiff.numbers<float>();
+    if (tiff.samples == 1 && tiff.holds_floats()) {
+        image.pixels = tiff.floats();
     } else if (tiff.samples == 1 && !tiff.info.light && tiff.bits == 16) {
         for (const std::uint16_t count : tiff.numbers<std::uint16_t>()) image.pixels.push_back(unit * static_cast<float>(count));
     } else {
-        throw Error("{}: expected a map of one number a pixel (TIFF: 32-bit float, or 16 bits in millimetres), found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
+        throw Error("{}: expected a map of one number a pixel (TIFF: floats, or 16 bits in millimetres), found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
     }
     return image;
 }
 
 ImageColor decode_tiff_light(std::string_view bytes, const std::string& where) {
     Tiff tiff(bytes, where);
-    if (!tiff.info.light || tiff.bits != 32 || (tiff.samples != 1 && tiff.samples != 3))
-        throw Error("{}: expected a picture of 32-bit floats, one or three a pixel, found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
-    const std::vector<float> numbers = tiff.numbers<float>();
+    if (!tiff.holds_floats() || tiff.samples > 4)
+        throw Error("{}: expected a picture of floats (16, 32 or 64 bits), gray or three colors, with or without alpha, found {} a pixel, each of {} bits", where,
+                    tiff.samples, tiff.bits);
+    const std::vector<float> numbers = tiff.floats();
+    const bool colors = tiff.samples >= 3, see_through = tiff.samples % 2 == 0 && tiff.has_loose_alpha();
     ImageColor image(tiff.info.width, tiff.info.height);
     for (std::size_t i = 0; i < image.size(); ++i) {
         const float* p = &numbers[i * static_cast<std::size_t>(tiff.samples)];
-        image.pixels[i] = tiff.samples == 3 ? Vec3f{p[0], p[1], p[2]} : Vec3f{p[0], p[0], p[0]};
+        const float opaque = see_through ? p[tiff.samples - 1] : 1;   // over black
+        image.pixels[i] = (colors ? Vec3f{p[0], p[1], p[2]} : Vec3f{p[0], p[0], p[0]}) * opaque;
     }
     return image;
 }

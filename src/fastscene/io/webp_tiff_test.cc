@@ -96,7 +96,7 @@ TEST(WebP, SaysHowItLiesAndDoesNotMove) {
 
 struct Layout {
     int samples = 3, bits = 8, compression = COMPRESSION_NONE, photometric = PHOTOMETRIC_RGB, orientation = 1;
-    bool tiles = false, floats = false;
+    bool tiles = false, floats = false, alpha = false;
     const char* mode = "w";
 };
 
@@ -108,6 +108,8 @@ void save_tiff(const fs::path& path, const void* values, int width, int height, 
     TIFFSetField(file, TIFFTAG_IMAGELENGTH, height);
     TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, layout.samples);
     TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, layout.bits);
+    const std::uint16_t loose[] = {EXTRASAMPLE_UNASSALPHA};
+    if (layout.alpha) TIFFSetField(file, TIFFTAG_EXTRASAMPLES, 1, loose);
     TIFFSetField(file, TIFFTAG_PHOTOMETRIC, layout.photometric);
     TIFFSetField(file, TIFFTAG_COMPRESSION, layout.compression);
     TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
@@ -190,6 +192,25 @@ TEST(TiffNumbers, AreReadAsTheyStand) {
     const std::vector<std::uint16_t> millimetres(40 * 20, 2500);
     save_tiff(scratch("m.tif"), millimetres.data(), 40, 20, {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK});
     EXPECT_FLOAT_EQ(load_float(scratch("m.tif")).at(39, 19), 2.5f);
+}
+
+// numpy's doubles, a renderer's half floats, and light that can be seen through: black is behind, as for any picture.
+TEST(TiffNumbers, OfAnyWidthAreFloats) {
+    const std::vector<double> wide{0.1, 2.5, 1e-3, 30};
+    save_tiff(scratch("w.tif"), wide.data(), 4, 1, {.samples = 1, .bits = 64, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
+    const std::vector<std::uint16_t> half{0x2e66, 0x4100, 0x1419, 0x4f80};   // 0.1, 2.5, 0.001, 30
+    save_tiff(scratch("s.tif"), half.data(), 4, 1, {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
+    for (int x = 0; x < 4; ++x) {
+        const auto expected = static_cast<float>(wide[static_cast<std::size_t>(x)]);
+        EXPECT_EQ(load_float(scratch("w.tif")).at(x, 0), expected);
+        EXPECT_NEAR(load_float(scratch("s.tif")).at(x, 0), expected, 1e-3f * expected);
+        EXPECT_NEAR(load_light(scratch("s.tif")).at(x, 0).z, expected, 1e-3f * expected);
+    }
+    const std::vector<float> rgba{1, 2, 3, 0.5f, 4, 5, 6, 1};
+    save_tiff(scratch("c.tif"), rgba.data(), 2, 1, {.samples = 4, .bits = 32, .floats = true, .alpha = true});
+    const ImageColor light = load_light(scratch("c.tif"));
+    EXPECT_EQ(length(light.at(0, 0) - Vec3f{0.5f, 1, 1.5f}), 0);
+    EXPECT_EQ(length(light.at(1, 0) - Vec3f{4, 5, 6}), 0);
 }
 
 // A directory of a few bytes that promises 2^28 pixels; a picture of WebP's largest size that ends at once.
