@@ -28,6 +28,9 @@ expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4
 expect 0 "$fastscene" depth train --data rooms --painted 0.5 --steps 2 "${small[@]}" -o taught
 expect 0 "$fastscene" depth check --data rooms --depth-weights taught/egformer.safetensors --json
 prints '"backend": "egformer"'
+says "expected 50 held-out places, found 2: --all takes all"
+expect 0 "$fastscene" depth check --data rooms --all --count 24 --depth-backend layout
+prints "layout, 24 places"
 expect 0 "$fastscene" depth check --data rooms --depth-backend layout
 prints "layout"
 cp -r rooms broken_rooms
