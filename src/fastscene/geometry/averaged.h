@@ -11,7 +11,7 @@ namespace fastscene {
 
 // Samples a side of a pixel so that they lie no farther apart than the source's pixels (angles in radians).
 inline int samples_a_side(double target_angle, double source_angle) {
-    return std::clamp(static_cast<int>(std::ceil(target_angle / source_angle - 0.05)), 1, 16);
+    return std::clamp(static_cast<int>(std::ceil(target_angle / source_angle - 0.05)), 1, 64);
 }
 
 // Means of n x n samples a pixel: sample(picture point) -> color.

@@ -8,15 +8,12 @@ namespace fastscene {
 namespace {
 
 // The pixel at any integer position: columns wrap, rows beyond a pole come back half a turn away.
-const Vec3f& pixel_on_sphere(const ImageColor& image, int x, int y) {
-    if (y < 0) {
-        y = -1 - y;
-        x += image.width / 2;
-    } else if (y >= image.height) {
-        y = 2 * image.height - 1 - y;
-        x += image.width / 2;
-    }
-    return image.at(wrap_column(x, image.width), std::clamp(y, 0, image.height - 1));
+Vec3f pixel_on_sphere(const ImageColor& image, int x, int y) {
+    const int w = image.width, h = image.height;
+    if (y >= 0 && y < h) return image.at(wrap_column(x, w), y);
+    y = std::clamp(y < 0 ? -1 - y : 2 * h - 1 - y, 0, h - 1);
+    // Of an odd number of columns: half a turn ends between two.
+    return lerp(image.at(wrap_column(x + w / 2, w), y), image.at(wrap_column(x + w - w / 2, w), y), 0.5f);
 }
 
 }  // namespace
@@ -46,7 +43,7 @@ ImageColor pinhole_from_equirect(const ImageColor& equirect, const Pinhole& came
 }
 
 ImageColor equirect_from_equirect(const ImageColor& equirect, EquirectSize size, const Mat3f& source_from_target) {
-    const int n = samples_a_side(1.0 / size.width, 1.0 / equirect.width);
+    const int n = std::max(samples_a_side(1.0 / size.width, 1.0 / equirect.width), samples_a_side(1.0 / size.height, 1.0 / equirect.height));
     const EquirectSize source{equirect.width, equirect.height};
     return averaged(size.width, size.height, n,
                     [&](Vec2f at) { return sample_equirect(equirect, pixel_of_direction(source_from_target * direction_at(at, size), source)); });

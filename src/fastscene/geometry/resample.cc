@@ -10,7 +10,9 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMostSamples = 64;        // a side; a target pixel so much larger than the source's is nearly the whole picture
+constexpr int kMostSamples = 64;        // a side, of a pixel that is longer in columns than in rows: next to a pole it may hold them all
+constexpr int kCubicSamples = 8;
+constexpr std::size_t kTapsAtOnce = 1 << 20;   // what a pixel that holds half a picture gathers before equal ones are put together
 constexpr float kUnit = 65536.f;
 // Next to the poles and in turned pictures the source is read along columns, which no processor foresees.
 constexpr std::size_t kPrefetchAhead = 96;
@@ -40,30 +42,51 @@ struct ResamplePlan::Build {
         int nx, ny;
     };
     // Samples a side so that they lie no farther apart than the source's pixels.
-    Samples samples_at(Vec3f here) const {
+    Samples samples_at(int x, int y, Vec3f here) const {
         if (filter == Filter::point) return {1, 1};
         const Vec2f angle = pixel_angles(target, here);
         const float pitch = pitch_at(source, here);
+        const int most_of_all = std::max(kMostSamples, 2 * std::max(source.width, source.height));
         const auto count = [&](float ratio) {
             // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them for whole ratios.
             const float wanted = filter == Filter::area && ratio > 1.05f ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f) : ratio;
-            return std::clamp(static_cast<int>(std::ceil(wanted - 0.05f)), 1, kMostSamples);
+            return static_cast<int>(std::clamp(std::ceil(wanted - 0.05f), 1.f, static_cast<float>(most_of_all)));
         };
-        return {count(angle.x / pitch), count(angle.y / pitch)};
+        Samples n{count(angle.x / pitch), count(angle.y / pitch)};
+        if (source.kind != SpherePicture::Kind::equirect) return n;
+        // Towards the poles a panorama's columns lie closer than its rows. One sample looks at two of them.
+        const bool whole = filter == Filter::area;
+        if (!whole && crowding(source, here) * std::max(angle.x, angle.y) <= 2 * pitch) return n;
+        const int most = std::max(kMostSamples, 2 * std::max(n.nx, n.ny));
+        const Vec2f extent = columns_across(source, target, {static_cast<float>(x), static_cast<float>(y)});
+        const auto enough = [&](int samples, float columns) {
+            if (whole || columns > 2) samples = std::clamp(count(columns), samples, most);
+            const int each = whole ? std::clamp(static_cast<int>(std::ceil(columns - 0.05f)), 1, samples) : 1;
+            return (samples + each - 1) / each * each;
+        };
+        Samples more{enough(n.nx, extent.x), enough(n.ny, extent.y)};
+        // Columns that cross a pixel aslant are met by its samples of both ways.
+        const float needed = 2 * std::max(extent.x, extent.y) * static_cast<float>(std::max(n.nx, n.ny));
+        const float thinned = std::sqrt(needed / (static_cast<float>(more.nx) * static_cast<float>(more.ny)));
+        if (whole || thinned >= 1) return more;
+        return {std::max(n.nx, static_cast<int>(std::ceil(thinned * static_cast<float>(more.nx)))),
+                std::max(n.ny, static_cast<int>(std::ceil(thinned * static_cast<float>(more.ny))))};
     }
 
     Quad plan_pixel(int x, int y) {
         const Vec3f here = direction_in(target, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        const Samples n = samples_at(here);
+        const Samples n = samples_at(x, y, here);
         const bool one = n.nx == 1 && n.ny == 1;
-        const int side = filter == Filter::bicubic ? 4 : filter == Filter::area && !one ? 1 : 2;
+        // Of many samples a pixel, how each is made no longer shows.
+        const int side = filter == Filter::bicubic && n.nx * n.ny <= kCubicSamples ? 4 : filter == Filter::area && !one ? 1 : 2;
         std::array<SourcePlace, 6> places;
         if (one) {
             const int count = places_of(source, here, feather_deg, places);
             if (count == 1 && is_inside(source, places[0], side)) return quad_of(places[0]);
         }
         std::vector<SourceTap> taps;
-        const float share = 1.f / static_cast<float>(n.nx * n.ny);
+        std::size_t full = kTapsAtOnce;
+        const float share = 1.f / (static_cast<float>(n.nx) * static_cast<float>(n.ny));
         for (int j = 0; j < n.ny; ++j)
             for (int i = 0; i < n.nx; ++i) {
                 const Vec2f at{static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / static_cast<float>(n.nx),
@@ -74,8 +97,13 @@ struct ResamplePlan::Build {
                     place.weight *= share;
                     add_taps(source, place, side, taps);
                 }
+                if (taps.size() > full) {
+                    merge(taps);
+                    full = kTapsAtOnce + 2 * taps.size();
+                }
             }
-        rows.push_back(merged(taps));
+        merge(taps);
+        rows.push_back(shares_of(taps));
         return {-static_cast<std::int32_t>(rows.size()), 0, 0};
     }
 
@@ -88,17 +116,23 @@ struct ResamplePlan::Build {
         return {(place.part * part_height + y) * source.width + x, static_cast<std::uint16_t>(fx & 0xffff), static_cast<std::uint16_t>(fy & 0xffff)};
     }
 
-    // One tap a pixel; a sum of 1 unless part of the pixel is not shown.
-    static std::vector<Tap> merged(std::vector<SourceTap>& taps) {
+    // One tap a pixel.
+    static void merge(std::vector<SourceTap>& taps) {
         std::stable_sort(taps.begin(), taps.end(), [](const SourceTap& a, const SourceTap& b) { return a.pixel < b.pixel; });
-        std::vector<Tap> out;
-        float sum = 0;
+        std::size_t count = 0;
         for (const SourceTap& tap : taps) {
-            if (out.empty() || out.back().pixel != tap.pixel) out.push_back({tap.pixel, 0});
-            out.back().weight += tap.weight;
-            sum += tap.weight;
+            if (count > 0 && taps[count - 1].pixel == tap.pixel) taps[count - 1].weight += tap.weight;
+            else taps[count++] = tap;
         }
-        for (Tap& tap : out) tap.weight /= sum;
+        taps.resize(count);
+    }
+    // Their sum becomes 1, also where part of the pixel is not shown.
+    static std::vector<Tap> shares_of(const std::vector<SourceTap>& taps) {
+        double sum = 0;
+        for (const SourceTap& tap : taps) sum += static_cast<double>(tap.weight);
+        std::vector<Tap> out;
+        out.reserve(taps.size());
+        for (const SourceTap& tap : taps) out.push_back({tap.pixel, static_cast<float>(static_cast<double>(tap.weight) / sum)});
         return out;
     }
 };
@@ -106,7 +140,13 @@ struct ResamplePlan::Build {
 ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& target, Filter filter, float feather_deg)
     : source_width_(source.width), source_height_(source.height), width_(target.width), height_(target.height), cubic_(filter == Filter::bicubic),
       quads_(static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height)) {
-    FASTSCENE_CHECK(source.width >= 2 && source.height >= 2 && target.width >= 1 && target.height >= 1);
+    FASTSCENE_CHECK(source.width >= 1 && source.height >= 1 && target.width >= 1 && target.height >= 1);
+    for (const SpherePicture* p : {&source, &target}) {
+        if (p->kind == SpherePicture::Kind::equirect) continue;
+        FASTSCENE_CHECK(p->camera.fx > 0 && p->camera.fy > 0);   // an angle of view below 180 degrees
+        // Faces that look less far leave gaps between them.
+        FASTSCENE_CHECK(p->kind != SpherePicture::Kind::cube || 2 * p->camera.fx <= 1.0001f * static_cast<float>(p->camera.width));
+    }
     FASTSCENE_CHECK(static_cast<std::int64_t>(source.width) * source.height < std::numeric_limits<std::int32_t>::max());
     const std::size_t pieces = (static_cast<std::size_t>(height_) + kGrain - 1) / kGrain;
     std::vector<Build> builds(pieces, Build{source, target, filter, feather_deg, {}});
@@ -234,10 +274,20 @@ ImageF ResamplePlan::apply(const ImageF& source) const {
     ImageF out(width_, height_);
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
         for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_);
-             i < static_cast<std::size_t>(end) * static_cast<std::size_t>(width_); ++i)
-            out.pixels[i] = general(source, quads_[i]);
+             i < static_cast<std::size_t>(end) * static_cast<std::size_t>(width_); ++i) {
+            const float value = general(source, quads_[i]);
+            out.pixels[i] = std::isfinite(value) ? value : heaviest(source, quads_[i]);
+        }
     });
     return out;
+}
+
+float ResamplePlan::heaviest(const ImageF& source, const Quad& quad) const {
+    if (quad.first >= 0)
+        return source.pixels[static_cast<std::size_t>(quad.first + (quad.u >= kUnit / 2) + (quad.v >= kUnit / 2) * static_cast<std::int64_t>(source_width_))];
+    const auto row = static_cast<std::size_t>(-1 - quad.first);
+    const auto tap = std::max_element(taps_.begin() + begin_[row], taps_.begin() + begin_[row + 1], [](const Tap& a, const Tap& b) { return a.weight < b.weight; });
+    return source.pixels[static_cast<std::size_t>(tap->pixel)];
 }
 
 ImageMask ResamplePlan::covered() const {

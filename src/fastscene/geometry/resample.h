@@ -33,11 +33,13 @@ enum class Filter : std::uint8_t {
 class ResamplePlan {
   public:
     // feather_deg (cube sources that overlap): width of the band along a face's border in which faces are blended;
-    // 0 = each pixel from the face it looks through.
+    // 0 = each pixel from the face it looks through. Pictures of one pixel and more; cameras that look less than 180 degrees far, and
+    // a cube's at least 90.
     ResamplePlan(const SpherePicture& source, const SpherePicture& target, Filter filter, float feather_deg = 0);
 
     // Pixels that the source does not show (perspective sources only) become T{}. The source must have the planned size.
     ImageColor apply(const ImageColor& source) const;
+    // Of a range map: where something infinite (the sky) or NaN takes part, the pixel that has the most part in it.
     ImageF apply(const ImageF& source) const;
     void apply_to(const ImageColor& source, ImageColor& out) const;   // `out` of the planned size: no memory is asked for
     // Nonzero where the source shows the pixel.
@@ -59,6 +61,7 @@ class ResamplePlan {
     struct Build;
     template <class T>
     T general(const Image<T>& source, const Quad& quad) const;
+    float heaviest(const ImageF& source, const Quad& quad) const;
 
     int source_width_, source_height_, width_, height_;
     bool cubic_;

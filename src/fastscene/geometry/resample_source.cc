@@ -1,6 +1,8 @@
 #include "fastscene/geometry/resample_source.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace fastscene {
 namespace {
@@ -27,11 +29,13 @@ std::array<float, 4> weights_of(int side, float t) {
 void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std::vector<SourceTap>& taps) {
     const int w = s.width, h = part_height(s);
     if (s.kind == Kind::equirect) {
-        if (y < 0 || y >= h) {
-            y = y < 0 ? -1 - y : 2 * h - 1 - y;
-            x += w / 2;
+        if (y >= 0 && y < h) {
+            taps.push_back({y * w + wrap_column(x, w), weight});
+            return;
         }
-        taps.push_back({std::clamp(y, 0, h - 1) * w + wrap_column(x, w), weight});
+        y = std::clamp(y < 0 ? -1 - y : 2 * h - 1 - y, 0, h - 1);
+        for (const int half_turn : {w / 2, w - w / 2})   // of an odd number of columns: half a turn ends between two
+            taps.push_back({y * w + wrap_column(x + half_turn, w), 0.5f * weight});
         return;
     }
     const bool inside = x >= 0 && y >= 0 && x < w && y < h;
@@ -108,10 +112,26 @@ int places_of(const SpherePicture& s, Vec3f direction, float feather_deg, std::a
 }
 
 float pitch_at(const SpherePicture& s, Vec3f direction) {
-    if (s.kind == Kind::equirect) return std::numbers::pi_v<float> / static_cast<float>(s.height);
+    if (s.kind == Kind::equirect) return std::numbers::pi_v<float> / static_cast<float>(std::max(s.height, s.width / 2));
     const Vec3f d = transpose(s.world_from_picture) * direction;
     const float z = s.kind == Kind::perspective ? std::fabs(d.z) : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return z * z / s.camera.fx;   // away from the axis a pixel sees less
+}
+
+float crowding(const SpherePicture& s, Vec3f direction) {
+    const float sine = dot(s.world_from_picture.column(1), direction);
+    const float columns = 2 * std::numbers::pi_v<float> / static_cast<float>(s.width) * std::sqrt(std::fmax(0.f, 1 - sine * sine));
+    return std::fmax(1.f, pitch_at(s, direction) / std::fmax(columns, 1e-5f));
+}
+
+Vec2f columns_across(const SpherePicture& s, const SpherePicture& t, Vec2f corner) {
+    const auto w = static_cast<float>(s.width);
+    const auto column = [&](float x, float y) {
+        return pixel_of_direction(transpose(s.world_from_picture) * direction_in(t, corner + Vec2f{x, y}), EquirectSize{s.width, s.height}).x;
+    };
+    const auto between = [&](float a, float b) { return std::fmin(std::fabs(a - b), w - std::fabs(a - b)); };
+    constexpr float kIn = 0.001f;   // so that both ends are on the same face
+    return Vec2f{between(column(kIn, 0.5f), column(1 - kIn, 0.5f)), between(column(0.5f, kIn), column(0.5f, 1 - kIn))} * (1 / (1 - 2 * kIn));
 }
 
 Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
@@ -122,7 +142,8 @@ Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
         return {column * std::sqrt(std::fmax(0.f, 1 - d.y * d.y)), row};
     }
     const float z = t.kind == Kind::perspective ? std::fabs(d.z) : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    return {z / t.camera.fx, z / t.camera.fy};   // the larger of its two angles away from the axis
+    // The larger of its two angles away from the axis; a pixel of a very wide camera is no wider than its half space.
+    return {2 * std::atan(0.5f * z / t.camera.fx), 2 * std::atan(0.5f * z / t.camera.fy)};
 }
 
 bool is_inside(const SpherePicture& s, const SourcePlace& place, int side) {

@@ -22,6 +22,10 @@ Vec3f direction_in(const SpherePicture& picture, Vec2f point);
 int places_of(const SpherePicture& source, Vec3f direction, float feather_deg, std::array<SourcePlace, 6>& out);
 // Smallest angle between neighbouring pixels about a place, radians.
 float pitch_at(const SpherePicture& source, Vec3f direction);
+// How much closer than `pitch_at` says neighbours in a row of an equirectangular source lie there: at least 1, very many at the poles.
+float crowding(const SpherePicture& source, Vec3f direction);
+// How many columns of an equirectangular source a target's pixel (its left top corner) spans from its left to its right side, and from top to bottom.
+Vec2f columns_across(const SpherePicture& source, const SpherePicture& target, Vec2f corner);
 // Width and height of a target's pixel as angles, radians, where it looks along `direction`.
 Vec2f pixel_angles(const SpherePicture& target, Vec3f direction);
 // All pixels of the place's neighbourhood (side: 1 nearest, 2 bilinear, 4 bicubic) are in the part itself.

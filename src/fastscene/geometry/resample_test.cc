@@ -111,6 +111,105 @@ TEST(Resample, ShrinkingNeverSkips) {
         }
 }
 
+TEST(Resample, AnySizeMakesAnyOther) {
+    const auto pictures = [] {
+        std::vector<SpherePicture> out;
+        for (const EquirectSize size : {EquirectSize{1, 1}, {3, 2}, {17, 9}, {60, 11}, {5, 34}}) out.push_back(equirect_picture(size, kTilted));
+        for (const int face : {1, 2, 9}) out.push_back(cube_picture(face, face == 2 ? 90.f : 120.f));
+        out.push_back(perspective_picture(Pinhole::with_fov(9, 7, 179.5f)));
+        return out;
+    }();
+    for (const SpherePicture& source : pictures)
+        for (const SpherePicture& target : pictures)
+            for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::point, Filter::area}) {
+                const ResamplePlan plan(source, target, filter, source.camera.fx > 0 && filter == Filter::bilinear ? 5.f : 0.f);
+                const ImageMask covered = plan.covered();
+                const ImageColor out = plan.apply(ImageColor(source.width, source.height, Vec3f{0.25f, 0.5f, 1.f}));
+                for (std::size_t i = 0; i < out.size(); ++i)   // an even picture stays even
+                    ASSERT_LT(length(out.pixels[i] - (covered.pixels[i] ? Vec3f{0.25f, 0.5f, 1.f} : Vec3f{})), 1e-4f)
+                        << source.width << 'x' << source.height << " to " << target.width << 'x' << target.height << " pixel " << i;
+                if (source.kind == SpherePicture::Kind::perspective) continue;
+                ASSERT_EQ(std::count(covered.pixels.begin(), covered.pixels.end(), 0), 0);
+            }
+}
+
+TEST(Resample, WholeFactorsArePlainMeansAtThePolesToo) {
+    Random r(5, "resample");
+    for (const auto& [across, down] : {std::pair{2, 2}, {4, 4}, {3, 3}, {5, 2}, {1, 3}, {8, 1}, {40, 20}, {70, 70}}) {
+        const EquirectSize small{12, 6}, large{small.width * across, small.height * down};
+        ImageColor noise(large.width, large.height);
+        for (Vec3f& c : noise.pixels) c = {r.uniform(), r.uniform(), r.uniform()};
+        const ImageColor out = ResamplePlan(equirect_picture(large), equirect_picture(small), Filter::area).apply(noise);
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) {
+                Vec3d mean{};
+                for (int j = 0; j < down; ++j)
+                    for (int i = 0; i < across; ++i) {
+                        const Vec3f c = noise.at(across * x + i, down * y + j);
+                        mean = mean + Vec3d{c.x, c.y, c.z} / static_cast<double>(across * down);
+                    }
+                const Vec3f m{static_cast<float>(mean.x), static_cast<float>(mean.y), static_cast<float>(mean.z)};
+                ASSERT_LT(length(out.at(x, y) - m), 0.02f) << across << 'x' << down << ": " << x << ", " << y;
+            }
+    }
+}
+
+// Columns of one pixel: nothing that shrinks may show them, next to the poles either.
+TEST(Resample, ShrinkingSkipsNoColumns) {
+    for (const EquirectSize size : {EquirectSize{400, 200}, {700, 60}, {150, 300}}) {
+        ImageColor stripes(size.width, size.height);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) stripes.at(x, y) = x & 1 ? Vec3f{1, 1, 1} : Vec3f{};
+        for (const SpherePicture& target : {equirect_picture({40, 20}), equirect_picture({33, 9}), cube_picture(9), equirect_picture({3, 2})})
+            for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area}) {
+                const ImageColor out = ResamplePlan(equirect_picture(size), target, filter).apply(stripes);
+                for (std::size_t i = 0; i < out.size(); ++i)
+                    ASSERT_NEAR(out.pixels[i].x, 0.5f, 0.2f) << size.width << 'x' << size.height << " to " << target.width << 'x' << target.height << ", filter "
+                                                              << static_cast<int>(filter) << ", pixel " << i;
+            }
+    }
+}
+
+TEST(Resample, OddColumnsGoOnOverThePoleToo) {
+    for (const float down : {-1.f, 1.f}) {
+        const SpherePicture view = perspective_picture(Pinhole::with_fov(60, 60, 8), Mat3f::from_columns({1, 0, 0}, {0, 0, -down}, {0, down, 0}));
+        for (const int width : {200, 201}) {
+            const SpherePicture source = equirect_picture({width, 100});
+            EXPECT_LT(greatest_difference(ResamplePlan(source, view, Filter::bilinear).apply(painted(source)), painted(view)), 0.004f) << width;
+        }
+    }
+}
+
+TEST(Resample, TheSkyOfARangeMapStaysTheSky) {
+    const float sky = std::numeric_limits<float>::infinity();
+    ImageF range(64, 32, 3.f);
+    for (int y = 0; y < 11; ++y)
+        for (int x = 0; x < 64; ++x) range.at(x, y) = sky;
+    range.at(20, 25) = std::nanf("");
+    for (const SpherePicture& target : {equirect_picture({64, 32}), equirect_picture({90, 45}, kTilted), equirect_picture({16, 8}), cube_picture(20)})
+        for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area}) {
+            std::size_t skies = 0, unknown = 0;
+            const ImageF out = ResamplePlan(equirect_picture({64, 32}), target, filter).apply(range);
+            for (const float r : out.pixels) {
+                skies += r == sky;
+                unknown += std::isnan(r);
+                ASSERT_TRUE(!std::isfinite(r) || std::fabs(r - 3.f) < 1e-4f) << r;
+            }
+            EXPECT_GT(skies, out.size() / 5);
+            EXPECT_LT(skies, out.size() / 2);
+            EXPECT_LE(unknown, 4u);   // one pixel's worth, not its whole neighbourhood
+        }
+    EXPECT_TRUE(std::isnan(ResamplePlan(equirect_picture({64, 32}), equirect_picture({64, 32}), Filter::bilinear).apply(range).at(20, 25)));
+}
+
+TEST(Resample, CamerasThatCannotBeAreRefused) {
+    const SpherePicture pano = equirect_picture({64, 32});
+    EXPECT_THROW(ResamplePlan(pano, perspective_picture(Pinhole::with_fov(20, 20, 180)), Filter::bilinear), CheckFailed);
+    EXPECT_THROW(ResamplePlan(perspective_picture(Pinhole::with_fov(20, 20, 200)), pano, Filter::bilinear), CheckFailed);
+    EXPECT_THROW(ResamplePlan(cube_picture(20, 80), pano, Filter::bilinear), CheckFailed);   // there would be gaps
+    EXPECT_THROW(ResamplePlan(pano, pano, Filter::bilinear).apply(ImageColor(32, 16)), CheckFailed);
+}
+
 TEST(Resample, FeatheringBlendsWhereFacesDisagree) {
     const SpherePicture cube = cube_picture(100, 110), pano = equirect_picture({400, 200});
     ImageColor faces(cube.width, cube.height);
