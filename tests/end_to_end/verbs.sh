@@ -42,8 +42,10 @@ expect 0 "$fastscene" splat --nerfstudio run/views/transforms.json -o n "${photo
 expect 0 "$fastscene" splat --colmap run/views -o c "${photos[@]}"
 says "already made"
 expect 0 "$fastscene" splat c --splat-steps 25
-expect 0 "$fastscene" splat c --steps 26 --eval-every 13 --holdout 4
+expect 0 "$fastscene" splat c --antialias --random-background --steps 26 --eval-every 13 --holdout 4
 grep -q '^26,' c/splat/curve.csv || fail "--steps and --eval-every are not --splat-steps and --splat-eval-every"
+grep -aq '^comment SplatRenderMode: mip' c/splat/scene.ply || fail "--antialias is not --splat-antialias"
+grep -q '"random-background": true' c/run.json || fail "--random-background is not --splat-random-background"
 has c/splat/cameras.json c/splat/eval
 expect 0 "$fastscene" render c --path c/splat/cameras.json -o again
 expect 0 "$fastscene" render c --path run/views -o again2

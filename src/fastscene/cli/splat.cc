@@ -64,7 +64,7 @@ void add_short_names(CLI::App& verb, const std::shared_ptr<Given>& given) {
         const std::string name = option->get_lnames().empty() ? "" : "--" + option->get_lnames().front();
         if (!name.starts_with(prefix)) continue;
         const std::string own = "--" + name.substr(prefix.size());
-        if (option->get_type_size() == 0) verb.add_flag_callback(own, [given, name] { (*given)[name] = "true"; })->group("");
+        if (option->get_expected_max() == 0) verb.add_flag_callback(own, [given, name] { (*given)[name] = "true"; })->group("");
         else verb.add_option_function<std::string>(own, [given, name](const std::string& text) { (*given)[name] = text; })->group("");
     }
 }
