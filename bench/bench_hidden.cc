@@ -1,5 +1,5 @@
 // What panorama 0 did not see, as the walk paints it, against the traced room (its albedo: no light, no noise). One line of JSON a room: PSNR of the walked
-// panoramas in all and where panorama 0 saw nothing, and which things the error lies on. The traced pictures are kept in --keep, so that
+// panoramas in all and where panorama 0 saw nothing, which things the error lies on and what the warp had there. The traced pictures are kept in --keep, so that
 // another program walks through the very same room at once.
 #include <sys/resource.h>
 
@@ -117,6 +117,26 @@ void save_plane_pictures(const std::filesystem::path& folder, const Panorama& fi
         if (!pictures[i].empty()) save_png(folder / fmt::format("plane-{:02}.png", i), srgb8_from_linear(pictures[i].color));
 }
 
+// What the warp of panorama 0 has at a pixel, before anything is completed.
+const char* name_of(Cover cover) {
+    switch (cover) {
+        case Cover::hole: return "hole";
+        case Cover::front: return "front";
+        case Cover::back: return "back";
+        case Cover::bridge: return "bridge";
+        case Cover::guess: return "guess";
+    }
+    return "";
+}
+Json sorted_shares(const std::map<std::string, double>& errors, double all) {
+    std::vector<std::pair<double, std::string>> most;
+    for (const auto& [what, error] : errors) most.push_back({error / all, what});
+    std::sort(most.rbegin(), most.rend());
+    Json shares = Json::array();
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, most.size()); ++i) shares.push_back({most[i].second, std::round(most[i].first * 1000) / 1000});
+    return shares;
+}
+
 double cpu_seconds() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
@@ -157,12 +177,14 @@ int run(int argc, char** argv) {
     const double seconds = cpu_seconds() - before;
     if (walked.size() != kept.views.size() + 1) throw Error("{}: expected {} views, found {}", keep, walked.size() - 1, kept.views.size());
     Mean all, unseen;
-    std::map<std::string, double> errors, pairs;
+    std::map<std::string, double> errors, covers, pairs;
+    const std::vector<WarpSource> first{make_warp_source(linear_from_srgb8(kept.first.color), kept.first.range, label_planes(kept.first.range, planes), {}, {})};
     for (std::size_t k = 1; k < walked.size(); ++k) {
         const TrueView& truth = kept.views[k - 1];
         const ImageRgb8 ours = srgb8_from_linear(walked[k].color);
         const EquirectSize size{ours.width, ours.height};
         const ImageMask hidden = unseen_part(truth.range, walked[k].world_from_pano.translation, kept.first.range);
+        const Image<Cover> cover = coarse_view(first, size, walked[k].world_from_pano.translation).cover;
         ImageRgb8 wrong(ours.width, ours.height);
         for (int y = 0; y < ours.height; ++y)
             for (int x = 0; x < ours.width; ++x) {
@@ -173,6 +195,7 @@ int run(int argc, char** argv) {
                 wrong.at(x, y) = hidden.at(x, y) ? Rgb8{level, std::uint8_t(60), std::uint8_t(60)} : Rgb8{level, level, level};
                 if (!hidden.at(x, y)) continue;
                 unseen.add(error, angle);
+                covers[name_of(cover.at(x, y))] += error * angle;
                 const int object = truth.object.at(x, y);
                 errors[object >= 0 ? kept.objects[static_cast<std::size_t>(object)] : object == -1 ? "shell" : "outside"] += error * angle;
             }
@@ -205,13 +228,8 @@ int run(int argc, char** argv) {
         std::sort(all_pairs.rbegin(), all_pairs.rend());
         for (std::size_t i = 0; i < std::min<std::size_t>(30, all_pairs.size()); ++i) std::cerr << fmt::format("{:6.1f} % {}\n", 100 * all_pairs[i].first, all_pairs[i].second);
     }
-    std::vector<std::pair<double, std::string>> most;
-    for (const auto& [object, error] : errors) most.push_back({error / unseen.sum, object});
-    std::sort(most.rbegin(), most.rend());
-    Json shares = Json::array();
-    for (std::size_t i = 0; i < std::min<std::size_t>(8, most.size()); ++i) shares.push_back({most[i].second, std::round(most[i].first * 1000) / 1000});
     std::cout << Json{{"prompt", text}, {"seed", seed}, {"walk_cpu_s", seconds}, {"all_db", all.db()}, {"unseen_db", unseen.db()},
-                      {"unseen_share", unseen.weight / all.weight}, {"unseen_error_share", unseen.sum / all.sum}, {"on", shares}}
+                      {"unseen_share", unseen.weight / all.weight}, {"unseen_error_share", unseen.sum / all.sum}, {"on", sorted_shares(errors, unseen.sum)}, {"warped_as", sorted_shares(covers, unseen.sum)}}
                      .dump()
               << std::endl;
     return 0;
