@@ -70,22 +70,27 @@ void write_renamed(const fs::path& path, const std::function<void(const fs::path
     rename_or_throw(temporary, path);
 }
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_pieces(const fs::path& path, const std::function<void(const std::function<void(std::string_view)>&)>& make) {
     write_renamed(path, [&](const fs::path& temporary) {
         Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
         if (file.fd < 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
-        std::string_view rest = bytes;
-        while (!rest.empty()) {
-            const ssize_t put = ::write(file.fd, rest.data(), rest.size());
-            if (put < 0 && errno == EINTR) continue;
-            if (put < 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
-            rest.remove_prefix(static_cast<std::size_t>(put));
-        }
+        make([&](std::string_view rest) {
+            while (!rest.empty()) {
+                const ssize_t put = ::write(file.fd, rest.data(), rest.size());
+                if (put < 0 && errno == EINTR) continue;
+                if (put < 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
+                rest.remove_prefix(static_cast<std::size_t>(put));
+            }
+        });
         const int fd = file.fd;
         file.fd = -1;
         // Some file systems report a full disk only here.
         if (::close(fd) != 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
     });
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    write_pieces(path, [&](const auto& put) { put(bytes); });
 }
 
 void make_directories(const fs::path& path) {

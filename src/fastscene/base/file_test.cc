@@ -53,6 +53,21 @@ TEST_F(File, WritesWhatItReads) {
     EXPECT_EQ(read_file(folder_ / "x"), "");
 }
 
+TEST_F(File, PiecesFollowOneAnother) {
+    write_pieces(folder_ / "x", [](const auto& put) {
+        for (const char* piece : {"one ", "", "two"}) put(piece);
+    });
+    EXPECT_EQ(read_file(folder_ / "x"), "one two");
+    EXPECT_EQ(complaint([&] {
+                  write_pieces(folder_ / "x", [](const auto& put) {
+                      put("half");
+                      throw Error("no more");
+                  });
+              }),
+              "no more");
+    EXPECT_EQ(read_file(folder_ / "x"), "one two");
+}
+
 TEST_F(File, LeavesNoTemporaryBehind) {
     write_file(folder_ / "x", "1");
     complaint([&] { write_renamed(folder_ / "y", [](const fs::path& temporary) { std::ofstream(temporary) << "half"; throw Error("no more"); }); });

@@ -66,15 +66,15 @@ NumberType saved_type(NumberType type, SaveAs as) {
     return as == SaveAs::f32 ? NumberType::f32 : as == SaveAs::f16 ? NumberType::f16 : NumberType::bf16;
 }
 
-void append(std::string& out, const WeightTensor& tensor, NumberType type) {
-    if (type == tensor.type) {
-        out.append(reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size());
-        return;
-    }
+// As it is saved; whole in `kept` when it is converted.
+std::string_view saved_bytes(const WeightTensor& tensor, NumberType type, std::string& kept) {
+    if (type == tensor.type) return {reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size()};
+    kept.clear();
     for (const float value : tensor.floats()) {
         const std::uint16_t half = type == NumberType::f16 ? half_from_float(value) : bfloat_from_float(value);
-        out.append(type == NumberType::f32 ? reinterpret_cast<const char*>(&value) : reinterpret_cast<const char*>(&half), bytes_of(type));
+        kept.append(type == NumberType::f32 ? reinterpret_cast<const char*>(&value) : reinterpret_cast<const char*>(&half), bytes_of(type));
     }
+    return kept;
 }
 
 }  // namespace
@@ -115,21 +115,23 @@ void save_safetensors(const std::filesystem::path& path, const Weights& weights,
     std::stable_sort(order.begin(), order.end(), [&](const auto* a, const auto* b) { return width(a) > width(b); });
     Json header = Json::object();
     if (!weights.metadata.empty()) header["__metadata__"] = weights.metadata;
-    std::string data;
+    std::size_t end = 0;
     for (const auto* entry : order) {
         const auto& [key, tensor] = *entry;
         const NumberType type = saved_type(tensor.type, as);
-        const std::size_t begin = data.size();
-        append(data, tensor, type);
-        header[key] = {{"dtype", name_of(type)}, {"shape", tensor.shape}, {"data_offsets", {begin, data.size()}}};
+        const std::size_t begin = end;
+        end += static_cast<std::size_t>(tensor.count()) * bytes_of(type);
+        header[key] = {{"dtype", name_of(type)}, {"shape", tensor.shape}, {"data_offsets", {begin, end}}};
     }
     std::string text = header.dump();
     text.resize((text.size() + 7) / 8 * 8, ' ');
     const std::uint64_t length = text.size();
-    std::string bytes(reinterpret_cast<const char*>(&length), 8);
-    bytes += text;
-    bytes += data;
-    write_file(path, bytes);
+    write_pieces(path, [&](const auto& put) {
+        put({reinterpret_cast<const char*>(&length), 8});
+        put(text);
+        std::string kept;
+        for (const auto* entry : order) put(saved_bytes(entry->second, saved_type(entry->second.type, as), kept));
+    });
 }
 
 }  // namespace fastscene

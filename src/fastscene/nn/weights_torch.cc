@@ -55,9 +55,8 @@ WeightTensor weight_of(const at::Tensor& tensor) {
     for (int i = 0; i <= static_cast<int>(NumberType::boolean); ++i)
         if (scalar_type(static_cast<NumberType>(i)) == plain.scalar_type()) type = static_cast<NumberType>(i);
     FASTSCENE_CHECK(scalar_type(type) == plain.scalar_type());
-    auto bytes = std::make_shared<std::vector<std::byte>>(plain.nbytes());
-    if (!bytes->empty()) std::memcpy(bytes->data(), plain.data_ptr(), bytes->size());
-    return {type, plain.sizes().vec(), *bytes, bytes};
+    const auto owner = std::make_shared<const at::Tensor>(plain);
+    return {type, plain.sizes().vec(), {static_cast<const std::byte*>(plain.data_ptr()), plain.nbytes()}, owner};
 }
 
 at::Tensor LoadedWeights::get(const std::string& key, at::IntArrayRef shape) {

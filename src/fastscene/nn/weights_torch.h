@@ -15,7 +15,7 @@ namespace fastscene::nn {
 at::ScalarType scalar_type(NumberType type);
 // Shares the file's bytes (they are never written to) when they are aligned, copies otherwise.
 at::Tensor tensor_of(const WeightTensor& weight);
-// The other way, for saving: a copy in C order on the CPU.
+// The other way, for saving: in C order on the CPU. Where the tensor lies so already its memory is shared: a training that changes it changes both.
 WeightTensor weight_of(const at::Tensor& tensor);
 
 // A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for, and that it holds numbers.
