@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/reproject.h"
+#include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
 
 namespace fastscene {
@@ -14,12 +16,64 @@ namespace {
 constexpr int kReach = 2;           // coarse pixels to each side
 constexpr float kColorSigma = 0.07f;  // of sRGB values: about the noise of a photo, well under an edge
 constexpr float kPixelSigma = 1.1f;
+// A coarse pixel's plane: who beside it lies on the same surface, by color and by relative range, and how far the plane is believed.
+constexpr float kSurfaceColorSigma = 0.3f, kSurfaceRangeSigma = 0.15f, kFarthestFromPlane = 1.25f;
 
 Vec3f as_seen(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
 
 struct Neighbour {
     float value, weight;
 };
+
+// m x = b for a symmetric m of rows a, b, c; nothing where m is singular.
+std::optional<Vec3d> solved(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& right) {
+    const Vec3d bc = cross(b, c);
+    const double determinant = dot(a, bc);
+    if (!(std::abs(determinant) > 1e-15)) return std::nullopt;
+    return (bc * right.x + cross(c, a) * right.y + cross(a, b) * right.z) / determinant;
+}
+
+// The planes that the coarse pixels lie on: along a ray d a plane has 1 / range = dot(g, d), which is linear, so that g is the least squares of a
+// pixel and the eight around it. Where they are of several surfaces, the others hardly count.
+Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
+    const EquirectSize size{coarse.width, coarse.height};
+    Image<Vec3f> planes(size.width, size.height);
+    parallel_for(size.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const float here = coarse.at(x, y);
+                // A whisper for a surface that is met head on, so that a pixel alone has a plane, too. In units of the pixel's own range.
+                const auto facing = [&] {
+                    const Vec3f d = direction_of_pixel(x, y, size);
+                    return Vec3d{d.x, d.y, d.z};
+                }();
+                constexpr double kWhisper = 1e-3;
+                Vec3d a{kWhisper, 0, 0}, b{0, kWhisper, 0}, c{0, 0, kWhisper}, right = facing * kWhisper;
+                for (int j = std::max(0, y - 1); j <= std::min(size.height - 1, y + 1); ++j)
+                    for (int i = x - 1; i <= x + 1; ++i) {
+                        const int column = wrap_column(i, size.width);
+                        const float ratio = here / coarse.at(column, j);
+                        if (!(ratio > 0.f && std::isfinite(ratio))) continue;
+                        const float color_gap = length(seen.at(column, j) - seen.at(x, y)) / kSurfaceColorSigma,
+                                    range_gap = std::log(ratio) / kSurfaceRangeSigma;
+                        const double weight = (i == x && j == y ? 2. : 1.) * std::exp(-0.5f * (color_gap * color_gap + range_gap * range_gap));
+                        const Vec3f to = direction_of_pixel(column, j, size);
+                        const Vec3d d{to.x, to.y, to.z}, w = d * weight;
+                        a += d * w.x, b += d * w.y, c += d * w.z;
+                        right += w * static_cast<double>(ratio);
+                    }
+                const Vec3d plane = solved(a, b, c, right).value_or(facing) / static_cast<double>(here);
+                planes.at(x, y) = {static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z)};
+            }
+    });
+    return planes;
+}
+
+// What a coarse pixel of range `range` says of a ray nearby: where the ray meets its plane. Infinite or unknown ranges say themselves.
+float range_on_plane(float range, const Vec3f& plane, const Vec3f& ray) {
+    if (!(range > 0.f && std::isfinite(range))) return range;
+    return std::clamp(1.f / std::max(dot(plane, ray), 1e-6f), range / kFarthestFromPlane, range * kFarthestFromPlane);
+}
 
 float weighted_median(std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)>& items, std::size_t count) {
     std::sort(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count),
@@ -52,6 +106,7 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
     const ImageColor guide = equirect_from_equirect(picture, small);
     ImageColor seen(small.width, small.height);
     std::transform(guide.pixels.begin(), guide.pixels.end(), seen.pixels.begin(), as_seen);
+    const Image<Vec3f> planes = planes_of(coarse, seen);
 
     ImageF out(large.width, large.height);
     const float sx = static_cast<float>(small.width) / static_cast<float>(large.width),
@@ -60,7 +115,7 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
         std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)> items;
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < large.width; ++x) {
-                const Vec3f color = as_seen(picture.at(x, y));
+                const Vec3f color = as_seen(picture.at(x, y)), ray = direction_of_pixel(x, y, large);
                 const float cx = (static_cast<float>(x) + 0.5f) * sx - 0.5f, cy = (static_cast<float>(y) + 0.5f) * sy - 0.5f;
                 const int x0 = static_cast<int>(std::floor(cx)), y0 = static_cast<int>(std::floor(cy));
                 std::size_t count = 0;
@@ -71,7 +126,7 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
                         const float dx = static_cast<float>(i) - cx, dy = static_cast<float>(j) - cy;
                         const float color_gap = length(seen.at(column, j) - color) / kColorSigma;
                         const float weight = std::exp(-0.5f * ((dx * dx + dy * dy) / (kPixelSigma * kPixelSigma) + color_gap * color_gap));
-                        items[count++] = {coarse.at(column, j), weight + 1e-6f};
+                        items[count++] = {range_on_plane(coarse.at(column, j), planes.at(column, j), ray), weight + 1e-6f};
                     }
                 out.at(x, y) = weighted_median(items, count);
             }
