@@ -46,7 +46,8 @@ struct ResamplePlan::Build {
         if (filter == Filter::point) return {1, 1};
         const Vec2f angle = pixel_angles(target, here);
         const float pitch = pitch_at(source, here);
-        const int most_of_all = std::max(kMostSamples, 2 * std::max(source.width, source.height));
+        // A lens has directions that it hardly shows, and any number of samples there; a sphere shows all of them.
+        const int most_of_all = source.kind == SpherePicture::Kind::perspective ? kMostSamples : std::max(kMostSamples, 2 * std::max(source.width, source.height));
         const auto count = [&](float ratio) {
             // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them for whole ratios.
             const float wanted = filter == Filter::area && ratio > 1.05f ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f) : ratio;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"

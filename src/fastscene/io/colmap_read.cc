@@ -227,14 +227,17 @@ std::vector<Photo> photos_of_model(const fs::path& model) {
 // Where few pictures overlap the mapper leaves several models, 0, 1 …, and the first need not be the largest.
 std::string larger_model_beside(const fs::path& model, std::size_t photos) {
     std::string said;
-    for (int number = 1; is_colmap_model(model.parent_path() / std::to_string(number)); ++number) try {
-            const fs::path other = model.parent_path() / std::to_string(number);
-            const std::size_t there = photos_of_model(other).size();
-            if (there <= photos) continue;
-            photos = there;
-            said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that", model.string(), other.string(), there, other.string());
+    for (int number = 1; is_colmap_model(model.parent_path() / std::to_string(number)); ++number) {
+        const fs::path other = model.parent_path() / std::to_string(number);
+        std::size_t there = 0;
+        try {
+            there = photos_of_model(other).size();
         } catch (const Error&) {  // not the one that was asked for
         }
+        if (there <= photos) continue;
+        photos = there;
+        said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that", model.string(), other.string(), there, other.string());
+    }
     return said;
 }
 

@@ -80,10 +80,12 @@ class Transforms {
     }
     static void check_own_pictures(const std::vector<Photo>& photos) {
         std::map<fs::path, std::string> owners;
-        for (const Photo& photo : photos)
+        for (const Photo& photo : photos) {
+            if (!fs::is_regular_file(photo.file)) continue;   // left out later, and said
             if (const auto [owner, is_new] = owners.try_emplace(photo.file, photo.name); !is_new && owner->second != photo.name)
                 throw Error("--images: expected a picture of its own for each frame, found {} for both {} and {}", photo.file.string(), owner->second,
                             photo.name);
+        }
     }
 
     // NeRF's files leave the ending away; smaller copies lie in images_2, images_4 …

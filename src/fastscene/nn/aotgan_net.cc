@@ -12,7 +12,7 @@ namespace {
 
 using at::Tensor;
 
-// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d takes five times as long for that order of channels.
+// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d is slow for that order of channels.
 Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
     const std::int64_t h = x.size(2), w = x.size(3);
     const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by}, x.options().memory_format(at::MemoryFormat::ChannelsLast));

@@ -31,7 +31,7 @@ void visit_fields(AotganTrainingParams& p, V&& v) {
     v("skips", p.skips, "The decoder sees the encoder's maps of its own size too (the official network's does not).");
     v("holes", p.holes, Choices{{"white", "harmonic"}},
       "What the network finds in holes: white, as published, and it paints the picture; or the harmonic fill, and it paints what that lacks.");
-    v("start", p.start, "Weights to begin from (G*.pt, .safetensors); those of a generator half as wide, or a third, are made wider without a change in what it paints. Empty: random ones.");
+    v("start", p.start, "Weights to begin from (G*.pt, .safetensors); those of a generator whose width divides --width are made wider without a change in what it paints. Empty: random ones.");
     v("vgg", p.vgg,
       "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and the perceptual loss; empty: --pyramid stands in for them.");
     v("l1", p.l1, Bounds{0, 1e6}, "Weight of the mean absolute difference of all pixels.");

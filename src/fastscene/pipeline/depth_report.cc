@@ -22,7 +22,9 @@ std::vector<DepthFiles> chosen(const DepthCheck& check, const Run& run) {
     std::set<std::string> seen;
     for (const DepthFiles& files : find_depth_files(check.data))
         if ((check.all || files.held_out) && seen.insert(files.place).second && static_cast<int>(out.size()) < check.count) out.push_back(files);
-    if (out.empty()) throw Error("{}: expected held-out places, found none: --all takes those of a set that the network never saw", check.data.string());
+    if (out.empty())
+        throw Error("{}: expected {}places, found none{}", check.data.string(), check.all ? "" : "held-out ",
+                    check.all ? "" : ": --all takes those of a set that the network never saw");
     if (static_cast<int>(out.size()) < check.count)
         run.warn(fmt::format("{}: expected {} {}places, found {}{}", check.data.string(), check.count, check.all ? "" : "held-out ", out.size(),
                              check.all ? "" : ": --all takes all, if the network never saw this set"));

@@ -477,6 +477,9 @@ TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
     for (const Photo& photo : load_nerfstudio_capture(dir, {}).photos) EXPECT_EQ(photo.mask, dir / "masks" / fs::path(photo.name).lexically_relative("images"));
     // A flat folder of one picture: it is not both cameras'.
     EXPECT_THROW(files({images / "cam0", {}, 1}), Error);
+    // A place that neither camera has a picture of is no picture of both.
+    fs::remove(images / "cam0/1.png"), fs::remove(images / "cam1/1.png");
+    EXPECT_NO_THROW(files({images, {}, 1}));
 }
 
 TEST(Photos, InstantNgpsWordsForLenses) {

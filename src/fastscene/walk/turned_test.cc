@@ -2,6 +2,7 @@
 // turned or mirrored view.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "fastscene/scene/synthetic.h"

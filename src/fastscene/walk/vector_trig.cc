@@ -42,17 +42,10 @@ constexpr std::size_t kLanes = 4;
 [[gnu::target("avx2,fma")]] void vector_arc_tangents(std::span<const double> y, std::span<const double> x, std::span<double> out) {
     for (std::size_t i = 0; i < out.size(); i += kLanes) put_four(_ZGVdN4vv_atan2(four_of(y, i), four_of(x, i)), out, i);
 }
+bool has_vector_trig() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 #endif
 
 }  // namespace
-
-bool has_vector_trig() {
-#ifdef FASTSCENE_LIBMVEC
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-    return false;
-#endif
-}
 
 void sines(std::span<const double> angles, std::span<double> out) {
     FASTSCENE_CHECK(angles.size() == out.size());

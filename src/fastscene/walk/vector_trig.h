@@ -8,12 +8,10 @@
 
 namespace fastscene {
 
-bool has_vector_trig();
-
 // Radians in and out; `out` as long as the input, and not the same memory.
 void sines(std::span<const double> angles, std::span<double> out);
 void cosines(std::span<const double> angles, std::span<double> out);
-// atan2(y, x) in (-pi, pi].
+// atan2(y, x) in [-pi, pi].
 void arc_tangents(std::span<const double> y, std::span<const double> x, std::span<double> out);
 
 }  // namespace fastscene
