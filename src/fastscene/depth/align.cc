@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
+#include "fastscene/math/solve.h"
 
 namespace fastscene {
 namespace {
@@ -24,14 +24,6 @@ Vec3f as_seen(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), s
 struct Neighbour {
     float value, weight;
 };
-
-// m x = b for a symmetric m of rows a, b, c; nothing where m is singular.
-std::optional<Vec3d> solved(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& right) {
-    const Vec3d bc = cross(b, c);
-    const double determinant = dot(a, bc);
-    if (!(std::abs(determinant) > 1e-15)) return std::nullopt;
-    return (bc * right.x + cross(c, a) * right.y + cross(a, b) * right.z) / determinant;
-}
 
 // The planes that the coarse pixels lie on: along a ray d a plane has 1 / range = dot(g, d), which is linear, so that g is the least squares of a
 // pixel and the eight around it. Where they are of several surfaces, the others hardly count.
@@ -62,7 +54,7 @@ Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
                         a += d * w.x, b += d * w.y, c += d * w.z;
                         right += w * static_cast<double>(ratio);
                     }
-                const Vec3d plane = solved(a, b, c, right).value_or(facing) / static_cast<double>(here);
+                const Vec3d plane = solved(Mat3d{a, b, c}, right, 1e-15).value_or(facing) / static_cast<double>(here);
                 planes.at(x, y) = {static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z)};
             }
     });

@@ -1,13 +1,14 @@
 #include "fastscene/depth/metric_range.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "fastscene/base/check.h"
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/math/solve.h"
 
 namespace fastscene {
 namespace {
@@ -49,42 +50,20 @@ double trust(double residual, double sigma) {
     return q * q;
 }
 
-// The 3 x 3 system by Cramer's rule; false when it says nothing.
-bool solve(const std::array<std::array<double, 3>, 3>& a, const std::array<double, 3>& b, Planes& out) {
-    const auto det = [](const std::array<std::array<double, 3>, 3>& m) {
-        return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    };
-    const double d = det(a);
-    if (!(std::abs(d) > 1e-18)) return false;
-    std::array<double, 3> x{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        auto m = a;
-        for (std::size_t r = 0; r < 3; ++r) m[r][c] = b[r];
-        x[c] = det(m) / d;
-    }
-    out = {x[0], x[1], x[2]};
-    return out.scale > 0 && std::isfinite(out.shift) && std::isfinite(out.ceiling);
-}
-
 // Weighted least squares around the planes of before: what is near its plane pulls.
 bool refit(const std::vector<Sample>& samples, double camera_height, double sigma, Planes& planes) {
-    std::array<std::array<double, 3>, 3> a{};
-    std::array<double, 3> b{};
     // A whisper for "shift 0, ceiling 1 m", so that a room without a ceiling is solvable.
-    a[1][1] = 1e-4;
-    a[2][2] = 1e-4;
-    b[2] = 1e-4;
+    Mat3d m{{}, {0, 1e-4, 0}, {0, 0, 1e-4}};
+    Vec3d right{0, 0, 1e-4};
     for (const Sample& s : samples) {
-        const double w = s.weight * trust(misfit(s, planes, camera_height), sigma);
-        const std::array<double, 3> row{s.relative * s.sine, s.sine, s.sine < 0 ? 0. : -1.};
-        const double target = s.sine < 0 ? -camera_height : 0.;
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 3; ++j) a[i][j] += w * row[i] * row[j];
-            b[i] += w * row[i] * target;
-        }
+        const Vec3d row{s.relative * s.sine, s.sine, s.sine < 0 ? 0. : -1.}, weighted = row * (s.weight * trust(misfit(s, planes, camera_height), sigma));
+        m.row0 += weighted * row.x, m.row1 += weighted * row.y, m.row2 += weighted * row.z;
+        right += weighted * (s.sine < 0 ? -camera_height : 0.);
     }
-    return solve(a, b, planes);
+    const std::optional<Vec3d> found = solved(m, right, 1e-18);
+    if (!found) return false;
+    planes = {found->x, found->y, found->z};
+    return planes.scale > 0 && std::isfinite(planes.shift) && std::isfinite(planes.ceiling);
 }
 
 double nadir_median(const std::vector<Sample>& samples) {

@@ -2,6 +2,7 @@
 
 #include "fastscene/base/random.h"
 #include "fastscene/math/rigid.h"
+#include "fastscene/math/solve.h"
 
 namespace fastscene {
 namespace {
@@ -42,6 +43,24 @@ TEST(Quat, MatrixAndBackAndProductsAgree) {
 TEST(Rotation, AboutAnAxisIsRightHanded) {
     const Vec3d x{1, 0, 0};
     expect_near(rotation_about(Vec3d{0, 0, 1}, M_PI / 2) * x, Vec3d{0, 1, 0});
+}
+
+TEST(Solve, WhatIsFoundSolvesTheEquationsAndNothingElseIsFound) {
+    Random r(4, "solve");
+    const auto any = [&r] { return Vec3d{r.normal(), r.normal(), r.normal()}; };
+    for (int i = 0; i < 100; ++i) {
+        const Mat3d m{any(), any(), any()};   // nothing symmetric about it
+        const Vec3d x = any();
+        const auto found = solved(m, m * x, 1e-4);
+        if (std::abs(dot(m.row0, cross(m.row1, m.row2))) <= 1e-4) continue;
+        ASSERT_TRUE(found.has_value());
+        expect_near(*found, x);
+    }
+    const Vec3d a = any(), b = any(), right = any();
+    EXPECT_FALSE(solved(Mat3d{a, b, a * 2. - b}, right, 1e-12).has_value());
+    EXPECT_FALSE(solved(Mat3d{a, b, {}}, right, 1e-12).has_value());
+    EXPECT_FALSE(solved(Mat3d{a, b, {std::nan(""), 0, 0}}, right, 1e-12).has_value());
+    EXPECT_EQ(solved(Mat3d{{0, 0, 2}, {1, 0, 0}, {0, 4, 0}}, Vec3d{6, 5, 8}, 1e-12), (Vec3d{5, 2, 3}));
 }
 
 TEST(Frame, IsOrthonormalAndRightHanded) {
