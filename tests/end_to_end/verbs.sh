@@ -166,6 +166,17 @@ code=0; wait "$pid" || code=$?
 expect 0 "$fastscene" metrics run --truth --views 2 --size 128 --radius 0.2 --json
 has run/metrics/report.json
 grep -q '"psnr_mean"' run/metrics/report.json || fail "no psnr_mean"
+# With bounds also what the walk and then the splats lose at the walked poses; what was traced for it stays, and is not traced again.
+expect 0 "$fastscene" metrics run --truth --views 2 --size 128 --radius 0.2 --bounds --json
+has run/metrics/bounds/panoramas/01.png
+grep -q '"walked_poses"' run/metrics/report.json || fail "no walked_poses"
+prints '"splat_stage_loses_db"'
+cp out first && touch -d '2001-01-01' run/metrics/bounds/panoramas/01.png run/metrics/bounds/A.ply
+expect 0 "$fastscene" metrics run --truth --views 2 --size 128 --radius 0.2 --bounds --json
+cmp -s out first || fail "the same question has another answer"
+for kept in panoramas/01.png A.ply; do
+  [ "$(stat -c %Y run/metrics/bounds/$kept)" -lt 1000000000 ] || fail "$kept was made again"
+done
 expect 2 "$fastscene" metrics run
 expect 2 "$fastscene" metrics run --truth --samples 3
 says "--samples"

@@ -37,6 +37,8 @@ const std::vector<Column>& columns() {
         {"psnr_b", "B: panorama 0 alone", "dB", none, 2, "held-out", "", "the same trainer on panorama 0 alone: what a walk starts from"},
         {"gap_a", "gap to A", "dB", down, 2, "held-out", "", "A - ours, of the same poses"},
         {"closed", "closed", "%", up, 0, "held-out", "", "(ours - B) / (A - B)"},
+        {"walked", "walk's panoramas", "dB", none, 2, "held-out", "", "the walk's pictures against true panoramas at the same poses"},
+        {"splat_loss", "splat stage loses", "dB", down, 2, "held-out", "", "what the splats, seen all around from the walked poses, have less than the walk's pictures"},
         {"floor", "floor", "dB", none, 2, "held-out", "", "two sets of camera rays of one true view against each other: noise of the truth itself"},
         {"holes_paper", "holes, paper's scenes", "%", none, 1, "holes", "",
          "holes in % of the picture, as the paper's Table 1 has them for its own scenes", true},

@@ -10,7 +10,7 @@
 #include "fastscene/metrics/images.h"
 #include "fastscene/pipeline/hole_report.h"
 #include "fastscene/pipeline/stages.h"
-#include "fastscene/pipeline/still.h"
+#include "fastscene/splat/still.h"
 #include "fastscene/pipeline/truth.h"
 
 namespace fastscene {
@@ -176,13 +176,16 @@ class SceneMeasures {
         put("floor", truth, "floor_db");
         if (!truth.contains("bounds")) {
             const char* why = of_another ? "says something of our own trainer" : "not asked: bounds = true in [held-out]";
-            for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed"}) sample.notes[key] = {why};
+            for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed", "walked", "splat_loss"}) sample.notes[key] = {why};
             return;
         }
         put("psnr_a", truth.at("bounds").at("A"), "psnr_mean");
         put("psnr_b", truth.at("bounds").at("B"), "psnr_mean");
         put("gap_a", truth, "gap_to_a_db");
         put("closed", truth, "closed_share", 100);
+        const Json at_walked = truth.value("walked_poses", Json::object());   // not in what older programs measured
+        put("walked", at_walked, "walk_psnr_mean");
+        put("splat_loss", at_walked, "splat_stage_loses_db");
     }
 
     const MeasureInputs& in_;

@@ -10,21 +10,28 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/metrics/metrics.h"
+#include "fastscene/splat/still.h"
 
 namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
 
+std::string picture_name(std::size_t i) { return fmt::format("{:02}.png", i); }
+
+// What is kept as `path` was made from the inputs of that key: NAME.key beside it says so.
+fs::path key_file_of(const fs::path& path) { return fs::path(path).replace_extension(".key"); }
+bool is_kept(const fs::path& path, const std::string& key) {
+    return fs::exists(path) && fs::exists(key_file_of(path)) && read_file(key_file_of(path)) == key;
+}
+
 // Splats trained on other panoramas with the same settings, kept on disk because training is the long part.
-Splats trained_once(const fs::path& ply, const std::string& key, const std::function<std::vector<Panorama>()>& panoramas,
-                    const TruthInputs& inputs, const Run& run) {
-    const fs::path key_file = fs::path(ply).replace_extension(".key");
-    if (fs::exists(ply) && fs::exists(key_file) && read_file(key_file) == key) return load_splat_ply(ply);
+Splats trained_once(const fs::path& ply, const std::function<std::vector<Panorama>()>& panoramas, const TruthInputs& inputs, const Run& run) {
+    if (is_kept(ply, inputs.key)) return load_splat_ply(ply);
     const ViewSet views = project_views(panoramas(), inputs.views, run);
     const Splats splats = fit_splats(views, inputs.splat, run).splats;
     save_splat_ply(ply, splats);
-    write_file(key_file, key);
+    write_file(key_file_of(ply), inputs.key);
     return splats;
 }
 
@@ -43,6 +50,43 @@ std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) 
     return panoramas;
 }
 
+// The same, and their colors kept in `dir`.
+std::vector<Panorama> kept_true_panoramas(const fs::path& dir, const TruthInputs& inputs, const Run& run) {
+    std::vector<Panorama> panoramas = true_panoramas(inputs, run);
+    make_directories(dir);
+    for (std::size_t i = 1; i < panoramas.size(); ++i) save_png(dir / picture_name(i), srgb8_from_linear(panoramas[i].color));
+    write_file(key_file_of(dir), inputs.key);
+    return panoramas;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    int count = 0;
+    for (const double v : values)
+        if (std::isfinite(v)) sum += v, ++count;
+    return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Against the true panoramas at the walked poses: what the walk made of them, and what the splats, ours and A's, make of that.
+Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path& true_panoramas, const Run& run) {
+    const std::vector<ImageRgb8> walked = inputs.walked();
+    FASTSCENE_CHECK(walked.size() == inputs.world_from_pano.size());
+    std::vector<double> walk, ours, bound, lost;
+    Progress progress(run, "walked poses", static_cast<std::int64_t>(walked.size()) - 1);
+    for (std::size_t i = 1; i < walked.size(); ++i) {
+        run.check_stop();
+        const ImageRgb8 truth = load_rgb8(true_panoramas / picture_name(i));
+        const auto likeness = [&](const Splats& splats) { return psnr(sphere_of(splats, truth.width, inputs.world_from_pano[i]).color, truth); };
+        walk.push_back(psnr(walked[i], truth));
+        ours.push_back(likeness(inputs.splats));
+        bound.push_back(likeness(a));
+        lost.push_back(walk.back() - ours.back());
+        progress.advance();
+    }
+    return {{"count", walk.size()}, {"walk_psnr_mean", mean_of(walk)}, {"splats_psnr_mean", mean_of(ours)}, {"a_psnr_mean", mean_of(bound)},
+            {"splat_stage_loses_db", mean_of(lost)}};
+}
+
 // Means over the views; NaN (nothing to compare in a view) does not count.
 class Means {
   public:
@@ -52,20 +96,13 @@ class Means {
         seen_.push_back(l.psnr_seen);
         unseen_.push_back(l.psnr_unseen);
     }
-    double psnr() const { return mean(psnr_); }
+    double psnr() const { return mean_of(psnr_); }
     Json json() const {
-        return {{"psnr_mean", mean(psnr_)}, {"ssim_mean", mean(ssim_)}, {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
-                {"psnr_seen_mean", mean(seen_)}, {"psnr_unseen_mean", mean(unseen_)}};
+        return {{"psnr_mean", mean_of(psnr_)}, {"ssim_mean", mean_of(ssim_)}, {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
+                {"psnr_seen_mean", mean_of(seen_)}, {"psnr_unseen_mean", mean_of(unseen_)}};
     }
 
   private:
-    static double mean(const std::vector<double>& values) {
-        double sum = 0;
-        int count = 0;
-        for (const double v : values)
-            if (std::isfinite(v)) sum += v, ++count;
-        return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
-    }
     std::vector<double> psnr_, ssim_, seen_, unseen_;
 };
 
@@ -74,8 +111,6 @@ Json view_json(const TruthPose& pose, const Likeness& l) {
     return {{"position_m", {p.x, p.y, p.z}}, {"psnr", l.psnr}, {"ssim", l.ssim}, {"psnr_seen", l.psnr_seen}, {"psnr_unseen", l.psnr_unseen}};
 }
 
-std::string picture_name(std::size_t i) { return fmt::format("{:02}.png", i); }
-
 }  // namespace
 
 Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const fs::path& dir, const Run& run) {
@@ -83,10 +118,14 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
     make_directories(dir / "truth");
 
     std::optional<Splats> a, b;
+    Json walked_poses;
     if (params.bounds) {
-        make_directories(dir / "bounds");
-        a = trained_once(dir / "bounds" / "A.ply", inputs.key, [&] { return true_panoramas(inputs, run); }, inputs, run);
-        b = trained_once(dir / "bounds" / "B.ply", inputs.key, [&] { return std::vector{inputs.first}; }, inputs, run);
+        const fs::path bounds = dir / "bounds", panoramas = bounds / "panoramas";
+        make_directories(bounds);
+        a = trained_once(bounds / "A.ply", [&] { return kept_true_panoramas(panoramas, inputs, run); }, inputs, run);
+        b = trained_once(bounds / "B.ply", [&] { return std::vector{inputs.first}; }, inputs, run);
+        if (!is_kept(panoramas, inputs.key)) kept_true_panoramas(panoramas, inputs, run);
+        walked_poses = at_walked_poses(inputs, *a, panoramas, run);
     }
 
     Means ours, bound_a, bound_b;
@@ -118,6 +157,7 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
         truth["bounds"] = {{"A", bound_a.json()}, {"B", bound_b.json()}};
         truth["gap_to_a_db"] = bound_a.psnr() - ours.psnr();
         truth["closed_share"] = (ours.psnr() - bound_b.psnr()) / (bound_a.psnr() - bound_b.psnr());
+        truth["walked_poses"] = std::move(walked_poses);
     }
     truth["views"] = std::move(views);
     return truth;

@@ -76,6 +76,7 @@ struct TruthInputs {
     std::function<const TracedRoom&()> room;  // its light gathered; asked for only when bounds have to be trained
     Panorama first;                       // panorama 0 as the walk saw it, with range
     std::vector<Rigid> world_from_pano;   // the walked poses, panorama 0 first
+    std::function<std::vector<ImageRgb8>()> walked;   // the walk's pictures there; asked for only with bounds
     Splats splats;
     ViewsParams views;                    // for the bounds: the same cutting …
     SplatParams splat;                    // … and the same trainer
@@ -85,8 +86,11 @@ struct TruthInputs {
 // Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,
 // `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: psnr_mean, ssim_mean, psnr_worst, psnr_seen_mean,
 // psnr_unseen_mean, floor_db, views, and with bounds
-// bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B).
+// bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B), and
+// walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: against the true panoramas at the walked poses (panorama 0, which
+// is true, left out) the walk's pictures, the splats and A's seen all around from there; the last is the mean of what the splats have less than the walk.
 //   A: trained on true panoramas at the walked poses. B: trained on panorama 0 alone.
+// True panoramas are kept as `dir`/bounds/panoramas/NN.png.
 Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir, const Run& run);
 
 // Pictures in a row, and the amplified difference of the first two at the end; for people to look at.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fastscene/base/file.h"
+#include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/pipeline.h"
@@ -91,6 +92,11 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     inputs.room = [&]() -> const TracedRoom& { return impl_->lit_room(params.samples); };
     inputs.first = load_first_panorama(folder);
     inputs.world_from_pano = load_walk_poses(folder);
+    inputs.walked = [&] {
+        std::vector<ImageRgb8> colors;
+        for (const Panorama& p : load_walk(folder)) colors.push_back(srgb8_from_linear(p.color));
+        return colors;
+    };
     inputs.splats = splats.empty() ? load_splat_ply(folder.scene_ply()) : load_splats(splats).splats;
     inputs.views = settings.views;
     inputs.splat = settings.splat;

@@ -1,4 +1,4 @@
-#include "fastscene/pipeline/still.h"
+#include "fastscene/splat/still.h"
 
 #include <algorithm>
 #include <array>

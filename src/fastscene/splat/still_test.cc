@@ -1,4 +1,4 @@
-#include "fastscene/pipeline/still.h"
+#include "fastscene/splat/still.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
