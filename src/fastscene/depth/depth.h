@@ -33,6 +33,8 @@ void visit_fields(DepthParams& p, V&& v) {
 
 // Range as seen from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.
 ImageF exact_range(const TracedRoom& room, EquirectSize size, const Run& run);
+// The same into flat mirrors (Panorama::mirrored_range); empty where none is seen.
+ImageF exact_mirrored_range(const TracedRoom& room, EquirectSize size, const Run& run);
 
 // The panorama with a range map from elsewhere. Sizes must be equal. 0 is "unknown" and is filled smoothly from its
 // surroundings; +inf is sky. Throws Error naming `source` for NaN, negative values or nothing known at all.

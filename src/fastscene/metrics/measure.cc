@@ -38,13 +38,15 @@ Splats trained_once(const fs::path& ply, const std::function<std::vector<Panoram
 // True panoramas at the walked poses, through 8 bits like everything that a stage reads from disk.
 std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) {
     std::vector<Panorama> panoramas{inputs.first};
+    ShotParts parts = inputs.shot;
+    parts.mirrored_range = true;
     const TracedRoom& room = inputs.room();
     Progress progress(run, "true panoramas", static_cast<std::int64_t>(inputs.world_from_pano.size()) - 1);
     for (std::size_t i = 1; i < inputs.world_from_pano.size(); ++i) {
         run.check_stop();
         const Run quiet{run.seed + i, nullptr, run.stop};
-        const Shot shot = room.panorama(inputs.world_from_pano[i], inputs.first.size(), inputs.shot, quiet);
-        panoramas.push_back({linear_from_srgb8(srgb8_from_linear(shot.color)), shot.range, {}, inputs.world_from_pano[i]});
+        const Shot shot = room.panorama(inputs.world_from_pano[i], inputs.first.size(), parts, quiet);
+        panoramas.push_back({linear_from_srgb8(srgb8_from_linear(shot.color)), shot.mirrored_range, {}, inputs.world_from_pano[i], {}});
         progress.advance();
     }
     return panoramas;

@@ -30,6 +30,8 @@ struct RunFolder {
     std::filesystem::path prompt_json() const { return root / "panorama" / "prompt.json"; }
     std::filesystem::path room_json() const { return root / "panorama" / "room.json"; }
     std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }
+    // Where panorama 0 looks into a mirror of a room that is known.
+    std::filesystem::path depth_mirrored_range() const { return root / "depth" / "mirrored-range.exr"; }
     std::filesystem::path walk() const { return root / "walk"; }
     std::filesystem::path views() const { return root / "views"; }
     // Where a training that was stopped goes on; gone when it is done.

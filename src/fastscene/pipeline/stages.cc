@@ -180,7 +180,9 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
     if (backend == "exact") {
         // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
         PromptSpec prompt = read_prompt(source.prompt, panorama);
-        found.range = exact_range(TracedRoom(make_room(prompt, run)), size, run);
+        const TracedRoom room(make_room(prompt, run));
+        found.range = exact_range(room, size, run);
+        if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty()) save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
     } else if (backend == "image") {
         found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture), run), size.width);
     } else {
@@ -207,6 +209,7 @@ Panorama load_first_panorama(const RunFolder& folder) {
     Panorama panorama;
     panorama.color = load_color(folder.panorama_color());
     panorama.range = load_float(folder.depth_range());
+    if (fs::exists(folder.depth_mirrored_range())) panorama.mirrored_range = load_float(folder.depth_mirrored_range());
     return panorama;
 }
 

@@ -91,6 +91,7 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     inputs.truth = impl_->truth_set(params);
     inputs.room = [&]() -> const TracedRoom& { return impl_->lit_room(params.samples); };
     inputs.first = load_first_panorama(folder);
+    inputs.first.range = inputs.first.seen_range();   // as the true panoramas have it
     inputs.world_from_pano = load_walk_poses(folder);
     inputs.walked = [&] {
         std::vector<ImageRgb8> colors;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "fastscene/base/check.h"
@@ -14,17 +15,45 @@
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
+namespace {
+
+constexpr int kMostMirrors = 4;   // as many as a picture shows one in another (shade.cc)
+
+// The plane of a mesh that is a flat mirror: nearly all of its surface is that, or the back of its pane. Zero: it is none, or (a ball of small ones)
+// shows no one image.
+Vec3f mirror_normal(const Room& room, const Mesh& mesh) {
+    if (!(room.materials[static_cast<std::size_t>(mesh.material)].mirror > 0.5f)) return {};
+    std::vector<Vec3f> areas;   // normal times twice the area
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return mesh.positions[mesh.triangles[i + k]]; };
+        areas.push_back(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+    if (areas.empty()) return {};
+    const Vec3f normal = normalize(*std::max_element(areas.begin(), areas.end(), [](Vec3f a, Vec3f b) { return dot(a, a) < dot(b, b); }));
+    float all = 0, flat = 0;
+    for (const Vec3f area : areas) {
+        all += length(area);
+        if (std::fabs(dot(area, normal)) > 0.9999f * length(area)) flat += length(area);
+    }
+    return flat > 0.8f * all ? normal : Vec3f{};
+}
+
+}  // namespace
 
 struct TracedRoom::Impl {
     Room room;
     SceneBvh bvh;
     Lights lights;
     std::vector<bool> closed;
+    std::vector<Vec3f> mirrors;   // by mesh: mirror_normal
     TraceParams params;
     std::optional<IrradianceCache> light;
 
     explicit Impl(Room r) : room(std::move(r)), bvh(room), lights(room) {
-        for (const Mesh& mesh : room.meshes) closed.push_back(is_closed(mesh));
+        for (const Mesh& mesh : room.meshes) {
+            closed.push_back(is_closed(mesh));
+            mirrors.push_back(mirror_normal(room, mesh));
+        }
     }
 
     ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo, const Run& run) const {
@@ -34,6 +63,21 @@ struct TracedRoom::Impl {
         return cached_picture({room, bvh, lights, *light, parts.contacts}, eye, parts, samples, look, albedo, run);
     }
 
+    // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
+    float distance_by_mirrors(Vec3f origin, Vec3f direction, RayHit hit) const {
+        float way = hit.distance;
+        for (int met = 0; hit && met < kMostMirrors; ++met) {
+            const Vec3f normal = mirrors[static_cast<std::size_t>(hit.mesh)];
+            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;   // no mirror, or the pane's rounded rim
+            const Vec3f facing = dot(direction, normal) < 0 ? normal : -normal;
+            origin = offset_from(origin + direction * hit.distance, facing);
+            direction = normalize(direction - normal * (2 * dot(direction, normal)));
+            hit = bvh.first_hit(origin, direction);
+            way += hit.distance;
+        }
+        return way;
+    }
+
     Shot shoot(const Eye& eye, const ShotParts& parts, const Run& run) const {
         Shot shot;
         if (parts.color || parts.albedo) {
@@ -41,15 +85,17 @@ struct TracedRoom::Impl {
             shot.color = color(eye, parts, look, parts.albedo ? &shot.albedo : nullptr, run);
         }
         if (parts.range) shot.range = ImageF(eye.width, eye.height);
+        if (parts.mirrored_range) shot.mirrored_range = ImageF(eye.width, eye.height);
         if (parts.normal) shot.normal = ImageColor(eye.width, eye.height);
         if (parts.object) shot.object = Image<std::int32_t>(eye.width, eye.height, -2);
-        if (!parts.range && !parts.normal && !parts.object) return shot;
+        if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object) return shot;
         parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < eye.width; ++x) {
                     const Vec3f direction = world_direction(eye, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
                     const RayHit hit = bvh.first_hit(eye.world_from_camera.translation, direction);
                     if (parts.range) shot.range.at(x, y) = hit.distance;
+                    if (parts.mirrored_range) shot.mirrored_range.at(x, y) = distance_by_mirrors(eye.world_from_camera.translation, direction, hit);
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;

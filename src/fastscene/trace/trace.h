@@ -34,12 +34,13 @@ void visit_fields(TraceParams& p, V&& v) {
 struct Shot {
     ImageColor color;              // linear, display-referred (after exposure and film curve), clamped to 0..1
     ImageF range;                  // metres along the ray through the pixel's center; +inf where the ray leaves the room
+    ImageF mirrored_range;         // the same to the virtual image where the ray meets a flat mirror: metres on to what it shows
     ImageColor albedo;             // mean over the pixel
     ImageColor normal;             // world, unit, of the center ray
     Image<std::int32_t> object;    // index into Room::objects of the center ray's hit; -1 = shell, -2 = outside
 };
 struct ShotParts {
-    bool color = true, range = true, albedo = false, normal = false, object = false;
+    bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false;
     int pixel_samples = 0;   // camera rays a pixel; 0 = TraceParams::pixel_samples
     bool paths = false;      // plain path tracing: no cache, nothing shared between pixels; for measurements
     bool radiance = false;   // `color` holds the pixel's mean radiance, undeveloped

@@ -125,6 +125,43 @@ TEST(Trace, RangeOfABoxRoomIsItsClosedForm) {
         }
 }
 
+// Behind a flat mirror lies the mirrored room, where it is wherever one stands; what mirrors on all sides shows no such image.
+TEST(Trace, AFlatMirrorIsLookedInto) {
+    Room room = empty_room(diffuse({0.5f, 0.5f, 0.5f}));
+    Material mirror = diffuse({0.85f, 0.85f, 0.85f});
+    mirror.mirror = 1;
+    room.materials.push_back(mirror);
+    room.objects.resize(2);
+    constexpr float kGlass = 1.2f;
+    room.meshes.push_back(box({-0.6f, -0.5f, kGlass}, {0.6f, 0.5f, kGlass + 0.02f}, false, 1, 0));
+    room.meshes.push_back(box({1.f, -0.2f, -1.4f}, {1.4f, 0.2f, -1.f}, false, 1, 1));
+    const TracedRoom traced(std::move(room));
+    const EquirectSize size{256, 128};
+    for (const Vec3f from : {Vec3f{}, Vec3f{0.4f, -0.2f, 0.3f}}) {
+        const Shot shot = traced.panorama({{}, from}, size, {.color = false, .range = true, .mirrored_range = true, .normal = true, .object = true}, {});
+        int mirrored = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const Vec3f d = direction_of_pixel(x, y, size);
+                if (shot.object.at(x, y) != 0 || shot.normal.at(x, y).z > -0.99f) {
+                    EXPECT_EQ(shot.mirrored_range.at(x, y), shot.range.at(x, y)) << "only the glass is looked into";
+                    continue;
+                }
+                // The walls go on beside it, and the wall behind the camera stands as far behind the glass as before it.
+                float expected = (2 * kGlass - kLow.z - from.z) / d.z;
+                for (std::size_t a = 0; a < 2; ++a) expected = std::min(expected, ((d[a] > 0 ? kHigh[a] : kLow[a]) - from[a]) / d[a]);
+                if (shot.mirrored_range.at(x, y) > 0.999f * expected) {
+                    EXPECT_NEAR(shot.mirrored_range.at(x, y), expected, 1e-3f * expected);
+                    ++mirrored;
+                } else {   // the cube is seen in it
+                    const Vec3f image = from + d * shot.mirrored_range.at(x, y);
+                    EXPECT_NEAR(std::max({std::fabs(image.x - 1.2f), std::fabs(image.y), std::fabs(2 * kGlass - image.z + 1.2f)}), 0.2f, 2e-3f);
+                }
+            }
+        EXPECT_GT(mirrored, 200);
+    }
+}
+
 // A small patch under a square lamp: E = L times the configuration factor of a parallel rectangle (Howell, B-3) times pi.
 TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     Room room = empty_room(diffuse({0, 0, 0}));

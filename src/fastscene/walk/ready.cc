@@ -44,6 +44,12 @@ Panorama ready_to_walk(Panorama first, const Run& run) {
         without += !(r > 0.f);   // true for NaN
         r = std::numeric_limits<float>::infinity();
     }
+    if (!first.mirrored_range.empty()) {
+        if (!first.mirrored_range.same_size(first.range))
+            throw Error("walk: expected a map of what mirrors show of the range map's size {} x {}, found {} x {}", w, h, first.mirrored_range.width, first.mirrored_range.height);
+        for (float& r : first.mirrored_range.pixels)
+            if (!(r > 0.f && r < kFarthestRange)) r = std::numeric_limits<float>::infinity();
+    }
     if (sky == static_cast<std::int64_t>(first.range.size()))
         throw Error("walk: expected a range map in metres, found no range in any of its {} x {} pixels", w, h);
     if (without > 0)

@@ -116,11 +116,19 @@ std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panor
     return all;
 }
 
-Json walk_our_way(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take) {
-    const EquirectSize size = first.size();
-    const std::vector<Vec3f> positions = all_viewpoints(first, more, params);
-    Json about = what_was_clipped(first, choose_viewpoints(first, params), params, run);
+// Mirrors are windows: what they show stands behind them, and moves with whoever steps aside as a mirror's image does.
+Panorama looking_into_mirrors(Panorama panorama) {
+    if (!panorama.mirrored_range.empty()) panorama.range = std::move(panorama.mirrored_range);
+    panorama.mirrored_range = {};
+    return panorama;
+}
+
+Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take) {
+    const EquirectSize size = given.size();
+    const std::vector<Vec3f> positions = all_viewpoints(given, more, params);   // nobody steps into a mirror
+    Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
+    const Panorama first = looking_into_mirrors(given);
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
