@@ -13,7 +13,8 @@
 namespace fastscene {
 namespace {
 
-constexpr float kReach_m = 8.f;        // a plane's picture ends here on each side of panorama 0
+constexpr float kReach_m = 8.f;        // a plane's picture ends here on each side of panorama 0,
+constexpr float kReach = 2.f;          // or at so many times the plane's distance: a hall's walls are seen beyond 8 m
 constexpr int kLongestSide = 640;
 constexpr float kMargin_m = 0.3f;      // hidden part of a furniture face that we believe in; chosen on walked rooms with known truth
 constexpr float kWidestGap_m = 0.8f;   // hidden part between two seen ones
@@ -22,8 +23,9 @@ PlanePicture blank(ScenePlane plane) {
     PlanePicture picture{plane, 0.01f, {}, {}, {}, {}};
     Vec2f& low = picture.plane.low;
     Vec2f& high = picture.plane.high;
-    low = {std::max(low.x - kMargin_m, -kReach_m), std::max(low.y - kMargin_m, -kReach_m)};
-    high = {std::min(high.x + kMargin_m, kReach_m), std::min(high.y + kMargin_m, kReach_m)};
+    const float reach = std::max(kReach_m, kReach * -plane.offset);
+    low = {std::max(low.x - kMargin_m, -reach), std::max(low.y - kMargin_m, -reach)};
+    high = {std::min(high.x + kMargin_m, reach), std::min(high.y + kMargin_m, reach)};
     const float longest = std::max(high.x - low.x, high.y - low.y);
     if (!(longest > 0.02f)) return picture;
     picture.metres_per_pixel = std::max(0.01f, longest / kLongestSide);

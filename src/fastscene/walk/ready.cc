@@ -9,6 +9,7 @@
 namespace fastscene {
 namespace {
 
+constexpr float kNearest_m = 0.001f;    // nothing that a picture shows is nearer to its lens: a fault of what measured
 constexpr float kNoRoom_m = 0.1f;       // half of all surfaces nearer: inside a thing, or other units
 constexpr float kTooFar_m = 1000.f;     // no room is so wide: other units
 
@@ -39,9 +40,9 @@ Panorama ready_to_walk(Panorama first, const Run& run) {
     if (w != 2 * h || h < 8) throw Error("walk: expected a panorama twice as wide as high, found {} x {}", w, h);
     std::int64_t without = 0, sky = 0;
     for (float& r : first.range.pixels) {
-        if (r > 0.f && r < kFarthestRange) continue;
+        if (r >= kNearest_m && r < kFarthestRange) continue;
         ++sky;
-        without += !(r > 0.f);   // true for NaN
+        without += !(r >= kNearest_m);   // true for NaN
         r = std::numeric_limits<float>::infinity();
     }
     if (!first.mirrored_range.empty()) {
@@ -53,7 +54,7 @@ Panorama ready_to_walk(Panorama first, const Run& run) {
     if (sky == static_cast<std::int64_t>(first.range.size()))
         throw Error("walk: expected a range map in metres, found no range in any of its {} x {} pixels", w, h);
     if (without > 0)
-        run.warn(fmt::format("walk: {} pixels of the range map have no range (0, negative or NaN); they are kept as far background", without));
+        run.warn(fmt::format("walk: {} pixels of the range map have no range (0, negative, NaN or less than a millimetre); they are kept as far background", without));
     const float median = median_range(first.range);
     if (!(median >= kNoRoom_m))
         throw Error(
