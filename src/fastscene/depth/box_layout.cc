@@ -5,60 +5,10 @@
 #include <vector>
 
 #include "fastscene/base/parallel.h"
-#include "fastscene/geometry/reproject.h"
-#include "fastscene/image/color.h"
+#include "fastscene/depth/room_lines.h"
 
 namespace fastscene {
 namespace {
-
-constexpr EquirectSize kLook{512, 256};  // lines of a room are found at this size; finer is furniture
-
-// How strongly the picture changes across a line that runs level (down) or upright (across), 0..1.
-struct Lines {
-    ImageF level, upright;
-};
-
-// A change counts against the strongest tenth of its picture: a dim room has edges too. The root makes the
-// faint line between two white walls count nearly as much as the frame of a window.
-void normalize(ImageF& lines) {
-    std::vector<float> sorted = lines.pixels;
-    const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
-    std::nth_element(sorted.begin(), at, sorted.end());
-    const float strong = std::max(*at, 1e-4f);
-    for (float& v : lines.pixels) v = std::sqrt(std::min(1.f, v / strong));
-}
-
-Lines find_lines(const ImageColor& panorama) {
-    const ImageColor small = equirect_from_equirect(panorama, kLook);
-    Image<Vec3f> seen(kLook.width, kLook.height);  // as the eye has it
-    for (std::size_t i = 0; i < small.size(); ++i)
-        seen.pixels[i] = {srgb_from_linear(small.pixels[i].x), srgb_from_linear(small.pixels[i].y), srgb_from_linear(small.pixels[i].z)};
-    Lines lines{ImageF(kLook.width, kLook.height), ImageF(kLook.width, kLook.height)};
-    const auto change = [](Vec3f a, Vec3f b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z); };
-    for (int y = 2; y < kLook.height - 2; ++y)
-        for (int x = 0; x < kLook.width; ++x) {
-            const auto at = [&](int dx, int dy) { return seen.at(wrap_column(x + dx, kLook.width), y + dy); };
-            // A long line agrees with itself beside: three places, one change.
-            const auto mean3 = [&](int dx, int dy, bool along_x) {
-                return (along_x ? at(dx - 2, dy) + at(dx, dy) + at(dx + 2, dy) : at(dx, dy - 2) + at(dx, dy) + at(dx, dy + 2)) * (1.f / 3.f);
-            };
-            lines.level.at(x, y) = change(mean3(0, -1, true), mean3(0, 1, true));
-            lines.upright.at(x, y) = change(mean3(-1, 0, false), mean3(1, 0, false));
-        }
-    normalize(lines.level);
-    normalize(lines.upright);
-    return lines;
-}
-
-// Strength at (lon, lat): the best of the row and its neighbours, for a box is never exact.
-float strength_at(const ImageF& lines, float lon, float lat, bool level) {
-    const int x = static_cast<int>(std::floor((lon / (2 * kPi) + 0.5f) * static_cast<float>(kLook.width)));
-    const int y = std::clamp(static_cast<int>((0.5f - lat / kPi) * static_cast<float>(kLook.height)), 1, kLook.height - 2);
-    float best = 0;
-    for (int d = -1; d <= 1; ++d)
-        best = std::max(best, level ? lines.at(wrap_column(x, kLook.width), y + d) : lines.at(wrap_column(x + d, kLook.width), y));
-    return best;
-}
 
 constexpr int kDistances = 40;
 constexpr float kNearest = 0.5f, kFarthest = 14.f;  // of a wall: rooms between a closet and a hall
@@ -96,7 +46,7 @@ using Walls = std::array<int, 4>;  // index of each wall's distance
 
 class BoxScore {
   public:
-    BoxScore(const Lines& lines, float yaw, float floor_m, float ceiling_m) : lines_(lines), yaw_(yaw), floor_m_(floor_m), ceiling_m_(ceiling_m) {
+    BoxScore(const RoomLines& lines, float yaw, float floor_m, float ceiling_m) : lines_(lines), yaw_(yaw), floor_m_(floor_m), ceiling_m_(ceiling_m) {
         for (std::size_t i = 0; i < 4; ++i) {
             const float facing = yaw + static_cast<float>(i) * kPi / 2;
             floor_[i] = level_sums(lines.level, facing, floor_m, -1);
@@ -125,7 +75,7 @@ class BoxScore {
             sum += strength_at(lines_.upright, lon, bottom + (top - bottom) * (static_cast<float>(i) + 0.5f) / kSteps, false);
         return sum / kSteps;
     }
-    const Lines& lines_;
+    const RoomLines& lines_;
     float yaw_, floor_m_, ceiling_m_;
     std::array<EdgeSums, 4> floor_, ceiling_;
 };
@@ -135,7 +85,7 @@ struct Fit {
     Walls walls{};
 };
 
-Fit best_walls(const Lines& lines, float yaw, float floor_m, float ceiling_m) {
+Fit best_walls(const RoomLines& lines, float yaw, float floor_m, float ceiling_m) {
     const BoxScore score(lines, yaw, floor_m, ceiling_m);
     Fit best;
     // From a small, a middling and a large room: the walls are moved one at a time, and may stick.
@@ -161,7 +111,7 @@ Fit best_walls(const Lines& lines, float yaw, float floor_m, float ceiling_m) {
 
 BoxLayout fit_box(const ImageColor& panorama, float camera_height_m) {
     FASTSCENE_CHECK(camera_height_m > 0.f);
-    const Lines lines = find_lines(panorama);
+    const RoomLines lines = find_lines(panorama);
     constexpr int kYaws = 30;                                             // every 3 degrees
     constexpr float kCeilings[] = {0.35f, 0.5f, 0.62f, 0.75f, 0.9f, 1.1f, 1.4f, 1.9f};  // above the camera, in camera heights
     constexpr int kHeights = static_cast<int>(std::size(kCeilings));

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fastscene/base/random.h"
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/box_layout.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/depth/metric_range.h"
+#include "fastscene/depth/walls.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/nn/egformer.h"
 
@@ -111,6 +114,68 @@ TEST(MetricRange, SaysWhenThereIsNoFloor) {
     EXPECT_FALSE(fit.sure);
     EXPECT_GT(fit.scale, 0);
     EXPECT_EQ(fit.shift, 0);
+}
+
+// Degrees between two directions.
+float apart_deg(float a, float b) { return std::abs(std::remainder(a - b, 2 * kPi)) * 180 / kPi; }
+
+// As a network sees a box: coarse, wavering by a few per cent, a sofa before one wall.
+ImageF seen_of(const BoxLayout& box, EquirectSize size) {
+    ImageF range = range_of_box(box, size);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, size);
+            float& r = range.at(x, y);
+            r *= 1 + 0.02f * std::sin(5 * d.x + 3 * d.z) * std::cos(7 * d.y) + 0.01f * (Random(6, "waver", static_cast<std::uint64_t>(y * size.width + x)).uniform() - 0.5f);
+            if (x > size.width / 3 && x < size.width / 2 && y > size.height * 5 / 8 && y < size.height * 7 / 8) r *= 0.7f;
+        }
+    return range;
+}
+
+// Each wall of a box is found once, where it is, by about the share of the sphere that it fills; whatever stands before it.
+TEST(Walls, OfABoxAreFoundWhereTheyAre) {
+    const BoxLayout box = some_box();
+    const EquirectSize size{128, 64};
+    const std::vector<Wall> walls = upright_planes(seen_of(box, size), box.floor_m, box.ceiling_m);
+    ASSERT_EQ(walls.size(), 4u);
+    float sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float yaw = box.yaw + static_cast<float>(i) * kPi / 2;
+        const auto found = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return apart_deg(w.yaw, yaw) < 4; });
+        ASSERT_NE(found, walls.end()) << "wall " << i;
+        EXPECT_NEAR(found->distance_m, box.wall_m[i], 0.03f * box.wall_m[i]) << "wall " << i;
+        sum += found->share;
+    }
+    EXPECT_TRUE(std::is_sorted(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.share > b.share; }));
+    EXPECT_GT(sum, 0.4f);   // of a room of 4 x 6 m, 2.6 m high
+    EXPECT_LT(sum, 0.8f);
+}
+
+TEST(Walls, WithoutLinesAreNotBelieved) {
+    const BoxLayout box = some_box();
+    const ImageF range = seen_of(box, {128, 64});
+    const std::vector<Wall> sure = walls_with_lines(range, find_lines(painted(box, {512, 256})), box.floor_m, box.ceiling_m);
+    EXPECT_GE(sure.size(), 3u);
+    for (const Wall& wall : sure) EXPECT_NEAR(wall.line_m, wall.distance_m, 0.06f * wall.distance_m);
+    EXPECT_TRUE(walls_with_lines(range, find_lines(ImageColor(512, 256, {0.5f, 0.5f, 0.5f})), box.floor_m, box.ceiling_m).empty());
+    // Lines of a room that is larger by a quarter: where they run is said, what the range map has stays.
+    BoxLayout larger = box;
+    for (float& m : larger.wall_m) m *= 1.2f;
+    const std::vector<Wall> longer = walls_with_lines(range, find_lines(painted(larger, {512, 256})), box.floor_m, box.ceiling_m);
+    ASSERT_FALSE(longer.empty());
+    for (const Wall& wall : longer) EXPECT_NEAR(wall.line_m, 1.2f * wall.distance_m, 0.08f * wall.distance_m);
+}
+
+TEST(Walls, AreNotInvented) {
+    const EquirectSize size{128, 64};
+    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, 2.f), 1.6f, 1.f).empty());   // a ball has none
+    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, std::numeric_limits<float>::infinity()), 1.6f, 0).empty());
+    ImageF noise(size.width, size.height);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise.pixels[i] = Random(7, "noise", i).uniform(0.5f, 5.f);
+    EXPECT_TRUE(upright_planes(noise, 1.6f, 1.f).empty());
+    BoxLayout shed = some_box();   // nothing but floor is nearer than a kilometre
+    for (float& m : shed.wall_m) m = 1000;
+    EXPECT_TRUE(upright_planes(range_of_box(shed, size), shed.floor_m, shed.ceiling_m).empty());
 }
 
 // All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one look does not.

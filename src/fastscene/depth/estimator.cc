@@ -6,6 +6,8 @@
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/box_layout.h"
 #include "fastscene/depth/metric_range.h"
+#include "fastscene/depth/room_lines.h"
+#include "fastscene/depth/walls.h"
 #include "fastscene/nn/egformer.h"
 #include "fastscene/nn/shipped.h"
 
@@ -46,7 +48,8 @@ class EgformerEstimator : public DepthEstimator {
         if (!fit.sure)
             run.warn(
                 fmt::format("depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess", camera_height_m_));
-        return {aligned_to_picture(metric_range(relative, fit), color),
+        const ImageF range = metric_range(relative, fit);
+        return {aligned_to_picture(range, color),
                 {{"backend", "egformer"},
                  {"weights", name_},
                  {"looks", looks_},
@@ -55,10 +58,18 @@ class EgformerEstimator : public DepthEstimator {
                  {"scale", fit.scale},
                  {"shift", fit.shift},
                  {"floor_share", fit.floor_share},
-                 {"floor_found", fit.sure}}};
+                 {"floor_found", fit.sure},
+                 {"walls", walls_of(range, color, fit)}}};
     }
 
   private:
+    static Json walls_of(const ImageF& range, const ImageColor& color, const MetricFit& fit) {
+        Json out = Json::array();
+        for (const Wall& wall : walls_with_lines(range, find_lines(color), fit.camera_height_m, fit.ceiling_m))
+            out.push_back({{"yaw_deg", wall.yaw * 57.29578f}, {"distance_m", wall.distance_m}, {"share", wall.share}, {"line_m", wall.line_m}});
+        return out;
+    }
+
     static constexpr int kSmallNetwork = 128;  // rows: eight looks of such a one take a few seconds
     Egformer network_;
     std::string name_;
