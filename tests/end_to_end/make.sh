@@ -73,4 +73,23 @@ expect 0 "$fastscene" panorama --panorama other/panorama/color.png --more more.j
 expect 0 "$fastscene" depth several
 grep -q '"scaled_to_agree_by"' several/depth/stage.json || fail "the second range was not made to agree"
 
+# Each further panorama is looked at as the first is, and told of by its file; how its range came about stands beside it, here where the first has a map.
+half() { local i; for i in $(seq 96); do printf "$1"; done; }   # 32 pixels
+{ printf 'PF\n64 32\n-1.0\n'; for i in $(seq 32); do half '\0\0\200\076'; half '\0\0\200\077'; done; } >photo.pfm
+echo '{"panoramas": [{"color": "photo.pfm", "position": [0.3, -0.4, 0.2]}, {"color": "other/walk/001/color.png", "position": [0, 1.5, 0]}]}' >more.json
+expect 0 "$fastscene" panorama --panorama other/panorama/color.png --range other/depth/range.exr --more more.json -o mixed --seed 1 "${tiny[@]:0:8}"
+says "photo.pfm: the left and the right edge do not meet"
+says "photo.pfm: no range: estimated from the picture, the camera 2 m above the floor"
+says "other/walk/001/color.png: expected a place over the floor, which lies 1.6 m below the first camera, found 1.5 m below it"
+expect 0 "$fastscene" depth mixed --depth-looks 1
+tr -d ' \n' <mixed/depth/stage.json >about
+for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms","looks":1,"camera_height_m":2.0' \
+  '"picture":"color.png","backend":"egformer","weights":"egformer-rooms","looks":1,"camera_height_m":0.2' '"floor_found":' '"walls":['; do
+  grep -qF -- "$told" about || fail "depth/stage.json lacks $told"
+done
+# Weights that only the further panoramas need are missed before the work.
+expect 1 "$fastscene" make --panorama other/panorama/color.png --range other/depth/range.exr --more more.json --depth-weights gone.pkl -o gone "${tiny[@]}"
+says "gone.pkl"
+lacks gone
+
 exit 0

@@ -11,6 +11,7 @@
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/picture_check.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/stages.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -104,13 +105,24 @@ void tell_doubts(const fs::path& picture, const ImageColor& color, const Run& ru
     for (const std::string& doubt : doubts_about_panorama(color)) run.warn(fmt::format("{}: {}", picture.string(), doubt));
 }
 
-void check_more(const SceneSource& source, const WalkParams& walk, const Run& run) {
+void check_more(const SceneSource& source, const SceneParams& params, const Run& run) {
     if (source.picture.empty()) throw UsageError("--more: expected together with --panorama FILE, found alone");
-    if (walk.kind != "ours") throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", walk.kind);
+    if (params.walk.kind != "ours")
+        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.walk.kind);
     for (const MorePanorama& more : read_more_panoramas(source.more)) {
         const Panorama one = panorama_from_image(more.color);
         tell_doubts(more.color, one.color, run);
-        if (!more.range.empty()) range_from_file(more.range, one.size());
+        if (!more.range.empty()) {
+            range_from_file(more.range, one.size());
+            continue;
+        }
+        const float down = more.world_from_pano.translation.y;
+        const DepthParams depth = depth_of_further(params.depth, more.world_from_pano.translation);
+        make_depth_estimator(depth);  // its weights may be missing, even where the first panorama needs none
+        if (params.depth.camera_height_m - down < kLeastCameraHeight)
+            run.warn(fmt::format("{}: expected a place over the floor, which lies {} m below the first camera, found {} m below it (y points down)",
+                                 more.color.string(), params.depth.camera_height_m, down));
+        run.note(fmt::format("depth: {}: no range: estimated from the picture, the camera {} m above the floor", more.color.string(), depth.camera_height_m));
     }
 }
 
@@ -118,7 +130,7 @@ void check_more(const SceneSource& source, const WalkParams& walk, const Run& ru
 
 void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage, const Run& run) {
     depth_backend(source, params.depth);
-    if (!source.more.empty()) check_more(source, params.walk, run);
+    if (!source.more.empty()) check_more(source, params, run);
     if (!source.weights.empty() && !source.range_map.empty())
         throw UsageError("--range: expected together with --panorama FILE as it is, found with {}",
                          source.is_painted() ? "--panorama diffusion360" : "--panorama-upscale");

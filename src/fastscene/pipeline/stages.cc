@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "fastscene/base/events.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/shortest.h"
 #include "fastscene/depth/depth.h"
@@ -103,7 +104,23 @@ void save_more_panoramas(const fs::path& list, EquirectSize size, const fs::path
     save_viewpoints(out / "poses.json", viewpoints);
 }
 
-// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's.
+// Passes on what is said of one of several pictures, with its file's name before it.
+class SaidOfPicture : public EventSink {
+  public:
+    SaidOfPicture(const fs::path& picture, EventSink* sink) : picture_(picture.string()), sink_(sink) {}
+    void tell(const Event& event) override {
+        if (!sink_) return;
+        if (const auto* note = std::get_if<NoteEvent>(&event)) sink_->tell(NoteEvent{picture_ + ": " + note->text});
+        else if (const auto* warning = std::get_if<WarningEvent>(&event)) sink_->tell(WarningEvent{picture_ + ": " + warning->text});
+        else sink_->tell(event);
+    }
+
+  private:
+    std::string picture_;
+    EventSink* sink_;
+};
+
+// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was assumed and found, each.
 Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder, const ImageF& first_range, const fs::path& out,
                       const Run& run) {
     make_directories(out);
@@ -115,22 +132,24 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
         run.check_stop();
         const auto& [name, pose] = viewpoints[i];
         Panorama one{load_color(folder.more_panoramas() / (name + ".png")), {}, {}, pose};
+        Json entry{{"name", name}, {"picture", given[i].color.filename().string()}};
         if (!given[i].range.empty()) {
             Panorama measured = panorama_from_image(given[i].color);
             measured.range = range_from_file(given[i].range, measured.size(), run);
             measured.world_from_pano = given[i].world_from_pano;
             one.range = in_first_orientation(measured, one.size()).range;
-            about.push_back({{"name", name}, {"backend", "image"}});
+            entry["backend"] = "image";
         } else {
-            DepthParams higher = params;   // y points down
-            if (higher.backend == "image") higher.backend = "auto";   // the map was the first panorama's
-            higher.camera_height_m = std::max(0.2f, params.camera_height_m - pose.translation.y);
-            one.range = make_depth_estimator(higher)->estimate(one.color, run).range;
+            SaidOfPicture said(given[i].color, run.events);
+            EstimatedRange found = make_depth_estimator(depth_of_further(params, pose.translation))->estimate(one.color, {run.seed, &said, run.stop});
+            one.range = std::move(found.range);
             const float scale = scale_to_agree(first, one);
             for (float& r : one.range.pixels) r *= scale;
-            about.push_back({{"name", name}, {"backend", params.backend}, {"scaled_to_agree_by", scale}});
+            entry.update(found.assumptions);
+            entry["scaled_to_agree_by"] = scale;
         }
         save_exr(out / (name + ".exr"), one.range);
+        about.push_back(std::move(entry));
     }
     return about;
 }
@@ -203,6 +222,12 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params) 
                          source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
     if (params.backend == "image" && !has_map) throw UsageError("--depth-backend image: expected --range FILE, found none");
     return params.backend;
+}
+
+DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
+    if (params.backend == "image") params.backend = "auto";   // the map was the first panorama's
+    params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);   // y points down
+    return params;
 }
 
 Panorama load_first_panorama(const RunFolder& folder) {

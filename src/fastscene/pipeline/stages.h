@@ -32,6 +32,10 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
 // What tells the range of such a source: "auto" resolved as far as the source says. Throws UsageError for a backend that the
 // source has nothing for.
 std::string depth_backend(const SceneSource& source, const DepthParams& params);
+// How the range of a further panorama (--more) without a map is estimated, at `position` in the first one's frame: its camera stands as high over
+// the floor as that says, at least kLeastCameraHeight.
+inline constexpr float kLeastCameraHeight = 0.2f;
+DepthParams depth_of_further(DepthParams params, const Vec3f& position);
 // The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how.
 void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
                const std::filesystem::path& out, const Run& run);
