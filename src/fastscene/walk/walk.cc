@@ -8,6 +8,7 @@
 #include "fastscene/geometry/range_edges.h"
 #include "fastscene/walk/complete.h"
 #include "fastscene/walk/free_space.h"
+#include "fastscene/walk/mirrors.h"
 #include "fastscene/walk/published_walk.h"
 #include "fastscene/walk/ready.h"
 
@@ -128,6 +129,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     const std::vector<Vec3f> positions = all_viewpoints(given, more, params);   // nobody steps into a mirror
     Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
+    const std::vector<Mirror> mirrors = find_mirrors(given);
     const Panorama first = looking_into_mirrors(given);
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
@@ -150,6 +152,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         const Vec3f position = inverse(first.world_from_pano) * world_position;
         Panorama next;
         CoarseView view = compose(coarse_view(observed, size, position), coarse_view(invented, size, position), next.known);
+        look_into(mirrors, position, view, next.known);
         run.check_stop();   // a large picture's steps take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
