@@ -46,4 +46,14 @@ expect 2 "$fastscene" walk table run --panorama run/panorama/color.png
 expect 2 "$fastscene" walk table --panorama run/panorama/color.png --range run/depth/range.exr --truth
 expect 1 "$fastscene" walk table --panorama run/panorama/color.png --range nowhere.exr
 says nowhere.exr
+# A place that cannot be written to is noticed before the work; settings of the walk change no table.
+echo mine > taken
+expect 1 "$fastscene" walk table run -o taken
+says "taken: cannot make this directory"
+mkdir -p half/hole_table.svg
+expect 1 "$fastscene" walk table run -o half
+says "half/hole_table.svg: cannot be written"
+lacks half/hole_table.txt
+expect 2 "$fastscene" walk table run --walk paper
+says "--walk: expected with the walk itself"
 expect 2 "$fastscene" walk

@@ -37,7 +37,7 @@ Similarity world_for(const fs::path& file, const std::string& up, bool left_hand
 
 void check(const Flags& flags) {
     if (!is_splat_file_name(flags.to)) throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
-    if (!(flags.scale > 0 && flags.scale < 1e6f)) throw UsageError("--scale: expected a number above 0, found {}", flags.scale);
+    if (!(flags.scale > 0 && flags.scale < 1e6f)) throw UsageError("--scale: expected a number above 0 and below a million, found {}", flags.scale);
     if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1)) throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
     if (flags.max_splats && *flags.max_splats < 1) throw UsageError("--max-splats: expected 1 or more, found {}", *flags.max_splats);
     for (const float v : flags.translate)

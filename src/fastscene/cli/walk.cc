@@ -1,3 +1,5 @@
+#include "fastscene/base/file.h"
+#include "fastscene/base/writable.h"
 #include "fastscene/cli/request.h"
 #include "fastscene/pipeline/hole_report.h"
 
@@ -9,19 +11,32 @@ struct TableFlags {
     bool truth = false;
 };
 
+// The table falls through to the verb for what every verb has; a setting of the walk would change nothing there.
+void check_flags(const CLI::App& walk) {
+    for (const CLI::Option* option : walk.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || name == "--threads" || name == "--json" || name == "--progress") continue;
+        throw UsageError("{}: expected with the walk itself, found with walk table, which it does not change", name);
+    }
+}
+
 void make_table(const TableFlags& flags, const Session& session) {
     const bool has_picture = !flags.picture.empty() || !flags.range_map.empty();
     if (has_picture == !flags.scene.empty() || flags.picture.empty() != flags.range_map.empty())
         throw UsageError("walk table: expected the folder of a run, or --panorama FILE and --range FILE");
     if (flags.truth && has_picture)
         throw UsageError("--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
+    if (!flags.out.empty()) {   // noticed now, not after the work
+        make_directories(flags.out);
+        for (const char* name : {"hole_table.txt", "hole_table.json", "hole_table.svg"}) check_writable(std::filesystem::path(flags.out) / name);
+    }
     const Run run = session.run(0);
     const std::vector<HoleRow> rows =
         has_picture ? hole_table_of_picture(flags.picture, flags.range_map, run) : hole_table_of_run(flags.scene, flags.truth, run);
-    if (!flags.out.empty()) save_hole_table(flags.out, rows);
     std::string text = hole_table_text(rows);
     text.pop_back();
-    session.print(text, hole_table_json(rows));
+    session.print(text, hole_table_json(rows));   // first: a full disk does not take it away
+    if (!flags.out.empty()) save_hole_table(flags.out, rows);
 }
 
 }  // namespace
@@ -42,8 +57,11 @@ Verb add_walk(CLI::App& app) {
     // A run's folder is needed for the walk only.
     CLI::Option* folder = walk.app->get_option("folder")->required(false);
     const auto act = walk.act;
-    return {walk.app, [act, flags, table, folder](const Session& session) {
-                if (table->parsed()) return make_table(*flags, session);
+    return {walk.app, [act, flags, table, folder, walk_app = walk.app](const Session& session) {
+                if (table->parsed()) {
+                    check_flags(*walk_app);
+                    return make_table(*flags, session);
+                }
                 if (folder->count() == 0) throw UsageError("walk: expected the folder of a run");
                 act(session);
             }};

@@ -93,7 +93,7 @@ CameraPath load_camera_path(const std::filesystem::path& path) {
     for (std::size_t i = 1; i < camera.keys.size(); ++i)
         if (!(camera.keys[i].time_s > camera.keys[i - 1].time_s))
             throw Error("{}: expected times that grow, found {} after {}", path.string(), camera.keys[i].time_s, camera.keys[i - 1].time_s);
-    if (!(camera.fps > 0.f && camera.fps <= 1000.f)) throw Error("{}: expected fps above 0, found {}", path.string(), camera.fps);
+    if (!(camera.fps > 0.f && camera.fps <= 1000.f)) throw Error("{}: expected fps above 0 and at most 1000, found {}", path.string(), camera.fps);
     if (!(camera.fov_deg >= 1.f && camera.fov_deg <= 170.f))
         throw Error("{}: expected fov_deg from 1 to 170, found {}", path.string(), camera.fov_deg);
     if (camera.width < 1 || camera.height < 1 || camera.width > 16384 || camera.height > 16384)

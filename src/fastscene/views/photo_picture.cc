@@ -30,18 +30,25 @@ ImageMask resized(const ImageMask& mask, int width, int height) {
     return out;
 }
 
+// As wide for its height as `of` is: a pixel of rounding on either side, and a little.
+bool has_shape(PictureSize found, PictureSize of) {
+    const double shape = static_cast<double>(found.width) / found.height, expected = static_cast<double>(of.width) / of.height;
+    return std::fabs(shape / expected - 1) < 0.02 + 1.0 / std::min(found.width, found.height);
+}
+
 Picture load(const Photo& photo, const PhotosParams& params) {
     Picture picture{load_rgb8(photo.file), {}};
-    const double shape = static_cast<double>(picture.color.width) / picture.color.height,
-                 expected = static_cast<double>(photo.lens.width) / photo.lens.height;
-    // A pixel of rounding on either side, and a little.
-    if (!(std::fabs(shape / expected - 1) < 0.02 + 1.0 / std::min(picture.color.width, picture.color.height)))
-        throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height,
-                    picture.color.width, picture.color.height);
+    const PictureSize size{picture.color.width, picture.color.height};
+    if (!has_shape(size, {photo.lens.width, photo.lens.height}))
+        throw Error("{}: expected the shape of its camera, {} x {}, found {} x {}", photo.file.string(), photo.lens.width, photo.lens.height, size.width,
+                    size.height);
     if (params.alpha == "mask")
         if (ImageMask alpha = load_alpha(photo.file); !alpha.empty()) picture.weight = std::move(alpha);
     if (!photo.mask.empty()) {
         ImageMask mask = load_mask(photo.mask);
+        if (!has_shape({mask.width, mask.height}, size))
+            throw Error("{}: expected the shape of its picture, {} x {}, found {} x {}", photo.mask.string(), size.width, size.height, mask.width,
+                        mask.height);
         if (params.invert_masks)
             for (std::uint8_t& v : mask.pixels) v = static_cast<std::uint8_t>(255 - v);
         combine(picture.weight, mask.same_size(picture.color) ? mask : resized(mask, picture.color.width, picture.color.height));

@@ -208,6 +208,11 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     out.world_from_capture = world_from_capture(capture);
     out.set.views.resize(photos.size());
     std::vector<std::string> unusable(photos.size());
+    const auto is_bare = [](const Photo* photo) { return photo->mask.empty(); };
+    const auto bare = static_cast<std::size_t>(std::count_if(photos.begin(), photos.end(), is_bare));
+    if (bare > 0 && bare < photos.size())
+        run.warn(fmt::format("{}: {} of {} pictures have no mask and count whole, {} first", capture.source, bare, photos.size(),
+                             (*std::find_if(photos.begin(), photos.end(), is_bare))->name));
     Progress progress(run, "pictures", static_cast<std::int64_t>(photos.size()));
     parallel_for(static_cast<std::int64_t>(photos.size()), 1, [&](std::int64_t begin, std::int64_t) {
         run.check_stop();

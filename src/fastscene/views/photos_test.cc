@@ -215,6 +215,34 @@ TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
     EXPECT_EQ(views_of_capture(capture, {}, run).set.views.size(), 2u);
 }
 
+// A mask may be smaller than its picture, not of another shape: stretched it would hide the wrong places. Where only some have one, it is said.
+TEST(Photos, MasksHaveTheShapeOfTheirPictures) {
+    const fs::path dir = scratch("mask_shape");
+    Capture capture = capture_of(dir, 5);
+    for (std::size_t i : {1u, 2u, 3u}) capture.photos[i].mask = dir / fmt::format("m{}.png", i);
+    ImageMask half(8, 8, 255);
+    half.at(0, 0) = 0;
+    save_png(dir / "m1.png", half);
+    save_png(dir / "m2.png", ImageMask(16, 8, 255));
+    save_png(dir / "m3.png", ImageMask(16, 16, 255));
+    Warnings warnings;
+    fastscene::Run run;
+    run.events = &warnings;
+    const PhotoViews views = views_of_capture(capture, {}, run);
+    ASSERT_EQ(views.set.views.size(), 4u);
+    EXPECT_EQ(views.set.views[1].weight.at(1, 1), 0);
+    EXPECT_EQ(views.set.views[1].weight.at(2, 1), 255);
+    EXPECT_EQ(views.set.views[2].name, "p3.png");
+    EXPECT_NE(warnings.text.find((dir / "m2.png").string() + ": expected the shape of its picture, 16 x 16, found 16 x 8"), std::string::npos) << warnings.text;
+    EXPECT_NE(warnings.text.find("2 of 5 pictures have no mask and count whole, p0.png first"), std::string::npos) << warnings.text;
+    for (std::size_t i = 0; i < 5; ++i) capture.photos[i].mask = dir / "m1.png";
+    warnings.text.clear();
+    views_of_capture(capture, {}, run);
+    for (Photo& photo : capture.photos) photo.mask.clear();
+    views_of_capture(capture, {}, run);
+    EXPECT_EQ(warnings.text, "");
+}
+
 TEST(Photos, MemoryIsKnownBeforeTheyAreRead) {
     const fs::path dir = scratch("memory");
     Capture capture = capture_of(dir, 3);

@@ -14,7 +14,7 @@ constexpr int kDraws = 160;                // hypotheses a plane
 constexpr float kLeastShare = 0.0025f;     // of the sphere that a plane must cover
 constexpr float kAligned = 0.9f;           // cosine between a pixel's normal and its plane's
 constexpr float kHullShare = 0.03f;        // of the scene may lie behind a hull plane: what windows and doors show
-constexpr float kBehindPlane_m = 0.1f;          // what lies so far behind a plane does; in a hall, farther than points lie off their own plane
+constexpr float kBehindPlane_m = 0.1f;     // what lies so far behind a plane does; in a hall, farther than points lie off their own plane
 // A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the room ends.
 constexpr float kOnWall_m = 0.2f;
 // The wall that shows beside its tiles or a little above the cupboards is a strip: layers behind a hull plane may be small. What is before it is a thing.
