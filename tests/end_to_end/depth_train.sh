@@ -23,6 +23,16 @@ says "expected panoramas with range"
 expect 1 "$fastscene" depth train --start nowhere.pkl --steps 4 "${small[@]}" -o started
 says "nowhere.pkl"
 
+# Two processes, one network; figures and the folder are the first one's alone.
+port=$((20000 + RANDOM % 20000))
+"$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o two --processes 2 --process 1 --meet "localhost:$port" >second 2>second.log </dev/null &
+second=$!
+expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o two --processes 2 --process 0 --meet "localhost:$port"
+prints "two/egformer.safetensors: 4 steps; held out"
+wait "$second" || fail "the second process: $(tail -n 3 second.log)"
+grep -q "held out" second && fail "the second process tells figures of nothing: $(cat second)"
+grep -qF "done, 4 steps; process 0 keeps the network" second || fail "the second process says: $(cat second)"
+
 # Our own rooms as data, and what the network makes of them.
 expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 -o rooms
 expect 0 "$fastscene" depth train --data rooms --painted 0.5 --steps 2 "${small[@]}" -o taught

@@ -35,6 +35,8 @@ void train(const TrainFlags& flags, const Session& session) {
     apply_fields("", training.params, *flags.given);
     check_fields("", training.params);
     const EgformerTrained trained = train_depth(training, flags.out, session.run(number_from<std::uint64_t>("--seed", flags.seed)));
+    if (training.params.training.process > 0)   // it has looked at nothing that is held out
+        return session.print(fmt::format("done, {} steps; process 0 keeps the network", trained.steps), {{"steps", trained.steps}});
     session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(), trained.steps, trained.abs_rel, trained.delta1),
                   {{"weights", trained.weights.string()}, {"steps", trained.steps}, {"abs_rel", trained.abs_rel}, {"delta1", trained.delta1}});
 }
