@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "fastscene/base/parallel.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/math/solve.h"
 
@@ -63,6 +64,9 @@ bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mi
     if (!(std::sqrt(error / static_cast<double>(points.size())) < kFlat_m)) return false;
     mirror.normal = Vec3f{static_cast<float>(-m->x / length_m), static_cast<float>(-m->y / length_m), static_cast<float>(-m->z / length_m)};
     mirror.offset = static_cast<float>(-1 / length_m);
+    const auto middle = sum / static_cast<double>(points.size());
+    for (const Vec3d p : points) mirror.reach = std::max(mirror.reach, static_cast<float>(length(p - middle)));
+    mirror.middle = {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)};
     return true;
 }
 
@@ -85,8 +89,28 @@ WarpSource mirrored_room(const Panorama& first, Vec3f normal, float offset) {
                             normal * (2 * offset));
 }
 
+// Of the mirrored room only what lies behind the glass as seen from `position`: a disc about it is quickly asked.
+void keep_behind_glass(Mirror& mirror, Vec3f position) {
+    WarpSource& image = mirror.image[0];
+    const EquirectSize size{image.color.width, image.color.height};
+    const float reach = mirror.reach + 0.1f, near = mirror.offset - dot(mirror.normal, position);   // < 0
+    parallel_for(size.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                image.used.at(x, y) = 0;
+                if (!mirror.room.at(x, y)) continue;
+                const float inverse = std::max(image.inverse_range.at(x, y), 1e-4f);
+                const Vec3f to = image.position + direction_of_pixel(x, y, size) / inverse - position;
+                const float towards = dot(mirror.normal, to);
+                if (!(towards < 0)) continue;
+                image.used.at(x, y) = length(position + to * (near / towards) - mirror.middle) < reach;
+            }
+    });
+}
+
 // The mirror's image in each marked pixel, the mean of its quarters that show something beyond the glass: take(pixel, color, range).
-void draw_image(const Mirror& mirror, const ImageMask& marked, Vec3f position, const std::function<void(std::size_t, Vec3f, float)>& take) {
+void draw_image(Mirror& mirror, const ImageMask& marked, Vec3f position, const std::function<void(std::size_t, Vec3f, float)>& take) {
+    keep_behind_glass(mirror, position);
     const CoarseView quarters = quarters_view(mirror.image, marked, position);
     std::size_t quarter = 0;
     for (std::size_t i = 0; i < marked.size(); ++i) {
@@ -104,7 +128,7 @@ void draw_image(const Mirror& mirror, const ImageMask& marked, Vec3f position, c
 }
 
 // What of the room's colors the glass shows: measured where panorama 0 saw both.
-Vec3f tint_of(const Mirror& mirror, const Panorama& first) {
+Vec3f tint_of(Mirror& mirror, const Panorama& first) {
     Vec3f both{}, squares{};
     draw_image(mirror, mirror.glass, {}, [&](std::size_t i, Vec3f color, float) {
         both += color * first.color.pixels[i];
@@ -129,15 +153,16 @@ std::vector<Mirror> find_mirrors(const Panorama& first) {
         mirror.glass = ImageMask(glass.width, glass.height);
         for (const std::size_t i : part) mirror.glass.pixels[i] = 1;
         mirror.image.push_back(mirrored_room(first, mirror.normal, mirror.offset));
+        mirror.room = mirror.image[0].used;
         mirror.tint = tint_of(mirror, first);
         mirrors.push_back(std::move(mirror));
     }
     return mirrors;
 }
 
-void look_into(const std::vector<Mirror>& mirrors, Vec3f position, CoarseView& view, Image<Known>& known) {
+void look_into(std::vector<Mirror>& mirrors, Vec3f position, CoarseView& view, Image<Known>& known) {
     const EquirectSize size{view.color.width, view.color.height};
-    for (const Mirror& mirror : mirrors) {
+    for (Mirror& mirror : mirrors) {
         ImageMask marked(size.width, size.height);
         bool any = false;
         for (int y = 0; y < size.height; ++y)

@@ -12,7 +12,10 @@ struct Mirror {
     Vec3f normal;                    // of the glass, towards panorama 0, in its frame
     float offset = 0;                // normal . p = offset on the glass, < 0
     ImageMask glass;                 // panorama 0's pixels in which it shows
-    std::vector<WarpSource> image;   // the mirrored room; one source
+    std::vector<WarpSource> image;   // the mirrored room; one source, of which each look uses what shows through the glass
+    ImageMask room;                  // all of it that is worth looking at
+    Vec3f middle;                    // of the glass, and how far its pixels lie from there at most, metres
+    float reach = 0;
     Vec3f tint{1, 1, 1};             // times a color of the room: what of it the glass shows
 };
 // Those of a panorama whose mirrored_range is known, the largest first.
@@ -20,6 +23,6 @@ std::vector<Mirror> find_mirrors(const Panorama& first);
 
 // Where `view`, seen from `position`, has nothing known (Known::invented) and looks into a mirror whose image has something to show, that is drawn and
 // becomes Known::carried.
-void look_into(const std::vector<Mirror>& mirrors, Vec3f position, CoarseView& view, Image<Known>& known);
+void look_into(std::vector<Mirror>& mirrors, Vec3f position, CoarseView& view, Image<Known>& known);
 
 }  // namespace fastscene

@@ -129,7 +129,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     const std::vector<Vec3f> positions = all_viewpoints(given, more, params);   // nobody steps into a mirror
     Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
-    const std::vector<Mirror> mirrors = find_mirrors(given);
+    std::vector<Mirror> mirrors = find_mirrors(given);
     const Panorama first = looking_into_mirrors(given);
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
