@@ -190,6 +190,16 @@ says "panorama: already made"
 expect 1 "$fastscene" depth mine --panorama-width 64
 says "mine.png: cannot be read"
 
+# What only the last stage needs is missed before the first one.
+narrow() { (ulimit -v 8000000; exec "$fastscene" "$@"); }
+if narrow version >/dev/null 2>&1; then   # a sanitizer's own memory is larger
+  expect 1 narrow make "$prompt" -o early "${tiny[@]}" --splat-count 20000000 --splat-sh-degree 3
+  says "--splat-count: 20000000 Gaussians with harmonics of degree 3 take"
+fi
+expect 2 "$fastscene" make "$prompt" -o early "${tiny[@]}" --splat-patience 5
+says "--splat-patience: expected --splat-eval-every beside it"
+lacks early
+
 # Disks: a place that cannot be written, and a limit on the size of files in place of a full disk.
 echo x >file
 expect 1 "$fastscene" make "$prompt" -o file/below "${tiny[@]}"

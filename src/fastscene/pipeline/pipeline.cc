@@ -94,15 +94,19 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
     }
 }
 
-// Files that only a later stage asks for: better missed now than after an hour's work for it.
-void check_named_files(const SceneRequest& request) {
+// Files and memory that only a later stage asks for: better missed now than after an hour's work for it.
+void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     const SceneParams& params = request.params;
     const auto reaches = [&](std::string_view stage) {
         return std::find(std::begin(kStages), std::end(kStages), stage) <= std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
     if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer") load_weights(params.depth.weights);
     if (reaches("walk") && !params.walk.inpaint_weights.empty() && params.walk.inpainter == "aotgan") load_weights(params.walk.inpaint_weights);
-    if (reaches("splat") && !params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
+    if (!reaches("splat")) return;
+    check_splat_params(params.splat);
+    if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
+    // Splats that are there already may come from a larger machine.
+    if (request.start_over || !fs::exists(folder.stage("splat"))) check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
 }
 
 }  // namespace
@@ -116,7 +120,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     } else {
         check_source(request.source, request.params, request.last_stage, run);
     }
-    check_named_files(request);
+    check_later_stages(request, folder);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
     claim_folder(folder, request, run.seed, gone);

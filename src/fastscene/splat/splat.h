@@ -86,6 +86,8 @@ void check_splat_params(const SplatParams& params);
 
 // Bytes that training takes besides its views, known in advance: `points` to start from.
 std::int64_t splat_memory(const SplatParams& params, std::size_t points);
+// Throws Error where that is more than there is, `beside_bytes` taken for something else.
+void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes = 0);
 
 // Starting Gaussians: flat discs on the surfaces, `count` of them drawn from the points.
 Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run);

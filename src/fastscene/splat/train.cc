@@ -130,15 +130,6 @@ std::int64_t memory_of_half_views(const ViewSet& set, const SplatParams& params)
     return params.coarse > 0 ? pixels : 0;
 }
 
-void check_memory(const ViewSet& set, const SplatParams& params) {
-    const std::int64_t wanted = splat_memory(params, set.points.size()), have = available_memory() - memory_of_half_views(set, params);
-    if (available_memory() <= 0 || wanted <= have) return;
-    constexpr double kGiB = 1 << 30;
-    throw Error("--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB free: enough for {}",
-                params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(std::max<std::int64_t>(have, 0)) / kGiB,
-                std::max<std::int64_t>(have, 0) / memory_of_one(params));
-}
-
 // One run of training: the state and what does not change while it goes on.
 class Training {
   public:
@@ -194,7 +185,7 @@ class Training {
             write_file(params_.checkpoint, std::string_view());  // whether it can be written is better known now than hours later
             std::filesystem::remove(params_.checkpoint);
         }
-        check_memory(set, params_);
+        check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
         Splats splats = initial_splats(set.points, params_.count, run_);
         if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
@@ -324,6 +315,14 @@ void check_splat_params(const SplatParams& params) {
 std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
     const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
     return count * splat::memory_of_one(params);
+}
+
+void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes) {
+    const std::int64_t wanted = splat_memory(params, points), found = available_memory(), have = std::max<std::int64_t>(found - beside_bytes, 0);
+    if (found <= 0 || wanted <= have) return;
+    constexpr double kGiB = 1 << 30;
+    throw Error("--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB free: enough for {}",
+                params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(have) / kGiB, have / splat::memory_of_one(params));
 }
 
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed) {
