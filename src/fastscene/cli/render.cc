@@ -11,7 +11,7 @@
 #include "fastscene/pipeline/camera_path.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/splat_files.h"
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 
 namespace fastscene::cli {
 namespace {

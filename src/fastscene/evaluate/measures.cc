@@ -10,7 +10,7 @@
 #include "fastscene/metrics/images.h"
 #include "fastscene/pipeline/hole_report.h"
 #include "fastscene/pipeline/stages.h"
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 #include "fastscene/pipeline/truth.h"
 
 namespace fastscene {

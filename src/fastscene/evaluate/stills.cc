@@ -12,7 +12,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/pipeline/share.h"
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 
 namespace fastscene {
 namespace {

@@ -10,7 +10,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/metrics/metrics.h"
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 
 namespace fastscene {
 namespace {

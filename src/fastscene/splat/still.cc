@@ -1,4 +1,4 @@
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 
 #include "fastscene/geometry/cubemap.h"
 #include "fastscene/image/color.h"
-#include "fastscene/splat/splat.h"
 
 namespace fastscene {
 namespace {

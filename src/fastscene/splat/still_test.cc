@@ -1,4 +1,4 @@
-#include "fastscene/splat/still.h"
+#include "fastscene/splat/splat.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
