@@ -1,37 +1,27 @@
 // A mirror in a room that is known: the walk looks into it.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fastscene/depth/depth.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
 #include "fastscene/scene/box.h"
+#include "fastscene/trace/test_room.h"
 #include "fastscene/trace/trace.h"
 #include "fastscene/walk/walk.h"
 
 namespace fastscene {
 namespace {
 
-Material matt(Vec3f albedo, Vec3f emission = {}) {
-    Material m;
-    m.color_a = m.color_b = m.color_c = albedo;
-    m.emission = emission;
-    m.specular = 0;
-    m.roughness = 1;
-    return m;
-}
-
 // 4 x 2.6 x 5 m, a mirror on the wall in front (object 0), colored things behind the camera.
 Room room_with_a_mirror() {
     Room room;
-    room.min_corner = {-2, -1.1f, -2.5f};
-    room.max_corner = {2, 1.5f, 2.5f};
-    Material mirror = matt({0.85f, 0.85f, 0.85f});
+    room.min_corner = kLow;
+    room.max_corner = kHigh;
+    Material mirror = diffuse({0.85f, 0.85f, 0.85f});
     mirror.mirror = 1;
-    room.materials = {matt({0.75f, 0.72f, 0.68f}), matt({0.8f, 0.8f, 0.8f}, {9, 9, 9}), matt({0.7f, 0.06f, 0.05f}), matt({0.05f, 0.2f, 0.7f}), mirror};
+    room.materials = {diffuse({0.75f, 0.72f, 0.68f}), diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9}), diffuse({0.7f, 0.06f, 0.05f}), diffuse({0.05f, 0.2f, 0.7f}), mirror};
     room.objects.resize(1);
-    room.meshes = {box_mesh(room.min_corner, room.max_corner, 0, -1, true), box_mesh({-0.4f, -1.09f, -0.4f}, {0.4f, -1.05f, 0.4f}, 1),
+    room.meshes = {box_mesh(kLow, kHigh, 0, -1, true), box_mesh({-0.4f, -1.09f, -0.4f}, {0.4f, -1.05f, 0.4f}, 1),
                    box_mesh({-1.2f, 0.2f, -1.9f}, {-0.5f, 1.5f, -1.4f}, 2), box_mesh({0.4f, -0.4f, -2.4f}, {1.3f, 1.5f, -2.f}, 3),
                    box_mesh({-0.8f, -0.6f, 2.4f}, {0.8f, 0.7f, 2.42f}, 4, 0)};
     return room;
