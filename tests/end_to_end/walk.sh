@@ -33,6 +33,17 @@ expect 0 "$fastscene" walk run --walk paper --walk-step 0.4 --walk-steps 2
 says "would leave the room"
 grep -q '"reached_m"' run/walk/stage.json || fail "stage.json does not say what was clipped"
 
+# Holes that the room itself fills: lit again it is the room that the panorama was shot in.
+expect 0 "$fastscene" walk run --walk ours --walk-inpainter room
+expect 0 "$fastscene" make "$prompt" -o looked "${tiny[@]}" --walk-inpainter room
+cmp run/walk/001/color.png looked/walk/001/color.png || fail "a room that was made again is another one"
+expect 2 "$fastscene" walk run --walk paper --walk-inpainter room
+says "--walk-inpainter room: expected --walk ours"
+expect 2 "$fastscene" make --panorama run/panorama/color.png --range run/depth/range.exr -o pictured "${tiny[@]}" --walk-inpainter room
+says "behind which there is no room"
+lacks pictured
+expect 0 "$fastscene" walk run --walk ours --walk-inpainter aotgan
+
 # The table of holes.
 expect 0 "$fastscene" walk table run
 prints "published"

@@ -15,7 +15,7 @@ std::string code_version(std::string_view stage) {
         for (const std::string_view other : {"panorama", "depth", "inpaint", "walk", "views", "splat"})
             if (room == other) return room == stage || (stage == "walk" && room == "inpaint");
         const bool makes_rooms = room == "trace" || room == "rooms";
-        return makes_rooms ? stage == "panorama" || stage == "depth" : true;
+        return makes_rooms ? stage == "panorama" || stage == "depth" || stage == "walk" : true;
     };
     Hash hash;
     for (const auto& [room, sources] : generated::kRooms)

@@ -101,6 +101,7 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
         return std::find(std::begin(kStages), std::end(kStages), stage) <= std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
     if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer") load_weights(params.depth.weights);
+    if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
     if (reaches("walk") && !params.walk.inpaint_weights.empty() && params.walk.inpainter == "aotgan") load_weights(params.walk.inpaint_weights);
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
@@ -128,12 +129,15 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
     Stream stream(folder, request, gone ? gone->record.at("identity").get<std::string>() : identity_of(request.source), run);
-    stream.stage("panorama", fields_json(params.panorama),
-                 [&](const fs::path& out, const Run& r) { make_panorama(source, params.panorama, out, r); });
+    std::shared_ptr<const TracedRoom> room;   // kept for a walk that looks into it again
+    stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
+        auto made = make_panorama(source, params.panorama, out, r);
+        if (params.walk.inpainter == kLookIntoRoom) room = std::move(made);
+    });
     stream.stage("depth", fields_json(params.depth),
                  [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });
     stream.stage("walk", fields_json(params.walk),
-                 [&](const fs::path& out, const Run& r) { make_walk(source, params.depth, folder, params.walk, out, r); });
+                 [&](const fs::path& out, const Run& r) { make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r); });
     stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     stream.stage("splat", fields_json(params.splat), [&](const fs::path& out, const Run& r) { make_splat(folder, params.splat, out, r); });
 

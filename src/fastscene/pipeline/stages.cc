@@ -17,6 +17,7 @@
 #include "fastscene/io/view_io.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/fit_report.h"
+#include "fastscene/pipeline/same_room.h"
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/pipeline/sfm.h"
@@ -156,7 +157,8 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
 
 }  // namespace
 
-void make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
+std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
+    std::shared_ptr<const TracedRoom> traced;
     Json prompt, room;
     Panorama panorama;
     const PaintingSource painting{source.prompt, source.weights, source.photo};
@@ -177,6 +179,7 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
         panorama = std::move(made.panorama);
         prompt = to_json(made.prompt);
         room = room_json(made.room->room(), made.object_of_pixel);
+        traced = std::move(made.room);
     } else {
         panorama = reduced_panorama(panorama_from_image(source.picture), params.width);
         if (!source.weights.empty() && params.diffusion.upscale != "none")
@@ -188,6 +191,7 @@ void make_panorama(const SceneSource& source, const PanoramaParams& params, cons
     if (!source.more.empty()) save_more_panoramas(source.more, panorama.size(), out / "more", run);
     write_json(out / "prompt.json", prompt);
     write_json(out / "room.json", room);
+    return traced;
 }
 
 void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder, const fs::path& out,
@@ -246,14 +250,42 @@ std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
     return more;
 }
 
-void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params, const fs::path& out,
-               const Run& run) {
-    RangeEstimator estimate;
+void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
+    if (params.inpainter != kLookIntoRoom) return;
+    const auto refuse = [](std::string_view expected, std::string_view found) {
+        throw UsageError("--walk-inpainter {}: expected {}, found {}", kLookIntoRoom, expected, found);
+    };
+    if (!source.has_room())
+        refuse("a prompt and the rooms' maker", source.picture.empty() ? "a painted panorama, behind which there is no room"
+                                                                       : "the picture " + source.picture.string() + ", behind which there is no room");
+    if (const std::string backend = depth_backend(source, depth); backend != "exact") refuse("the room's own range", "--depth-backend " + backend);
+    if (params.kind != "ours") refuse("--walk ours", params.kind);
+}
+
+void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
+               std::shared_ptr<const TracedRoom> room, const fs::path& out, const Run& run) {
+    check_walk(source, depth, params);
+    WalkAdvice advice;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
         DepthParams published = depth;   // after each of 48 steps: one look, as published
         if (published.looks == 0) published.looks = 1;
-        estimate = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](const ImageColor& color, const Run& r) {
+        advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](const ImageColor& color, const Run& r) {
             return estimator->estimate(color, r).range;
+        };
+    }
+    if (params.inpainter == kLookIntoRoom) {
+        if (!room) {
+            PromptSpec prompt = read_prompt(source.prompt, panorama);
+            room = make_traced_room(prompt, panorama, run);
+            check_same_room(*room, load_float(folder.depth_range()), folder.root);
+        }
+        advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& asked, const Run& r) {
+            ShotParts parts = panorama_parts(panorama.trace);   // as panorama 0 was shot
+            parts.range = parts.object = false;
+            parts.mirrored_range = true;
+            parts.only = &asked;
+            Shot shot = room->panorama(world_from_pano, {asked.width, asked.height}, parts, r);
+            return RoomSight{std::move(shot.color), std::move(shot.mirrored_range)};
         };
     }
     std::vector<Viewpoint> viewpoints;
@@ -266,7 +298,7 @@ void make_walk(const SceneSource& source, const DepthParams& depth, const RunFol
         save_png(out / name / "known.png", mask_from_known(panorama.known, panorama.color.width, panorama.color.height));
         viewpoints.push_back({name, panorama.world_from_pano});
     };
-    const Json about = walk_through(load_first_panorama(folder), params, run, save, estimate, load_more_panoramas(folder));
+    const Json about = walk_through(load_first_panorama(folder), params, run, save, advice, load_more_panoramas(folder));
     save_viewpoints(out / "poses.json", viewpoints);
     write_json(out / "about.json", about);
 }

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "fastscene/pipeline/quality.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/scene/panorama.h"
+#include "fastscene/trace/trace.h"
 
 namespace fastscene {
 
@@ -26,7 +28,8 @@ struct SceneSource {
 };
 
 // Each writes the files of its stage into `out` (run_folder.h has their names).
-void make_panorama(const SceneSource& source, const PanoramaParams& params, const std::filesystem::path& out, const Run& run);
+// Returns the room that was traced, lit, for a walk that wants to look into it; null where there is none.
+std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params, const std::filesystem::path& out, const Run& run);
 void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder,
                 const std::filesystem::path& out, const Run& run);
 // What tells the range of such a source: "auto" resolved as far as the source says. Throws UsageError for a backend that the
@@ -36,9 +39,12 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params);
 // the floor as that says, at least kLeastCameraHeight.
 inline constexpr float kLeastCameraHeight = 0.2f;
 DepthParams depth_of_further(DepthParams params, const Vec3f& position);
-// The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how.
-void make_walk(const SceneSource& source, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
-               const std::filesystem::path& out, const Run& run);
+// Throws UsageError where --walk-inpainter room has no room to look into.
+void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
+// The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how. `room`: what make_panorama returned;
+// null: it is made and lit again where it is needed, and is the same.
+void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
+               std::shared_ptr<const TracedRoom> room, const std::filesystem::path& out, const Run& run);
 void make_views(const RunFolder& folder, const ViewsParams& params, const std::filesystem::path& out, const Run& run);
 void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
 // As fit_splats, but where the user named no checkpoint a stopped training goes on from one in the run's folder: until its splats are

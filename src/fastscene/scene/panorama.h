@@ -10,7 +10,8 @@ namespace fastscene {
 // How a pixel of a panorama came to be (the values in walk/NNN/known.png).
 enum class Known : std::uint8_t {
     invented = 0,    // painted here, for the first time
-    carried = 128,   // seen from here, but painted at an earlier viewpoint
+    carried = 128,   // seen from here, but painted or looked at from an earlier viewpoint
+    looked = 192,    // looked at in a room that is known, from here: as true as what panorama 0 observed
     original = 255,  // observed by panorama 0
 };
 

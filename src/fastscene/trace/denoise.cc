@@ -22,10 +22,11 @@ bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 // and a pixel that is surer of its error than they are is believed, or one lucky ray would stay a speck.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     constexpr int kReach = 2;
-    ImageF out(variance.width, variance.height);
+    ImageF out = variance;
     parallel_for(variance.height, 8, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < variance.width; ++x) {
+                if (!is_surface(guides.normal.at(x, y))) continue;   // the sky, or nothing at all
                 float sum = 0, count = 0;
                 for (int qy = std::max(0, y - kReach); qy <= std::min(variance.height - 1, y + kReach); ++qy)
                     for (int dx = -kReach; dx <= kReach; ++dx) {

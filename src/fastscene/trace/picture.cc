@@ -8,6 +8,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/grown.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
 #include "fastscene/trace/denoise.h"
@@ -325,11 +326,16 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         if (albedo) albedo->at(x, y) = pixel.albedo();
         return pixel;
     };
+    // Of what is not asked for the denoiser sees the nearest, too.
+    constexpr int kContext = 2;
+    const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, eye.panorama) : ImageMask{};
+    const auto is_traced = [&](int x, int y) { return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0; };
     Progress progress(run, "picture", eye.height);
     parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < eye.width; ++x) {
+                if (!is_traced(x, y)) continue;
                 const PixelSum pixel = trace(x, y, round);
                 if (noisy) noisy->set(x, y, pixel);
             }
@@ -376,13 +382,14 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     return out;
 }
 
-ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, int samples, const Look* look, const Run& run) {
+ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, const Run& run) {
     ImageColor out(eye.width, eye.height);
     Progress progress(run, "paths", eye.height);
     parallel_for(eye.height, 1, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < eye.width; ++x) {
+                if (!is_asked_for(parts, x, y)) continue;
                 const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
                 Vec3f sum{};
                 for (int s = 0; s < samples; ++s) {

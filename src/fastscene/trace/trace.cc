@@ -58,7 +58,7 @@ struct TracedRoom::Impl {
 
     ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo, const Run& run) const {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
-        if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, samples, look, run);
+        if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
         return cached_picture({room, bvh, lights, *light, parts.contacts}, eye, parts, samples, look, albedo, run);
     }
@@ -92,6 +92,7 @@ struct TracedRoom::Impl {
         parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < eye.width; ++x) {
+                    if (!is_asked_for(parts, x, y)) continue;
                     const Vec3f direction = world_direction(eye, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
                     const RayHit hit = bvh.first_hit(eye.world_from_camera.translation, direction);
                     if (parts.range) shot.range.at(x, y) = hit.distance;

@@ -47,6 +47,7 @@ struct ShotParts {
     bool contacts = false;   // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
     bool denoise = false;    // average over neighbours what chance leaves in the light (denoise.h); takes samples / 16 to samples / 2 rays
     float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
+    const ImageMask* only = nullptr;   // of the picture's size: the pixels that are asked for (nonzero); what the others hold means nothing
 };
 
 // A room ready to be looked at: triangles in Embree, light in the cache, exposure fixed.

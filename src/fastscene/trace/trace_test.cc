@@ -364,6 +364,29 @@ TEST(Trace, FewRaysAreDenoisedToo) {
 }
 
 // A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss it.
+// Some pixels of a picture are those of the whole picture; the denoiser knows their nearest neighbours only.
+TEST(Trace, SomePixelsAreAsInTheWholePicture) {
+    TracedRoom room(furnished_room());
+    room.gather_light(quick(), {});
+    const EquirectSize size{256, 128};
+    ImageMask asked(size.width, size.height);
+    for (int y = 50; y < 110; ++y)
+        for (int x = 240; x < 330; ++x) asked.at(x % size.width, y) = 255;   // across the seam
+    for (const bool denoised : {false, true}) {
+        ShotParts parts{.mirrored_range = true, .pixel_samples = 32, .contacts = true, .denoise = denoised, .noise = 0.012f};
+        const Shot whole = room.panorama({}, size, parts, {});
+        parts.only = &asked;
+        const Shot some = room.panorama({}, size, parts, {});
+        EXPECT_GT(psnr(srgb8_from_linear(some.color), srgb8_from_linear(whole.color), asked), denoised ? 45 : 1000) << denoised;
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            if (asked.pixels[i]) {
+                EXPECT_EQ(some.range.pixels[i], whole.range.pixels[i]);
+                EXPECT_EQ(some.mirrored_range.pixels[i], whole.mirrored_range.pixels[i]);
+            }
+        EXPECT_EQ(some.color.at(100, 20), Vec3f{}) << "what was not asked for is not traced";
+    }
+}
+
 TEST(Trace, ThinLinesDoNotBreak) {
     Room room = empty_room(diffuse({0, 0, 0}, {0.05f, 0.05f, 0.05f}));
     room.materials.push_back(diffuse({0, 0, 0}, {0.6f, 0.6f, 0.6f}));

@@ -41,7 +41,7 @@ ImageMask weights_of(const Panorama& panorama, const ViewsParams& params) {
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             const Known known = panorama.known.at(x, y);
-            int weight = known == Known::original ? 255 : known == Known::carried ? params.weight_carried : params.weight_invented;
+            int weight = known == Known::original || known == Known::looked ? 255 : known == Known::carried ? params.weight_carried : params.weight_invented;
             // A warped silhouette is right to a pixel at best.
             if (cuts.at(x, y) & (kFarSide | kNearSide)) weight = std::min(weight, params.weight_silhouette);
             out.at(x, y) = static_cast<std::uint8_t>(std::clamp(weight, 0, 255));

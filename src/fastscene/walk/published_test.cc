@@ -115,10 +115,10 @@ TEST(PublishedWalk, AsksTheEstimatorAfterEachStep) {
     params.kind = "paper";
     params.steps = 2;
     int asked = 0;
-    const Walked walked = walked_through(first, params, {}, [&](const ImageColor& color, const fastscene::Run&) {
+    const Walked walked = walked_through(first, params, {}, {[&](const ImageColor& color, const fastscene::Run&) {
         ++asked;
         return ImageF(color.width, color.height, 2.f);
-    });
+    }, {}});
     EXPECT_EQ(asked, 16);
     EXPECT_EQ(walked.panoramas[1].range.at(5, 5), 2.f);
     EXPECT_NE(walked.about.at("depth").get<std::string>().find("estimated"), std::string::npos);

@@ -124,14 +124,28 @@ Panorama looking_into_mirrors(Panorama panorama) {
     return panorama;
 }
 
-Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take) {
+// The holes as the room itself has them.
+void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& look, const Rigid& world_from_pano, const Run& run) {
+    const RoomSight sight = look(world_from_pano, hole, {run.seed, nullptr, run.stop});
+    FASTSCENE_CHECK(sight.color.same_size(hole) && sight.range.same_size(hole));
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+        if (!hole.pixels[i]) continue;
+        view.color.pixels[i] = sight.color.pixels[i];
+        view.range.pixels[i] = sight.range.pixels[i] < kFarthestRange ? sight.range.pixels[i] : std::numeric_limits<float>::infinity();
+        view.plane.pixels[i] = kNoPlane;
+    }
+}
+
+Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take,
+                  const RoomLook& look) {
     const EquirectSize size = given.size();
     const std::vector<Vec3f> positions = all_viewpoints(given, more, params);   // nobody steps into a mirror
     Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
-    std::vector<Mirror> mirrors = find_mirrors(given);
+    const bool looks = params.inpainter == kLookIntoRoom;
+    std::vector<Mirror> mirrors = looks ? std::vector<Mirror>{} : find_mirrors(given);
     const Panorama first = looking_into_mirrors(given);
-    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
+    const auto inpainter = looks ? nullptr : make_inpainter(params.inpainter, params.inpaint_weights);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
 
@@ -141,8 +155,10 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);   // the planes are the first's
     for (const Panorama& one : more)
         observed.push_back(make_warp_source(one.color, one.range, no_planes, {}, inverse(first.world_from_pano) * one.world_from_pano.translation));
-    const WalkWorld world{first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
-                          outside_picture(first.color, first.range), inpainter.get()};
+    WalkWorld world;
+    if (!looks)
+        world = {first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
+                 outside_picture(first.color, first.range), inpainter.get()};
 
     take(first);
     for (const Panorama& one : more) take(one);
@@ -156,13 +172,16 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         run.check_stop();   // a large picture's steps take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
-        complete_holes(view, hole, position, world, run);
+        next.world_from_pano = {first.world_from_pano.rotation, world_position};
+        if (looks) look_into_room(view, hole, look, next.world_from_pano, run);
+        else complete_holes(view, hole, position, world, run);
         PackedSource painted(make_warp_source(view.color, view.range, view.plane, carried_part(hole), position));
         next.color = std::move(view.color);
         next.range = std::move(view.range);
         next.color = smooth_silhouettes(next, observed, invented, position);
         invented.push_back(std::move(painted));   // later viewpoints cut silhouettes themselves
-        next.world_from_pano = {first.world_from_pano.rotation, world_position};
+        for (std::size_t i = 0; looks && i < hole.size(); ++i)
+            if (hole.pixels[i]) next.known.pixels[i] = Known::looked;
         take(std::move(next));
         progress.advance();
     }
@@ -171,8 +190,11 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
 
 }  // namespace
 
-Json walk_through(const Panorama& given, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate,
+Json walk_through(const Panorama& given, const WalkParams& params, const Run& run, const TakePanorama& take, const WalkAdvice& advice,
                   const std::vector<Panorama>& more) {
+    if (params.inpainter == kLookIntoRoom && (params.kind != "ours" || !advice.room))
+        throw UsageError("--walk-inpainter {}: expected {}", kLookIntoRoom,
+                         params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind) : "a room that is known, found none");
     const Panorama first = ready_to_walk(given, run);
     if (!more.empty() && params.kind != "ours")
         throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.kind);
@@ -181,15 +203,16 @@ Json walk_through(const Panorama& given, const WalkParams& params, const Run& ru
         FASTSCENE_CHECK(one.color.same_size(first.color) && one.world_from_pano.rotation == first.world_from_pano.rotation);
         others.push_back(ready_to_walk(one, run));
     }
-    Json about = params.kind == "ours" ? walk_our_way(first, others, params, run, take) : walk_as_published(first, params, run, take, estimate);
+    Json about = params.kind == "ours" ? walk_our_way(first, others, params, run, take, advice.room)
+                                      : walk_as_published(first, params, run, take, advice.range);
     about["kind"] = params.kind;
     return about;
 }
 
-Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate,
+Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const WalkAdvice& advice,
                       const std::vector<Panorama>& more) {
     Walked walked;
-    walked.about = walk_through(first, params, run, [&](Panorama one) { walked.panoramas.push_back(std::move(one)); }, estimate, more);
+    walked.about = walk_through(first, params, run, [&](Panorama one) { walked.panoramas.push_back(std::move(one)); }, advice, more);
     return walked;
 }
 

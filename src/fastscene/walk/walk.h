@@ -24,6 +24,13 @@ struct WalkParams {
     std::string inpainter = "aotgan";
     std::string inpaint_weights;
 };
+// Not painted at all: where panorama 0's room is known, what it hid is looked at.
+inline constexpr const char* kLookIntoRoom = "room";
+inline std::vector<std::string> hole_fillers() {
+    std::vector<std::string> names = inpainters();
+    names.push_back(kLookIntoRoom);
+    return names;
+}
 inline std::vector<std::string> walk_kinds() { return {"ours", "paper", "paper-direct", "paper-far"}; }
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
@@ -35,7 +42,8 @@ void visit_fields(WalkParams& p, V&& v) {
     v("clearance", p.clearance, Bounds{0.05, 0.95}, "Ours: greatest step as a share of the free distance in that direction.");
     v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
-    v("inpainter", p.inpainter, Choices{inpainters()}, "What paints the holes: a network, or the smoothest fill there is.");
+    v("inpainter", p.inpainter, Choices{hole_fillers()},
+      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the panorama, which is looked at again.");
     v("inpaint-weights", p.inpaint_weights,
       "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
 }
@@ -49,12 +57,23 @@ std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& pa
 using TakePanorama = std::function<void(Panorama panorama)>;
 // Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's size.
 using RangeEstimator = std::function<ImageF(const ImageColor& color, const Run& run)>;
+// What a known room shows of the nonzero pixels of a mask from some place in it: color as panorama 0 has it, and metres along the ray, on through flat
+// mirrors, +inf = outside. Both of the mask's size; pixels that were not asked for may hold anything.
+struct RoomSight {
+    ImageColor color;
+    ImageF range;
+};
+using RoomLook = std::function<RoomSight(const Rigid& world_from_pano, const ImageMask& asked, const Run& run)>;
+// Whom a walk may ask; those that it needs not may be empty.
+struct WalkAdvice {
+    RangeEstimator range;
+    RoomLook room;   // for the inpainter "room"
+};
 
 // Returns what the record of the stage should say: what stood in, what was clipped.
 // `more`: further panoramas of the same place with ranges, in the first's orientation; "ours" alone can use them: they are
 // observed as the first is, and the viewpoints are shared out among all. Pixels of `first` without a range (0, NaN, infinite) are far background. Throws Error when there is no room to walk in.
-// `estimate` may be empty.
-Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate = {},
+Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const WalkAdvice& advice = {},
                   const std::vector<Panorama>& more = {});
 
 // The same, with all panoramas kept.
@@ -62,7 +81,7 @@ struct Walked {
     std::vector<Panorama> panoramas;
     Json about;
 };
-Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const RangeEstimator& estimate = {},
+Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const WalkAdvice& advice = {},
                       const std::vector<Panorama>& more = {});
 
 }  // namespace fastscene

@@ -8,6 +8,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/grown.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
 #include "fastscene/io/image_io.h"
@@ -47,16 +48,6 @@ ImageMask true_holes(const SyntheticWorld& world, const Panorama& truth, Vec3f p
     return out;
 }
 
-ImageMask grown(const ImageMask& mask, int reach) {
-    ImageMask out(mask.width, mask.height);
-    for (int y = 0; y < mask.height; ++y)
-        for (int x = 0; x < mask.width; ++x)
-            if (mask.at(x, y))
-                for (int j = std::max(0, y - reach); j <= std::min(mask.height - 1, y + reach); ++j)
-                    for (int i = x - reach; i <= x + reach; ++i) out.at(wrap_column(i, mask.width), j) = 1;
-    return out;
-}
-
 double share_inside(const ImageMask& a, const ImageMask& b) {
     double all = 0, inside = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -90,8 +81,8 @@ TEST(CoarseView, HolesAreDisocclusions) {
     ImageMask found(kSize.width, kSize.height);
     for (std::size_t i = 0; i < found.size(); ++i) found.pixels[i] = view.cover.pixels[i] != Cover::front;
     const ImageMask wanted = true_holes(world, truth, kElsewhere);
-    EXPECT_GE(share_inside(found, grown(wanted, 1)), 0.95);   // precision
-    EXPECT_GE(share_inside(wanted, grown(found, 1)), 0.95);   // recall
+    EXPECT_GE(share_inside(found, grown(wanted, 1, true)), 0.95);   // precision
+    EXPECT_GE(share_inside(wanted, grown(found, 1, true)), 0.95);   // recall
 }
 
 TEST(CoarseView, AnEmptyRoomHasNoHoleAnywhere) {
