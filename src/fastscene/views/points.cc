@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -53,7 +54,7 @@ struct Candidate {
     std::uint32_t panorama, pixel;
     float angle, area, edge;   // steradians; square metres; edge strength times solid angle
     bool outside;              // no range: where it stands is ours, and so is its area
-    bool hidden = false;       // a surface's pixel, but the point is of the outside behind it
+    float hidden = 0;          // > 0: a surface's pixel, but the point is of the outside behind it; how dense such points lie
 };
 
 // Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
@@ -82,7 +83,7 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, float 
         const float angle = static_cast<float>(pixel_solid_angle(y, size));
         for (int x = 0; x < size.width; ++x) {
             const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
-            if (known != (given ? Known::original : Known::invented)) continue;
+            if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
             if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
             const Surface s = surface_at(panorama, cuts, sky_m, x, y);
             const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
@@ -92,37 +93,46 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, float 
     }
 }
 
-// Within `reach` pixels of a marked one along the columns and the rows, which close at the seam.
-ImageMask grown(const ImageMask& mask, int reach) {
+// Radians from each pixel to the nearest nonzero one, along steps to the eight neighbours (at most a twelfth too long); columns close at the seam.
+ImageF angle_to(const ImageMask& mask) {
     const int w = mask.width, h = mask.height;
-    ImageMask wide(w, h), out(w, h);
-    for (int y = 0; y < h; ++y) {
-        int near = 0;
-        for (int x = -reach; x < reach; ++x) near += mask.at(wrap_column(x, w), y) != 0;
-        for (int x = 0; x < w; ++x) {
-            near += mask.at(wrap_column(x + reach, w), y) != 0;
-            wide.at(x, y) = near > 0;
-            near -= mask.at(wrap_column(x - reach, w), y) != 0;
-        }
-    }
-    for (int y = 0; y < h; ++y)
-        for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j)
-            for (int x = 0; x < w; ++x) out.at(x, y) |= wide.at(x, j);
+    const EquirectSize size{w, h};
+    ImageF out(w, h, std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (mask.pixels[i]) out.pixels[i] = 0;
+    const float down = kPi / static_cast<float>(h);
+    const auto across = [&](int y) { return 2 * kPi / static_cast<float>(w) * std::sin(down * (static_cast<float>(y) + 0.5f)); };
+    // A row takes after the one before it, then from left to right and back, twice around.
+    const auto pass = [&](int y, int before) {
+        const float side = across(y), slant = std::hypot(side, down);
+        for (int x = 0; x < w && before >= 0 && before < h; ++x)
+            out.at(x, y) = std::min({out.at(x, y), out.at(x, before) + down, out.at(wrap_column(x - 1, w), before) + slant, out.at(wrap_column(x + 1, w), before) + slant});
+        for (const int step : {1, -1})
+            for (int n = 0; n < 2 * w; ++n) {
+                const int x = wrap_column(step * n, w);
+                out.at(x, y) = std::min(out.at(x, y), out.at(wrap_column(x - step, w), y) + side);
+            }
+    };
+    for (int y = 0; y < h; ++y) pass(y, y - 1);
+    for (int y = h; y-- > 0;) pass(y, y + 1);
     return out;
 }
 
-// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it: behind panorama 0's surfaces beside it.
+// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it: behind panorama 0's surfaces beside
+// it, as far as such a step moves them.
 void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
-    constexpr float kBeside_rad = 3.f * kPi / 180.f;
+    constexpr float kStep_m = 1.f;
+    constexpr float kBeside = 3.f * kPi / 180.f;   // so near to what was seen as dense as anything hidden; farther, the thinner
     const EquirectSize size = panorama.size();
     ImageMask outside(size.width, size.height);
     for (std::size_t i = 0; i < outside.size(); ++i) outside.pixels[i] = !std::isfinite(panorama.range.pixels[i]);
-    const ImageMask about = grown(outside, std::max(1, static_cast<int>(kBeside_rad / (2 * kPi) * static_cast<float>(size.width))));
+    const ImageF beside = angle_to(outside);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            if (!about.at(x, y) || outside.at(x, y)) continue;
+            const float away = beside.at(x, y);
+            if (outside.at(x, y) || away > std::max(kBeside, std::atan2(kStep_m, panorama.range.at(x, y)))) continue;
             const float angle = static_cast<float>(pixel_solid_angle(y, size));
-            out.push_back({0, static_cast<std::uint32_t>(y * size.width + x), angle, 0, 0, true, true});
+            out.push_back({0, static_cast<std::uint32_t>(y * size.width + x), angle, 0, 0, true, std::min(1.f, kBeside / away)});
         }
 }
 
@@ -137,7 +147,7 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> areas;
     areas.reserve(candidates.size());
     constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
-    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual * (c.hidden ? kHidden : 1.f) : std::min(c.area, kMostArea * usual * c.angle));
+    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual * (c.hidden > 0 ? kHidden * c.hidden : 1.f) : std::min(c.area, kMostArea * usual * c.angle));
     return areas;
 }
 
@@ -188,13 +198,15 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
             if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panorama.range);
             const int x = static_cast<int>(c.pixel) % panorama.color.width, y = static_cast<int>(c.pixel) / panorama.color.width;
             const Vec3f d = direction_of_pixel(x, y, panorama.size());
-            const Surface s = c.hidden ? Surface{d * sky_m, -d} : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
+            const Surface s = c.hidden > 0 ? Surface{d * sky_m, -d} : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
             SurfacePoint point;
             point.position_m = panorama.world_from_pano * s.point;
             point.normal = panorama.world_from_pano.rotation * s.normal;
-            point.color = srgb8_from_linear(c.hidden ? outlook.at(x, y) : panorama.color.at(x, y));
-            const float area = c.hidden ? c.angle * sky_m * sky_m : c.area;
-            point.radius_m = static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
+            point.color = srgb8_from_linear(c.hidden > 0 ? outlook.at(x, y) : panorama.color.at(x, y));
+            const float area = c.hidden > 0 ? c.angle * sky_m * sky_m : c.area;
+            // Views see none of what is hidden: it stays as it starts, and is opaque from the first only where discs overlap well.
+            constexpr float kWide = 1.7f;
+            point.radius_m = (c.hidden > 0 ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -164,6 +165,31 @@ TEST(Points, TheOutsideGoesOnBehindFrames) {
         EXPECT_GT(p.color.b, p.color.r + 20);  // the sky's, nowhere the frame's or the wall's
     }
     EXPECT_GT(behind, 2);
+}
+
+// How far the outside goes on behind a wall hangs on how far a step moves the wall.
+TEST(Points, NearWallsHideMoreOfTheOutsideThanFarOnes) {
+    const auto points_behind = [](float wall_m) {
+        Panorama panorama = render_synthetic(room(), {}, kSize, 1);
+        std::fill(panorama.range.pixels.begin(), panorama.range.pixels.end(), wall_m);
+        for (int y = kSize.height * 7 / 16; y < kSize.height * 9 / 16; ++y)
+            for (int x = 0; x < kSize.width / 16; ++x) panorama.range.at(x, y) = std::numeric_limits<float>::infinity();
+        ViewsParams params = small_params();
+        params.points = 40000;
+        std::array<int, 2> counts{};   // 8 to 24 degrees above the window, and beyond
+        for (const SurfacePoint& p : project_views({panorama}, params, {}).points) {
+            if (length(p.position_m) < 300) continue;
+            const Vec2f at = pixel_of_direction(p.position_m, kSize);
+            const float above = 180 * (static_cast<float>(kSize.height * 7 / 16) - at.y) / static_cast<float>(kSize.height);
+            if (at.x < 0 || at.x > static_cast<float>(kSize.width) / 16) continue;
+            counts[above < 24 ? 0 : 1] += above > 8;
+        }
+        return counts;
+    };
+    const auto near = points_behind(2.f), far = points_behind(8.f);
+    EXPECT_GT(near[0], 3);
+    EXPECT_LE(near[1], 2) << "a step of a metre moves a wall 2 m away by 27 degrees";
+    EXPECT_EQ(far[0] + far[1], 0);
 }
 
 TEST(Points, NothingStandsBehindTheSky) {
