@@ -17,9 +17,9 @@
 #include "fastscene/io/view_io.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/fit_report.h"
-#include "fastscene/pipeline/same_room.h"
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/pipeline/same_room.h"
 #include "fastscene/pipeline/sfm.h"
 #include "fastscene/walk/agreement.h"
 

@@ -363,7 +363,6 @@ TEST(Trace, FewRaysAreDenoisedToo) {
     for (const int samples : {1, 4, 8, 24}) EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
 }
 
-// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss it.
 // Some pixels of a picture are those of the whole picture; the denoiser knows their nearest neighbours only.
 TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     TracedRoom room(furnished_room());
@@ -387,6 +386,7 @@ TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     }
 }
 
+// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss it.
 TEST(Trace, ThinLinesDoNotBreak) {
     Room room = empty_room(diffuse({0, 0, 0}, {0.05f, 0.05f, 0.05f}));
     room.materials.push_back(diffuse({0, 0, 0}, {0.6f, 0.6f, 0.6f}));
