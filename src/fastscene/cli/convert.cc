@@ -41,7 +41,7 @@ void check(const Flags& flags) {
     if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1)) throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
     if (flags.max_splats && *flags.max_splats < 1) throw UsageError("--max-splats: expected 1 or more, found {}", *flags.max_splats);
     for (const float v : flags.translate)
-        if (!std::isfinite(v)) throw UsageError("--translate: expected three finite numbers, found {}", v);
+        if (!(std::abs(v) < 1e6f)) throw UsageError("--translate: expected three numbers within a million metres, found {}", v);
     if (flags.handed == "left" && flags.up.empty()) throw UsageError("--handed left: expected --up y, z or -y beside it");
     for (std::size_t a = 0; a < 3 && !flags.crop.empty(); ++a)
         if (!(flags.crop[a] < flags.crop[a + 3]))

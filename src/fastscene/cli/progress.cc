@@ -34,13 +34,19 @@ ProgressStyle progress_style(const std::string& name, bool is_terminal) {
 }
 
 std::string printable(std::string_view text) {
+    const auto byte_at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : std::uint8_t{0}; };
+    const auto continues = [&](std::size_t i) { return (byte_at(i) & 0xc0) == 0x80; };
     std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]), next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : std::uint8_t{0};
-        const bool second_set = byte == 0xc2 && next >= 0x80 && next < 0xa0;  // control characters too, in UTF-8
-        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f || second_set) out += fmt::format("\\x{:02x}", second_set ? next : byte);
-        else out += text[i];
-        i += second_set;
+    for (std::size_t i = 0; i < text.size();) {
+        const unsigned char byte = byte_at(i);
+        const std::size_t length = byte < 0x80 ? 1 : byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : 2;
+        bool plain = byte < 0x80 ? (byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t' : byte >= 0xc2 && byte < 0xf5;
+        for (std::size_t k = 1; k < length; ++k) plain = plain && continues(i + k);
+        if (byte == 0xc2 && byte_at(i + 1) < 0xa0) plain = false;   // the second set of control characters
+        // What terminals may obey, and what is not UTF-8, is told byte by byte.
+        if (plain) out += text.substr(i, length);
+        else out += fmt::format("\\x{:02x}", byte);
+        i += plain ? length : 1;
     }
     return out;
 }

@@ -188,6 +188,14 @@ TEST(SplatFormats, SpzRefusesPlacesItCannotHold) {
     Splats s = some_splats(2, 0);
     s.mean_m[1].x = 2050;
     EXPECT_THROW(spz_bytes(s, 3), Error);
+    const fs::path far_away = scratch("far.spz");
+    try {
+        save_splats(far_away, s, SplatFormat::spz);
+        FAIL() << "expected an error";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string_view(e.what()).find("far.spz: SPZ holds"), std::string_view::npos) << e.what();
+    }
+    EXPECT_FALSE(fs::exists(far_away));
 }
 
 TEST(SplatFormats, PlyInAnyColumnOrderAndEncoding) {

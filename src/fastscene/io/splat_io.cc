@@ -26,6 +26,15 @@ Mat3d file_from_world(SplatFormat format) {
 
 namespace {
 
+// A position that SPZ cannot hold is told with the file's name.
+std::string spz_bytes_for(const fs::path& path, const Splats& splats, int version) {
+    try {
+        return spz_bytes(splats, version);
+    } catch (const Error& e) {
+        throw Error("{}: {}", path.string(), e.what());
+    }
+}
+
 Splats read_any(const fs::path& path, SplatFormat& format) {
     const std::string bytes = read_file(path);
     if (is_glb(bytes)) return format = SplatFormat::glb, splats_of_glb(path, bytes);
@@ -60,7 +69,7 @@ void save_splats(const fs::path& path, const Splats& splats, SplatFormat format,
     switch (format) {
         case SplatFormat::ply: return save_splat_ply(path, splats, writing.ply_bands);
         case SplatFormat::compressed_ply: return save_compressed_ply(path, splats);
-        case SplatFormat::spz: return write_file(path, spz_bytes(splats, writing.spz_version));
+        case SplatFormat::spz: return write_file(path, spz_bytes_for(path, splats, writing.spz_version));
         case SplatFormat::glb:
             if (splats.size() == 0) throw Error("{}: expected splats to write, found none: glTF cannot hold zero", path.string());
             return write_file(path, splat_glb_bytes(splats));

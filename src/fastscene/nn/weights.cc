@@ -108,15 +108,12 @@ Weights load_weights(const std::filesystem::path& path) {
 
 Weights unwrapped(Weights weights, std::string_view expected) {
     const std::string name(expected);
-    if (weights.has(name)) return weights;
-    for (const char* module : {"module.", "model.", "net."})
-        if (weights.has(module + name)) return weights.of_part(std::string_view(module).substr(0, std::string_view(module).size() - 1));
-    // The averaged weights first, where a file holds both.
-    for (const char* dictionary :
-         {"params_ema", "ema", "g_ema", "netG_ema", "state_dict", "model_state_dict", "params", "model", "netG", "generator", "G", "net", "weights"})
-        for (const char* module : {"", "module."}) {
-            const std::string prefix = std::string(dictionary) + "." + module;
-            if (weights.has(prefix + name)) return weights.of_part(prefix.substr(0, prefix.size() - 1));
+    // The averaged weights first, where a file holds both; as training on several GPUs names them, once or wrapped twice.
+    for (const char* dictionary : {"", "params_ema.", "ema.", "g_ema.", "netG_ema.", "state_dict.", "model_state_dict.", "params.", "model.", "netG.", "generator.", "G.",
+                                   "net.", "weights."})
+        for (const char* module : {"", "module.", "module.module."}) {
+            const std::string prefix = std::string(dictionary) + module;
+            if (weights.has(prefix + name)) return prefix.empty() ? weights : weights.of_part(prefix.substr(0, prefix.size() - 1));
         }
     return weights;
 }

@@ -63,6 +63,17 @@ TEST(Weights, AWholeTrainingStateIsUnwrappedAndNothingInItRuns) {
     EXPECT_FALSE(fs::exists("/tmp/fastscene-pickle-ran"));
 }
 
+TEST(Weights, AreFoundUnderTheNamesThatTrainingOnManyGpusGivesThem) {
+    const Weights plain = load_weights(data_file("state_dict.pt"));
+    for (const std::string prefix : {"", "module.", "module.module.", "model.", "net.module.", "g_ema.", "state_dict.module.module."}) {
+        SCOPED_TRACE(prefix);
+        Weights named = plain;
+        named.tensors.clear();
+        for (const auto& [key, tensor] : plain.tensors) named.tensors.emplace(prefix + key, tensor);
+        expect_state_dict(unwrapped(named, "a.weight"));
+    }
+}
+
 TEST(Weights, SafetensorsComeBackAsTheyWere) {
     const Folder folder;
     Weights w = load_weights(data_file("state_dict.pt"));
