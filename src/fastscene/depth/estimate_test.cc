@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "fastscene/base/random.h"
 #include "fastscene/depth/align.h"
@@ -10,6 +11,7 @@
 #include "fastscene/depth/estimator.h"
 #include "fastscene/depth/metric_range.h"
 #include "fastscene/depth/walls.h"
+#include "fastscene/geometry/reproject.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/nn/egformer.h"
 
@@ -181,7 +183,7 @@ TEST(Walls, AreNotInvented) {
 
 // All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one look does not.
 TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
-    const Egformer network = Egformer::shipped(kShippedDepth);
+    const Egformer network = Egformer::shipped(kShippedDepth.back());
     const EquirectSize size{network.shape().width, network.shape().height};
     const ImageColor picture = painted(some_box(), size);
     ImageColor turned = picture, mirrored = picture;
@@ -205,6 +207,21 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
     EXPECT_LT(turn, 1e-5);
     EXPECT_LT(mirror, 1e-5);
     EXPECT_GT(unlike(1).second, 1e-3);
+}
+
+// What comes with the program: the coarser network's map, with the edges of the picture, and the finer one's count alike.
+TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
+    std::vector<Egformer> networks;
+    for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
+    ASSERT_GT(networks[0].shape().height, networks[1].shape().height);
+    const ImageColor picture = painted(some_box(), kSize);
+    const fastscene::Run run;
+    const ImageF one = mean_depth({&networks[0], 1}, picture, 2, run), both = mean_depth(networks, picture, 2, run);
+    EXPECT_EQ(one, networks[0].relative_depth(picture, 2));
+    const ImageF coarse = aligned_to_picture(networks[1].relative_depth(picture, 2), equirect_from_equirect(picture, {one.width, one.height}));
+    ASSERT_TRUE(both.same_size(one));
+    for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(both.pixels[i] - one.pixels[i], coarse.pixels[i] - both.pixels[i], 1e-5f);
+    EXPECT_EQ(make_depth_estimator({})->estimate(picture, run).assumptions.at("weights"), "egformer-rooms-192, egformer-rooms");
 }
 
 TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {

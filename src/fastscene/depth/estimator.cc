@@ -1,13 +1,18 @@
 #include "fastscene/depth/estimator.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/box_layout.h"
 #include "fastscene/depth/metric_range.h"
 #include "fastscene/depth/room_lines.h"
 #include "fastscene/depth/walls.h"
+#include "fastscene/geometry/reproject.h"
 #include "fastscene/nn/egformer.h"
 #include "fastscene/nn/shipped.h"
 
@@ -35,14 +40,13 @@ class LayoutEstimator : public DepthEstimator {
 
 class EgformerEstimator : public DepthEstimator {
   public:
-    EgformerEstimator(Egformer network, std::string name, const DepthParams& params)
-        : network_(std::move(network)),
+    EgformerEstimator(std::vector<Egformer> networks, std::string name, const DepthParams& params)
+        : networks_(std::move(networks)),
           name_(std::move(name)),
           camera_height_m_(params.camera_height_m),
-          looks_(params.looks > 0 ? params.looks : network_.shape().height <= kSmallNetwork ? 8 : 1) {}
+          looks_(params.looks > 0 ? params.looks : networks_.front().shape().height <= kSmallNetwork ? 8 : 1) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
-        run.check_stop();
-        const ImageF relative = network_.relative_depth(color, looks_);
+        const ImageF relative = mean_depth(networks_, color, looks_, run);
         run.check_stop();
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
@@ -71,7 +75,7 @@ class EgformerEstimator : public DepthEstimator {
     }
 
     static constexpr int kSmallNetwork = 128;  // rows: eight looks of such a one take a few seconds
-    Egformer network_;
+    std::vector<Egformer> networks_;
     std::string name_;
     float camera_height_m_;
     int looks_;
@@ -79,13 +83,31 @@ class EgformerEstimator : public DepthEstimator {
 
 }  // namespace
 
+ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int looks, const Run& run) {
+    const EgformerShape& finest = networks.front().shape();
+    ImageF mean(finest.width, finest.height);
+    for (const Egformer& network : networks) {
+        run.check_stop();
+        ImageF found = network.relative_depth(color, looks);
+        if (!found.same_size(mean)) found = aligned_to_picture(found, equirect_from_equirect(color, {finest.width, finest.height}));
+        for (std::size_t i = 0; i < mean.size(); ++i) mean.pixels[i] += found.pixels[i] / static_cast<float>(networks.size());
+    }
+    return mean;
+}
+
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) {
     FASTSCENE_CHECK(params.backend == "layout" || params.backend == "auto" || params.backend == "egformer");
     const float height = params.camera_height_m;
     if (params.backend == "layout") return std::make_unique<LayoutEstimator>(height);
-    if (const std::filesystem::path file = params.weights; !file.empty())
-        return std::make_unique<EgformerEstimator>(Egformer::load(file), file.filename().string(), params);
-    if (is_shipped(kShippedDepth)) return std::make_unique<EgformerEstimator>(Egformer::shipped(kShippedDepth), kShippedDepth, params);
+    std::vector<Egformer> networks;
+    if (const std::filesystem::path file = params.weights; !file.empty()) {
+        networks.push_back(Egformer::load(file));
+        return std::make_unique<EgformerEstimator>(std::move(networks), file.filename().string(), params);
+    }
+    if (std::all_of(kShippedDepth.begin(), kShippedDepth.end(), is_shipped)) {
+        for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
+        return std::make_unique<EgformerEstimator>(std::move(networks), fmt::format("{}", fmt::join(kShippedDepth, ", ")), params);
+    }
     if (params.backend == "egformer")
         throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
     return std::make_unique<LayoutEstimator>(height);

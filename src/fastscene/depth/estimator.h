@@ -1,12 +1,15 @@
 // Range from color alone: what a panorama that nobody measured needs.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
 
 #include "fastscene/base/json.h"
 #include "fastscene/base/run.h"
 #include "fastscene/depth/depth.h"
 #include "fastscene/image/image.h"
+#include "fastscene/nn/egformer.h"
 
 namespace fastscene {
 
@@ -22,10 +25,15 @@ class DepthEstimator {
     virtual EstimatedRange estimate(const ImageColor& color, const Run& run) const = 0;
 };
 
-// The weights that come with the program: better than a box (docs/benchmarks/depth.md), or they would not be there.
-inline constexpr const char* kShippedDepth = "egformer-rooms";
+// The weights that come with the program, the finest first: together better than each alone, and than a box (docs/benchmarks/depth.md), or they
+// would not be there.
+inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-192", "egformer-rooms"};
 
-// params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped, else layout. Throws Error naming the
+// What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where one is wrong another often is
+// less so. They must have been taught one unit.
+ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int looks, const Run& run);
+
+// params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped (the mean of those networks), else layout. Throws Error naming the
 // weights file and the key that is missing or has another shape, UsageError when egformer has no weights.
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params);
 
