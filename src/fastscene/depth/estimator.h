@@ -25,8 +25,8 @@ class DepthEstimator {
     virtual EstimatedRange estimate(const ImageColor& color, const Run& run) const = 0;
 };
 
-// The weights that come with the program, the finest first: together better than each alone, and than a box (docs/benchmarks/depth.md), or they
-// would not be there.
+// The weights that come with the program, the finest first: in rooms together better than the coarser one alone, on photographs than the finer,
+// and both than a box (docs/benchmarks/depth.md).
 inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-192", "egformer-rooms"};
 
 // What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where one is wrong another often is
