@@ -2,7 +2,6 @@
 
 #include <ATen/Parallel.h>
 #include <ATen/ops/empty.h>
-#include <ATen/ops/zeros.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,55 +9,18 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/attention_bf16.h"
-#include "fastscene/nn/lanes.h"
+#include "fastscene/nn/lane_products.h"
 
 namespace fastscene::nn {
 namespace {
 
 using at::Tensor;
 
-constexpr int kRows = kLanes / 2;   // AVX-512: 8 rows of 3 vectors, 24 of the 32 registers hold sums; else 12 of 16
 constexpr int kVectors = 3, kPanel = kVectors * kLanes;
 
 constexpr std::int64_t kTileRows = 8 * kRows;   // of q: their part of the weights is 64 x 480 floats, 123 KB
 constexpr std::int64_t kTileKeys = 10 * 48;
 static_assert(kTileKeys % kPanel == 0);
-
-// to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors].
-template <int W, bool add>
-void multiply(const float* rows, std::int64_t row_stride, const float* panel, std::int64_t panel_stride, std::int64_t depth, float* to,
-              std::int64_t to_stride) {
-    Lanes sum[kRows][W];
-    for (int r = 0; r < kRows; ++r)
-        for (int w = 0; w < W; ++w) sum[r][w] = add ? load(to + r * to_stride + w * kLanes) : Lanes{};
-    for (std::int64_t k = 0; k < depth; ++k) {
-        Lanes p[W];
-        for (int w = 0; w < W; ++w) p[w] = load(panel + k * panel_stride + w * kLanes);
-        for (int r = 0; r < kRows; ++r) {
-            const Lanes x = all(rows[r * row_stride + k]);
-            for (int w = 0; w < W; ++w) sum[r][w] += x * p[w];
-        }
-    }
-    for (int r = 0; r < kRows; ++r)
-        for (int w = 0; w < W; ++w) store(to + r * to_stride + w * kLanes, sum[r][w]);
-}
-
-// Zeros, aligned as libtorch aligns: a vector never lies across two lines of the cache.
-class Floats {
-  public:
-    explicit Floats(std::int64_t count) : memory_(at::zeros({count}, at::kFloat)), data_(memory_.data_ptr<float>()) {}
-    float* data() { return data_; }
-    const float* data() const { return data_; }
-    float* begin() { return data_; }
-    float* end() { return data_ + memory_.numel(); }
-    float& operator[](std::int64_t i) { return data_[i]; }
-
-  private:
-    Tensor memory_;
-    float* data_;
-};
-
-std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
 
 // The keys in panels of kPanel [panel][d][kPanel], the values with rows of whole vectors [M][wide]; zeros beyond.
 struct Packed {
@@ -114,9 +76,9 @@ void add_values(Bench& b, std::int64_t row, const float* values, std::int64_t ke
     const float* weights = b.weights.data() + row * kTileKeys;
     float* to = b.sum.data() + row * wide;
     std::int64_t at = 0;
-    for (; at + kPanel <= wide; at += kPanel) multiply<kVectors, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
-    if (wide - at == 2 * kLanes) multiply<2, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
-    if (wide - at == kLanes) multiply<1, true>(weights, kTileKeys, values + at, wide, keys, to + at, wide);
+    for (; at + kPanel <= wide; at += kPanel) multiply<kVectors, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
+    if (wide - at == 2 * kLanes) multiply<2, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
+    if (wide - at == kLanes) multiply<1, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
 }
 
 // `count` rows of q (at most kTileRows) against all keys.
@@ -132,7 +94,7 @@ void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, s
         const std::int64_t keys = std::min(kTileKeys, m - from), padded = rounded_up(keys, kPanel);
         for (std::int64_t j = 0; j < padded; j += kPanel)
             for (std::int64_t row = 0; row < rows; row += kRows)
-                multiply<kVectors, false>(b.q.data() + row * d, d, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j,
+                multiply<kVectors, false>(b.q.data() + row * d, d, 1, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j,
                                           kTileKeys);
         for (std::int64_t row = 0; row < rows; ++row) weigh(b, row, keys, padded, p.wide);
         for (std::int64_t row = 0; row < rows; row += kRows) add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);

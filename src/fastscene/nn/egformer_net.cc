@@ -6,7 +6,9 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/egformer_tables.h"
+#include "fastscene/nn/deformable_attention.h"
 #include "fastscene/nn/layers.h"
+#include "fastscene/nn/window_attention.h"
 
 namespace fastscene::nn {
 namespace {
@@ -15,10 +17,6 @@ using at::Tensor;
 
 Tensor table_tensor(std::vector<float> values, at::IntArrayRef shape) { return at::from_blob(values.data(), shape, at::kFloat).clone(); }
 
-// A stage works on a grid of tokens, row-major: [N, height * width, channels].
-struct Grid {
-    std::int64_t height, width;
-};
 Grid grid_of(const EgformerShape& shape, int level) { return {shape.height >> (level + 1), shape.width >> (level + 1)}; }
 
 Tensor picture_from_tokens(const Tensor& tokens, Grid grid) {
@@ -30,19 +28,10 @@ Tensor tokens_from_picture(const Tensor& picture) { return picture.flatten(2).tr
 
 // -> [N, h, w, C]
 Tensor deformable_attention(const Scope& s, const Tensor& x, Grid grid, std::int64_t heads, const Tensor& patch) {
-    const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width;
-    const Tensor query = linear(s / "q_proj", x, c);
-    const Tensor offset = linear(s / "offset_proj", query, 18 * heads).view({n, h, w, heads, 9, 2}).permute({0, 3, 1, 2, 4, 5});
-    const Tensor weight = at::softmax(linear(s / "A_proj", query, 9 * heads).view({n, h, w, heads, 9}), -1).permute({0, 3, 1, 2, 4});
-    const Tensor value = linear(s / "k_proj", x, c).view({n, h, w, heads, c / heads}).permute({0, 3, 4, 1, 2}).reshape({n * heads, c / heads, h, w});
-
-    const Tensor point = patch + offset;  // (row, column)
-    // As published: pixel indices go to -1..1 as if corners were aligned, and are sampled as if they were not.
-    const Tensor column = 2 * point.select(-1, 1) / static_cast<double>(w - 1) - 1;
-    const Tensor row = 2 * point.select(-1, 0) / static_cast<double>(h - 1) - 1;
-    const Tensor where = at::stack({column, row}, -1).reshape({n * heads, h, w * 9, 2});
-    const Tensor sampled = at::grid_sampler(value, where, 0, 0, false).view({n * heads, c / heads, h, w, 9});  // bilinear, zeros outside
-    const Tensor mixed = (sampled * weight.reshape({n * heads, 1, h, w, 9})).sum(-1).view({n, c, h, w}).permute({0, 2, 3, 1});
+    const std::int64_t n = x.size(0), c = x.size(2), tokens = x.size(1);
+    const Tensor query = linear(s / "q_proj", x, c), offset = linear(s / "offset_proj", query, 2 * kTaps * heads);
+    const Tensor weight = at::softmax(linear(s / "A_proj", query, kTaps * heads).view({n, tokens, heads, kTaps}), -1).flatten(2);
+    const Tensor mixed = deformable_mix(linear(s / "k_proj", x, c), offset, weight, patch, grid, heads).view({n, grid.height, grid.width, c});
     return s.out(linear(s / "wm_proj", mixed, c));
 }
 
@@ -67,26 +56,16 @@ Tensor panoformer_layer(const Scope& s, Tensor x, Grid grid, std::int64_t heads,
 
 // ---- EGformer's block: attention within one row or one column, biased by the geometry of the sphere ----
 
-enum class Windows { rows, columns };
-
 // qkv [N, L, 3C]; x: the block's input [N, L, C]; bias: how far apart two tokens of a window lie on the sphere (ERPE).
 Tensor equirect_attention(const Scope& s, const Tensor& qkv, const Tensor& x, Grid grid, std::int64_t heads, Windows windows, const Tensor& bias) {
-    const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width, d = c / heads;
+    const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width;
     const bool columns = windows == Windows::columns;
     const std::int64_t count = columns ? w : h, length = columns ? h : w;
-    const Tensor split = qkv.view({n, h, w, 3, heads, d});
-    const Tensor qkv_of_window = (columns ? split.permute({3, 0, 2, 4, 1, 5}) : split.permute({3, 0, 1, 4, 2, 5})).reshape({3, n, count, heads, length, d});
-    const Tensor q = qkv_of_window[0], k = qkv_of_window[1], v = qkv_of_window[2];
-
-    const Tensor score = at::matmul(q, k.transpose(-2, -1)) + 0.1 * bias;  // no 1 / sqrt(d), as published
+    const auto [said, loudness] = window_attention(qkv, 0.1 * bias, grid, heads, windows);   // no 1 / sqrt(d), as published
     // How much a window has to say, against the window of this picture that says most.
-    const Tensor loudness = score.abs().mean(std::vector<std::int64_t>{2, 3, 4});
     const Tensor strength = at::clamp_min(loudness / loudness.amax(1, true), 0.5);
-    // Distance-based attention score (DAS): 1 - cos of the normalised score, in place of softmax.
-    const Tensor normalised = score / score.norm(2, -1, true).clamp_min(1e-12);
-    const Tensor attention = (1 - at::cos(normalised * (std::numbers::pi / 2))) * strength.view({n, count, 1, 1, 1});
-    const Tensor said = at::matmul(attention, v);
-    const Tensor raster = (columns ? said.permute({0, 3, 1, 2, 4}) : said.permute({0, 1, 3, 2, 4})).reshape({n, h * w, c});
+    const Tensor of_token = columns ? strength.view({n, 1, w, 1}) : strength.view({n, h, 1, 1});
+    const Tensor raster = (said.view({n, h, w, c}) * of_token).view({n, h * w, c});
     // What a weak window does not say is said by the input (EaAR). As published, the input is cut into chunks of a
     // window's length in raster order also where windows are columns: the weights were trained with that.
     const Tensor rest = x.reshape({n, count, length, c}) * (1 - strength).view({n, count, 1, 1});
@@ -137,12 +116,12 @@ EgformerConstants::EgformerConstants(const EgformerShape& of, at::Device device)
         const auto i = static_cast<std::size_t>(level);
         const Grid g = grid_of(shape, level);
         const int h = static_cast<int>(g.height), w = static_cast<int>(g.width);
-        if (level < 2) patch[i] = table_tensor(tangent_patch_table(h, w), {1, 1, h, w, 9, 2}).to(device);
-        column_bias[i] = table_tensor(vertical_chord_table(h), {1, 1, 1, h, h}).to(device);
+        if (level < 2) patch[i] = table_tensor(tangent_patch_table(h, w), {h * w, kTaps, 2}).to(device);
+        column_bias[i] = table_tensor(vertical_chord_table(h), {1, h, h}).to(device);
         if (level >= 2) {
             // Rows near the poles are short circles.
-            const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (std::numbers::pi / h)).view({1, h, 1, 1, 1});
-            row_bias[i] = (table_tensor(horizontal_chord_table(w), {1, 1, 1, w, w}) * shrink).to(device);
+            const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (std::numbers::pi / h)).view({h, 1, 1});
+            row_bias[i] = (table_tensor(horizontal_chord_table(w), {1, w, w}) * shrink).to(device);
         }
     }
 }

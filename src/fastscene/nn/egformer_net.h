@@ -13,9 +13,9 @@ namespace fastscene::nn {
 struct EgformerConstants {
     explicit EgformerConstants(const EgformerShape& of, at::Device device = at::kCPU);
     EgformerShape shape;
-    std::array<at::Tensor, 2> patch;        // [1, 1, h, w, 9, 2] of levels 0 and 1, the only ones that sample patches
-    std::array<at::Tensor, 5> row_bias;     // [1, h, 1, w, w]; levels 2 to 4
-    std::array<at::Tensor, 5> column_bias;  // [1, 1, 1, h, h]
+    std::array<at::Tensor, 2> patch;        // [h w, 9, 2] of levels 0 and 1, the only ones that sample patches
+    std::array<at::Tensor, 5> row_bias;     // [h, w, w]; levels 2 to 4
+    std::array<at::Tensor, 5> column_bias;  // [1, h, h]
 };
 
 // The parameter of EgformerShape::latitude_prior: 32 logits from the zenith down, added to the last layer's.
