@@ -15,9 +15,9 @@ at::Tensor conv(const Scope& s, const at::Tensor& x, std::int64_t out, Conv shap
 // x [..., C] -> [..., out].
 at::Tensor linear(const Scope& s, const at::Tensor& x, std::int64_t out, bool bias = true);
 at::Tensor group_norm(const Scope& s, const at::Tensor& x, std::int64_t groups, double eps);
-// Over the last dimension.
 // By erf. With a gradient that is right in any layout, which libtorch's own is not (gelu.cc).
 at::Tensor exact_gelu(const at::Tensor& x);
+// Over the last dimension.
 at::Tensor layer_norm(const Scope& s, const at::Tensor& x, double eps = 1e-5);
 
 // softmax(q k' / sqrt(d)) v for q [N, L, heads d], k and v [N, M, heads d], 256 rows of q at a time, so that the L x M weights of a
