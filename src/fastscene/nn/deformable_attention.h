@@ -17,7 +17,7 @@ inline constexpr std::int64_t kTaps = 9;
 at::Tensor deformable_mix(const at::Tensor& value, const at::Tensor& offset, const at::Tensor& weight, const at::Tensor& patch, Grid grid,
                           std::int64_t heads);
 // The same by libtorch's operators, of any type on any device.
-at::Tensor deformable_mix_by_operators(const at::Tensor& value, const at::Tensor& offset, const at::Tensor& weight, const at::Tensor& patch, Grid grid,
-                                       std::int64_t heads);
+at::Tensor deformable_mix_by_operators(const at::Tensor& value, const at::Tensor& offset, const at::Tensor& weight, const at::Tensor& patch,
+                                       Grid grid, std::int64_t heads);
 
 }  // namespace fastscene::nn

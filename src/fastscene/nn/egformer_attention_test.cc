@@ -14,14 +14,14 @@ namespace {
 
 using at::Tensor;
 
-double farthest(const Tensor& a, const Tensor& b) { return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>(); }
+double gap_of(const Tensor& a, const Tensor& b) { return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>(); }
 Tensor leaf(const Tensor& x, at::ScalarType type) { return x.detach().to(type).clone().requires_grad_(true); }
 
-struct Shape {
+struct GridShape {
     std::int64_t n, height, width, heads, d;
 };
 
-class OfWindows : public testing::TestWithParam<std::tuple<Shape, Windows>> {};
+class OfWindows : public testing::TestWithParam<std::tuple<GridShape, Windows>> {};
 
 TEST_P(OfWindows, SayAndLearnWhatOperatorsDo) {
     const auto& [shape, windows] = GetParam();
@@ -38,12 +38,12 @@ TEST_P(OfWindows, SayAndLearnWhatOperatorsDo) {
         return std::vector<Tensor>{found.said.detach(), found.loudness.detach(), qkv.grad()};
     };
     const auto fused = run(at::kFloat, window_attention), exact = run(at::kDouble, window_attention_by_operators);
-    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(farthest(fused[i], exact[i]), 2e-6 * (1 + exact[i].abs().max().item<double>())) << i;
+    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(gap_of(fused[i], exact[i]), 2e-6 * (1 + exact[i].abs().max().item<double>())) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAnySize, OfWindows,
-                         testing::Combine(testing::Values(Shape{1, 1, 2, 1, 1}, Shape{2, 3, 6, 16, 16}, Shape{2, 12, 24, 4, 12}, Shape{1, 48, 96, 1, 16},
-                                                          Shape{1, 20, 40, 3, 33}),
+                         testing::Combine(testing::Values(GridShape{1, 1, 2, 1, 1}, GridShape{2, 3, 6, 16, 16}, GridShape{2, 12, 24, 4, 12},
+                                                          GridShape{1, 48, 96, 1, 16}, GridShape{1, 20, 40, 3, 33}),
                                           testing::Values(Windows::rows, Windows::columns)));
 
 // Scores that are all 0 have no direction: nothing is said, and no gradient is NaN.
@@ -55,7 +55,7 @@ TEST(WindowAttention, OfNothingIsNothing) {
     EXPECT_EQ(qkv.grad().abs().max().item<float>(), 0.f);
 }
 
-class OfPoints : public testing::TestWithParam<Shape> {};
+class OfPoints : public testing::TestWithParam<GridShape> {};
 
 TEST_P(OfPoints, MixAndLearnWhatOperatorsDo) {
     const auto& [n, h, w, heads, d] = GetParam();
@@ -72,10 +72,12 @@ TEST_P(OfPoints, MixAndLearnWhatOperatorsDo) {
         return std::vector<Tensor>{mixed.detach(), value.grad(), offset.grad(), weight.grad()};
     };
     const auto fused = run(at::kFloat, deformable_mix), exact = run(at::kDouble, deformable_mix_by_operators);
-    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(farthest(fused[i], exact[i]), 2e-5 * (1 + exact[i].abs().max().item<double>())) << i;
+    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(gap_of(fused[i], exact[i]), 2e-5 * (1 + exact[i].abs().max().item<double>())) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfAnySize, OfPoints, testing::Values(Shape{1, 2, 4, 1, 1}, Shape{2, 12, 24, 2, 8}, Shape{1, 32, 64, 1, 16}, Shape{2, 9, 10, 3, 33}));
+INSTANTIATE_TEST_SUITE_P(OfAnySize, OfPoints,
+                         testing::Values(GridShape{1, 2, 4, 1, 1}, GridShape{2, 12, 24, 2, 8}, GridShape{1, 32, 64, 1, 16},
+                                         GridShape{2, 9, 10, 3, 33}));
 
 TEST(DeformableMix, ReadsNothingBeyondItsGrid) {
     const Tensor value = at::ones({1, 8, 4}), weight = at::full({1, 8, kTaps}, 1. / kTaps), patch = at::zeros({8, kTaps, 2});
@@ -87,13 +89,14 @@ TEST(DeformableMix, ReadsNothingBeyondItsGrid) {
 TEST(EgformerAttention, IsTheSameForAnyNumberOfThreads) {
     const at::NoGradGuard no_gradients;
     at::manual_seed(3);
-    const Tensor qkv = at::randn({2, 200, 96}), bias = at::randn({1, 10, 10}), patch = 9 * at::rand({200, kTaps, 2}), offset = at::randn({2, 200, 2 * kTaps * 2}),
-                 weight = at::rand({2, 200, 2 * kTaps});
+    const Tensor qkv = at::randn({2, 200, 96}), bias = at::randn({1, 10, 10}), patch = 9 * at::rand({200, kTaps, 2}),
+                 offset = at::randn({2, 200, 2 * kTaps * 2}), weight = at::rand({2, 200, 2 * kTaps});
     const auto both = [&](int threads) {
         set_threads(threads);
         use_our_threads();
         return at::cat({window_attention(qkv, bias, Grid{10, 20}, 2, Windows::columns).said,
-                        deformable_mix(qkv.narrow(2, 0, 32), offset, weight, patch, Grid{10, 20}, 2)}, 2);
+                        deformable_mix(qkv.narrow(2, 0, 32), offset, weight, patch, Grid{10, 20}, 2)},
+                       2);
     };
     const Tensor one = both(1), four = both(4);
     set_threads(0);

@@ -16,16 +16,16 @@ namespace {
 
 using at::Tensor;
 
-constexpr float kShortest = 1e-12f;   // a row of scores that is nothing is divided by this
+constexpr float kShortest = 1e-12f;  // a row of scores that is nothing is divided by this
 constexpr float kQuarterTurn = std::numbers::pi_v<float> / 2;
 
 // How tokens lie in windows, and what a window's matrices are padded to.
-struct Layout {
-    std::int64_t n, channels, heads, count, length;     // `count` windows of `length` tokens
-    std::int64_t step, next;                            // tokens from one of a window to its next, from a window to the next
-    std::int64_t d, wide, rows, columns;                // of a head; padded: values, a matrix's rows and columns
+struct WindowLayout {
+    std::int64_t n, channels, heads, count, length;  // `count` windows of `length` tokens
+    std::int64_t step, next;                         // tokens from one of a window to its next, from a window to the next
+    std::int64_t d, wide, rows, columns;             // of a head; padded: values, a matrix's rows and columns
 
-    Layout(const Tensor& qkv, Grid grid, std::int64_t of_heads, Windows windows) : n(qkv.size(0)), channels(qkv.size(2) / 3), heads(of_heads) {
+    WindowLayout(const Tensor& qkv, Grid grid, std::int64_t of_heads, Windows windows) : n(qkv.size(0)), channels(qkv.size(2) / 3), heads(of_heads) {
         const bool upright = windows == Windows::columns;
         count = upright ? grid.width : grid.height, length = upright ? grid.height : grid.width;
         step = upright ? grid.width : 1, next = upright ? 1 : grid.width;
@@ -34,16 +34,16 @@ struct Layout {
     std::int64_t first_token(std::int64_t picture, std::int64_t window) const { return picture * count * length + window * next; }
 };
 
-// to [rows, columns] (+)= left [rows, depth] right [depth, columns], padded; `left` may lie transposed.
-template <bool add = false>
-void product(const float* left, std::int64_t row_stride, std::int64_t depth_stride, const float* right, std::int64_t depth, float* to, std::int64_t rows,
-             std::int64_t columns) {
+// to [rows, columns] = left [rows, depth] right [depth, columns], padded; `left` may lie transposed.
+void product(const float* left, std::int64_t row_stride, std::int64_t depth_stride, const float* right, std::int64_t depth, float* to,
+             std::int64_t rows, std::int64_t columns) {
     for (std::int64_t r = 0; r < rows; r += kRows) {
         const float* of = left + r * row_stride;
         float* into = to + r * columns;
         std::int64_t c = 0;
-        for (; c + 2 * kLanes <= columns; c += 2 * kLanes) multiply<2, add>(of, row_stride, depth_stride, right + c, columns, depth, into + c, columns);
-        if (c < columns) multiply<1, add>(of, row_stride, depth_stride, right + c, columns, depth, into + c, columns);
+        for (; c + 2 * kLanes <= columns; c += 2 * kLanes)
+            multiply<2, false>(of, row_stride, depth_stride, right + c, columns, depth, into + c, columns);
+        if (c < columns) multiply<1, false>(of, row_stride, depth_stride, right + c, columns, depth, into + c, columns);
     }
 }
 
@@ -58,15 +58,14 @@ Lanes cosine_of(Lanes x) {
 }
 
 // One window and head at a time: what a thread works in.
-struct Bench {
-    const Layout& at;
-    Floats q, k, v, keys_across, values_across;   // [tokens, wide], and keys and values as [d, tokens]
-    Floats score, inverse_length;                 // [tokens, tokens]; of each token's row of scores
-    Floats weight, gradient, said, back;          // of the same sizes: weights and gradients of scores; what is said, what comes back
+struct WindowBench {
+    const WindowLayout& at;
+    Floats q{token()}, k{token()}, v{token()}, keys_across{across()}, values_across{across()};  // [tokens, wide], and keys and values as [d, tokens]
+    Floats score{square()}, inverse_length{side()};                                             // [tokens, tokens]; of each token's row of scores
+    // Weights and gradients of scores; what is said, what comes back.
+    Floats weight{square()}, gradient{square()}, said{token()}, back{token()};
 
-    explicit Bench(const Layout& layout)
-        : at(layout), q(token()), k(token()), v(token()), keys_across(across()), values_across(across()), score(square()), inverse_length(side()),
-          weight(square()), gradient(square()), said(token()), back(token()) {}
+    explicit WindowBench(const WindowLayout& layout) : at(layout) {}
     std::int64_t side() const { return std::max(at.rows, at.columns); }
     std::int64_t token() const { return side() * at.wide; }
     std::int64_t across() const { return at.d * at.columns; }
@@ -108,7 +107,7 @@ struct Bench {
             const Lanes half = all(0.5f * kQuarterTurn * inverse_length[i]);
             for (std::int64_t j = 0; j < at.columns; j += kLanes) {
                 const Lanes sine = sine_of(load(s + j) * half);
-                store(w + j, all(2.f) * sine * sine);   // 1 - cos
+                store(w + j, all(2.f) * sine * sine);  // 1 - cos
             }
         }
         return loud;
@@ -139,17 +138,17 @@ struct Bench {
     }
 };
 
-class Fused : public torch::autograd::Function<Fused> {
+class WindowFunction : public torch::autograd::Function<WindowFunction> {
   public:
     // bias: padded, [windows or 1, L, columns]. -> said, loudness
     static torch::autograd::tensor_list forward(torch::autograd::AutogradContext* context, const Tensor& qkv, const Tensor& bias, std::int64_t height,
                                                 std::int64_t width, std::int64_t heads, bool columns) {
-        const Layout at(qkv, {height, width}, heads, columns ? Windows::columns : Windows::rows);
+        const WindowLayout at(qkv, {height, width}, heads, columns ? Windows::columns : Windows::rows);
         context->save_for_backward({qkv, bias});
         context->saved_data["height"] = height, context->saved_data["width"] = width, context->saved_data["heads"] = heads;
         context->saved_data["columns"] = columns;
         const Tensor said = at::empty({at.n, height * width, at.channels}, qkv.options()), loudness = at::empty({at.n, at.count}, qkv.options());
-        for_each_window(at, [&](Bench& bench, std::int64_t picture, std::int64_t window) {
+        for_each_window(at, [&](WindowBench& bench, std::int64_t picture, std::int64_t window) {
             const std::int64_t token = at.first_token(picture, window);
             double loud = 0;
             for (std::int64_t head = 0; head < at.heads; ++head) {
@@ -157,7 +156,8 @@ class Fused : public torch::autograd::Function<Fused> {
                 product(bench.weight.data(), at.columns, 1, bench.v.data(), at.length, bench.said.data(), at.rows, at.wide);
                 bench.give(bench.said, said.data_ptr<float>() + token * at.channels + head * at.d, at.channels * at.step);
             }
-            loudness.data_ptr<float>()[picture * at.count + window] = static_cast<float>(loud / static_cast<double>(at.heads * at.length * at.length));
+            loudness.data_ptr<float>()[picture * at.count + window] =
+                static_cast<float>(loud / static_cast<double>(at.heads * at.length * at.length));
         });
         return {said, loudness};
     }
@@ -165,9 +165,9 @@ class Fused : public torch::autograd::Function<Fused> {
     static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context, torch::autograd::tensor_list gradients) {
         const auto saved = context->get_saved_variables();
         const Tensor &qkv = saved[0], &bias = saved[1], back = gradients[0].contiguous(), loud = gradients[1].contiguous(), out = at::empty_like(qkv);
-        const Layout at(qkv, {context->saved_data["height"].toInt(), context->saved_data["width"].toInt()}, context->saved_data["heads"].toInt(),
-                        context->saved_data["columns"].toBool() ? Windows::columns : Windows::rows);
-        for_each_window(at, [&](Bench& bench, std::int64_t picture, std::int64_t window) {
+        const WindowLayout at(qkv, {context->saved_data["height"].toInt(), context->saved_data["width"].toInt()},
+                              context->saved_data["heads"].toInt(), context->saved_data["columns"].toBool() ? Windows::columns : Windows::rows);
+        for_each_window(at, [&](WindowBench& bench, std::int64_t picture, std::int64_t window) {
             const std::int64_t token = at.first_token(picture, window), stride = 3 * at.channels * at.step;
             const float per_score = loud.data_ptr<float>()[picture * at.count + window] / static_cast<float>(at.heads * at.length * at.length);
             for (std::int64_t head = 0; head < at.heads; ++head) {
@@ -191,9 +191,9 @@ class Fused : public torch::autograd::Function<Fused> {
     static const float* bias_of(const Tensor& bias, std::int64_t window) {
         return bias.data_ptr<float>() + (bias.size(0) > 1 ? window * bias.size(1) * bias.size(2) : 0);
     }
-    static void for_each_window(const Layout& at, const auto& body) {
+    static void for_each_window(const WindowLayout& at, const auto& body) {
         at::parallel_for(0, at.n * at.count, 1, [&](std::int64_t begin, std::int64_t end) {
-            Bench bench(at);
+            WindowBench bench(at);
             for (std::int64_t i = begin; i < end; ++i) body(bench, i / at.count, i % at.count);
         });
     }
@@ -206,7 +206,8 @@ WindowAttention window_attention_by_operators(const Tensor& qkv, const Tensor& b
     const bool columns = windows == Windows::columns;
     const std::int64_t count = columns ? w : h, length = columns ? h : w;
     const Tensor split = qkv.view({n, h, w, 3, heads, d});
-    const Tensor of_window = (columns ? split.permute({3, 0, 2, 4, 1, 5}) : split.permute({3, 0, 1, 4, 2, 5})).reshape({3, n, count, heads, length, d});
+    const Tensor of_window =
+        (columns ? split.permute({3, 0, 2, 4, 1, 5}) : split.permute({3, 0, 1, 4, 2, 5})).reshape({3, n, count, heads, length, d});
     const Tensor score = at::matmul(of_window[0], of_window[1].transpose(-2, -1)) + bias.view({1, bias.size(0), 1, length, length});
     const Tensor normalised = score / score.norm(2, -1, true).clamp_min(kShortest);
     const Tensor said = at::matmul(1 - at::cos(normalised * (std::numbers::pi / 2)), of_window[2]);
@@ -218,7 +219,7 @@ WindowAttention window_attention(const Tensor& qkv, const Tensor& bias, Grid gri
     if (!qkv.is_cpu() || qkv.scalar_type() != at::kFloat) return window_attention_by_operators(qkv, bias, grid, heads, windows);
     const std::int64_t length = bias.size(2);
     const Tensor padded = at::constant_pad_nd(bias, {0, rounded_up(length, kLanes) - length}).contiguous();
-    const auto found = Fused::apply(qkv.contiguous(), padded, grid.height, grid.width, heads, windows == Windows::columns);
+    const auto found = WindowFunction::apply(qkv.contiguous(), padded, grid.height, grid.width, heads, windows == Windows::columns);
     return {found[0], found[1]};
 }
 

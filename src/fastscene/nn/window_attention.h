@@ -16,8 +16,8 @@ struct Grid {
 enum class Windows { rows, columns };
 
 struct WindowAttention {
-    at::Tensor said;       // [N, height * width, C]: what each window says to its tokens, heads side by side
-    at::Tensor loudness;   // [N, windows]: the mean magnitude of its scores
+    at::Tensor said;      // [N, height * width, C]: what each window says to its tokens, heads side by side
+    at::Tensor loudness;  // [N, windows]: the mean magnitude of its scores
 };
 
 // qkv [N, height * width, 3 C] holds queries, keys and values, each cut into `heads`. Scores are q k' + bias, a token's row of them is brought to length 1, and
