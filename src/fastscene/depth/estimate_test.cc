@@ -221,7 +221,7 @@ TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
     const ImageF coarse = aligned_to_picture(networks[1].relative_depth(picture, 2), equirect_from_equirect(picture, {one.width, one.height}));
     ASSERT_TRUE(both.same_size(one));
     for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(both.pixels[i] - one.pixels[i], coarse.pixels[i] - both.pixels[i], 1e-5f);
-    EXPECT_EQ(make_depth_estimator({})->estimate(picture, run).assumptions.at("weights"), "egformer-rooms-192, egformer-rooms");
+    EXPECT_EQ(make_depth_estimator({})->estimate(picture, run).assumptions.at("weights"), "egformer-rooms-256, egformer-rooms");
 }
 
 TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {

@@ -289,14 +289,14 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
         };
     }
     std::vector<Viewpoint> viewpoints;
-    const auto save = [&](const Panorama& panorama) {
+    const auto save = [&](const Panorama& seen) {
         run.check_stop();
         const std::string name = name_of_viewpoint(viewpoints.size());
         make_directories(out / name);
-        save_png(out / name / "color.png", srgb8_from_linear(panorama.color));
-        save_exr(out / name / "range.exr", panorama.range);
-        save_png(out / name / "known.png", mask_from_known(panorama.known, panorama.color.width, panorama.color.height));
-        viewpoints.push_back({name, panorama.world_from_pano});
+        save_png(out / name / "color.png", srgb8_from_linear(seen.color));
+        save_exr(out / name / "range.exr", seen.range);
+        save_png(out / name / "known.png", mask_from_known(seen.known, seen.color.width, seen.color.height));
+        viewpoints.push_back({name, seen.world_from_pano});
     };
     const Json about = walk_through(load_first_panorama(folder), params, run, save, advice, load_more_panoramas(folder));
     save_viewpoints(out / "poses.json", viewpoints);
