@@ -96,11 +96,13 @@ class WalkableFloor {
     // The point itself where it is on the floor, else the nearest point that is. null: the floor is empty.
     nearestInside(x, z) {
         if (this.contains(x, z)) return [x, z];
-        const places = this.edges.map((e) => {
-            const s = Math.max(Math.min(SKIN_M, e.length / 2), Math.min(e.length - SKIN_M, (x - e.ax) * e.tx + (z - e.az) * e.tz));
+        // Beside each edge; in a sharp corner only places further from its tip are on the floor.
+        const places = [1, 8, 64].flatMap((offTip) => this.edges.map((e) => {
+            const margin = Math.min(offTip * SKIN_M, e.length / 2);
+            const s = Math.max(margin, Math.min(e.length - margin, (x - e.ax) * e.tx + (z - e.az) * e.tz));
             const px = e.ax + s * e.tx + SKIN_M * e.nx, pz = e.az + s * e.tz + SKIN_M * e.nz;
             return { px, pz, far: Math.hypot(px - x, pz - z) };
-        });
+        }));
         places.sort((a, b) => a.far - b.far);
         const place = places.find(({ px, pz }) => this.contains(px, pz));
         return place ? [place.px, place.pz] : null;

@@ -55,6 +55,19 @@ Splats odd_splats() {
     return s;
 }
 
+// A floor within the room's: 4 x 4.5 m with an island of 2 x 1 m, a slanted wall in the steps of a 0.1 m grid, and a doorway 0.3 m
+// wide to a second part. viewer_walk_check.mjs knows the same figures.
+WalkableArea two_rooms() {
+    std::vector<Vec2f> outline{{-2, -3}, {2, -3}, {2, 2}, {1.8f, 2}, {1.8f, 2.2f}, {2, 2.2f}, {2, 3.5f}, {-2, 3.5f}, {-2, 2.2f}, {1.5f, 2.2f}, {1.5f, 2}};
+    // From (-1, 2) to (-2, 0), half as wide as it is long.
+    for (int k = 0; k < 10; ++k) {
+        outline.push_back({-1 - 0.1f * static_cast<float>(k), 2 - 0.2f * static_cast<float>(k)});
+        outline.push_back({-1 - 0.1f * static_cast<float>(k), 1.8f - 0.2f * static_cast<float>(k)});
+    }
+    outline.push_back({-2, 0});
+    return {{outline, {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}}, -0.4f, 0.6f, kHalfHeight};
+}
+
 void write_samples(const std::filesystem::path& dir, const std::filesystem::path& viewer_dir) {
     Splats splats;
     ViewSet set;
@@ -81,7 +94,11 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     save_compressed_ply(dir / "odd.compressed.ply", odd);
     for (const int version : {2, 3, 4}) save_splats(dir / fmt::format("odd{}.spz", version), odd, SplatFormat::spz, {PlyBands::all, version});
     save_splats(dir / "odd.glb", odd, SplatFormat::glb);
-    if (!viewer_dir.empty()) save_viewer_html(dir / "viewer.html", splats, {"Colored room", {0, 0, -1}, {0, 0, 4}, 75}, viewer_dir);
+    if (viewer_dir.empty()) return;
+    ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};
+    save_viewer_html(dir / "viewer.html", splats, scene, viewer_dir);
+    scene.walkable = two_rooms();
+    save_viewer_html(dir / "walk.html", splats, scene, viewer_dir);
 }
 
 }  // namespace

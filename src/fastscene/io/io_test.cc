@@ -271,5 +271,50 @@ TEST(Viewer, TheCameraIsTurnedIntoTheViewersFrame) {
     EXPECT_NE(viewer_settings(scene).find("\"position\":[-1.0,-2.0,3.0]"), std::string::npos);
 }
 
+// A page with only the places of the viewer that are written to, each once.
+fs::path small_viewer(const std::string& script) {
+    const fs::path dir = scratch("small_viewer");
+    fs::create_directories(dir);
+    write_file(dir / "index.html", std::string_view("<link rel=\"stylesheet\" href=\"./index.css\" /><title>SuperSplat Viewer</title>"
+                                                    "<script id=\"sse-bootstrap\">null</script>"
+                                                    "<script>import { createViewer } from './index.js'; noanim: url.searchParams.has('noanim')</script>"));
+    write_file(dir / "index.css", std::string_view(""));
+    write_file(dir / "index.js", script);
+    return dir;
+}
+const std::string kControllers =
+    "setCameraBasis(this._angles, forward$2, right$2, up$1);\nthis.update = (deltaTime, frame) => {\ncontroller.update(dt, frame, target);\n"
+    "lastPosition.copy(this.camera.position);\nsource.navigateTo(position, speedMul);\nexport { createViewer };";
+
+TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
+    ViewerScene scene;
+    scene.walkable = WalkableArea{{{{1, 2}, {3, 2}, {3, 5}}}, -0.4f, 0.7f, 1.6f};
+    const fs::path page = scratch("walk.html");
+    save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
+    const std::string text = read_file(page);
+    EXPECT_NE(text.find(R"(new WalkBounds({"rings":[[[-1.0,2.0],[-3.0,2.0],[-3.0,5.0]]],"low":-0.7,"high":0.4}))"), std::string::npos);
+    EXPECT_NE(text.find("class WalkBounds"), std::string::npos);
+    EXPECT_NE(text.find("walkBounds.hold(state.cameraMode, controller, target)"), std::string::npos);
+    EXPECT_EQ(text.find("export {"), std::string::npos);
+    EXPECT_EQ(text.find("setCameraBasis"), std::string::npos);
+
+    scene.walkable.reset();
+    save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
+    EXPECT_EQ(read_file(page).find("walkBounds"), std::string::npos);
+}
+
+TEST(Viewer, AViewerWhoseCamerasCannotBeHeldIsRefused) {
+    ViewerScene scene;
+    scene.walkable = WalkableArea{{{{0, 0}, {1, 0}, {1, 1}}}, -0.4f, 0.7f, 1.6f};
+    for (const std::string_view place : {"setCameraBasis", "this.update", "controller.update", "lastPosition", "source.navigateTo"}) {
+        std::string script = kControllers;
+        script.replace(script.find(place), place.size(), "another");
+        EXPECT_THROW(save_viewer_html(scratch("w.html"), some_splats(3, 0), scene, small_viewer(script)), Error) << place;
+        scene.walkable.reset();
+        EXPECT_NO_THROW(save_viewer_html(scratch("w.html"), some_splats(3, 0), scene, small_viewer(script)));
+        scene.walkable = WalkableArea{{{{0, 0}, {1, 0}, {1, 1}}}, -0.4f, 0.7f, 1.6f};
+    }
+}
+
 }  // namespace
 }  // namespace fastscene

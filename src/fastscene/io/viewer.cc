@@ -1,14 +1,19 @@
 #include "fastscene/io/viewer.h"
 
+#include <cmath>
 #include <string>
 
 #include "fastscene/base/base64.h"
+#include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
+
+extern const std::string_view kWalkBoundsScript;  // web/walk_bounds.mjs
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,6 +52,45 @@ std::string notices(const fs::path& viewer_dir) {
 
 Json viewer_point(Vec3f world) { return {-world.x, -world.y, world.z}; }
 
+double tenth_of_millimetre(float metres) { return std::round(metres * 1e4) / 1e4; }
+
+// What the script's WalkBounds is made from, in the viewer's frame: there y points up.
+Json viewer_bounds(const WalkableArea& area) {
+    Json rings = Json::array();
+    for (const auto& ring : area.rings_m) {
+        Json points = Json::array();
+        for (const Vec2f p : ring) points.push_back({tenth_of_millimetre(-p.x), tenth_of_millimetre(p.y)});
+        rings.push_back(points);
+    }
+    return {{"rings", rings}, {"low", tenth_of_millimetre(-area.high_y)}, {"high", tenth_of_millimetre(-area.low_y)}};
+}
+
+void remove_export(std::string& script, std::string_view exported, const fs::path& file) {
+    const std::size_t at = script.rfind(exported);
+    if (at == std::string::npos) throw Error("{}: expected \"{}\", found another version of the viewer", file.string(), exported);
+    script.erase(at, exported.size());
+}
+
+// Ties walk_bounds.mjs to the viewer's cameras. The viewer has collisions of its own, but they want a second file (a page opened from
+// disk may not read one), leave the orbit camera free and offer walking only where the scene is 5 m wide both ways.
+void hold_camera(std::string& script, const WalkableArea& area, const fs::path& file) {
+    FASTSCENE_CHECK(!area.rings_m.empty());
+    // Each step of a controller is held, then what is shown, which may be a blend of two poses.
+    const std::string_view step = "controller.update(dt, frame, target);";
+    replace_once(script, step, std::string(step) + " walkBounds.hold(state.cameraMode, controller, target);", file);
+    const std::string_view shown = "lastPosition.copy(this.camera.position);";
+    replace_once(script, shown, "walkBounds.holdBlend(this.camera); " + std::string(shown), file);
+    const std::string_view made = "this.update = (deltaTime, frame) => {";
+    replace_once(script, made, "walkBounds.listen(events); " + std::string(made), file);
+    // Forward is level wherever one looks; up and down have keys of their own.
+    replace_once(script, "setCameraBasis(this._angles, forward$2, right$2, up$1);",
+                 "setYawBasis(this._angles.y, forward$2, right$2); up$1.copy(Vec3.UP);", file);
+    replace_once(script, "source.navigateTo(position, speedMul);", "source.navigateTo(walkBounds.walkTarget(position), speedMul);", file);
+    std::string bounds(kWalkBoundsScript);
+    remove_export(bounds, "export { WalkBounds, WalkableFloor };", "web/walk_bounds.mjs");
+    script.insert(0, "const walkBounds = (() => {\n" + bounds + "return new WalkBounds(" + viewer_bounds(area).dump() + ");\n})();\n");
+}
+
 }  // namespace
 
 std::string viewer_settings(const ViewerScene& scene) {
@@ -69,13 +113,10 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     std::string page = read_file(index), css = read_file(viewer_dir / "index.css"), script = read_file(viewer_dir / "index.js");
 
     // A module that is part of the page exports nothing.
-    const std::string_view exported = "export { createViewer };";
-    const std::size_t at = script.rfind(exported);
-    if (at == std::string::npos)
-        throw Error("{}: expected \"{}\", found another version of the viewer", (viewer_dir / "index.js").string(), exported);
-    script.erase(at, exported.size());
+    remove_export(script, "export { createViewer };", viewer_dir / "index.js");
     // No map file travels along.
     if (const std::size_t map = script.rfind("//# sourceMappingURL="); map != std::string::npos) script.erase(map);
+    if (scene.walkable) hold_camera(script, *scene.walkable, viewer_dir / "index.js");
     replace_all(script, "</script", "<\\/script");
 
     Json bootstrap = {{"settings", Json::parse(viewer_settings(scene))},
