@@ -1,9 +1,10 @@
-// Keeps the camera of viewer.html where the scene holds: it walks and slides along the walkable floor's boundary and stays
-// between two heights. save_viewer_html (src/fastscene/io/viewer.cc) puts this file into the page and ties it to the pinned
-// viewer; everything here is in the viewer's frame (x left, y up, z forward, metres), points on the floor are x, z.
+// Keeps the camera of viewer.html where the scene holds: on the walkable floor, along whose boundary it slides, and
+// between two heights. save_viewer_html (src/fastscene/io/viewer.cc) puts this file into the page and ties it to the
+// pinned viewer. Everything here is in the viewer's frame (x left, y up, z forward, metres); points on the floor are
+// [x, z].
 
 const SKIN_M = 1e-3;       // the camera stops this far inside the boundary, so that rounding never puts it outside
-const NOTCH_M = 0.11;      // notches of a stepped boundary up to this deep are cut off: one step of the 0.1 m grid it comes from
+const NOTCH_M = 0.11;      // shallower notches are cut off: steps of the 0.1 m grid that the boundary comes from
 const MAX_CONTACTS = 6;    // edges met in one frame; what is left of a move after that waits for the next frame
 const TOUCHING_M = 1e-9;   // a shorter advance is none: the edges touched before are still touched
 
@@ -21,7 +22,8 @@ const insideRings = (rings, x, z) => {
 };
 
 const withoutStraightVertices = (ring) => {
-    const distinct = ring.filter((p, i) => Math.hypot(p[0] - ring[(i + 1) % ring.length][0], p[1] - ring[(i + 1) % ring.length][1]) > 1e-6);
+    const apart = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]) > 1e-6;
+    const distinct = ring.filter((p, i) => apart(p, ring[(i + 1) % ring.length]));
     const n = distinct.length;
     return distinct.filter((p, i) => Math.abs(turn(distinct[(i + n - 1) % n], p, distinct[(i + 1) % n])) > 1e-7);
 };
@@ -31,29 +33,38 @@ const freeSide = (rings, ring) => {
     const probe_m = 1e-4;
     let left = 0;
     for (let i = 0, j = ring.length - 1; i < ring.length; j = i++) {
-        const dx = ring[i][0] - ring[j][0], dz = ring[i][1] - ring[j][1], s = probe_m / Math.hypot(dx, dz);
-        left += insideRings(rings, (ring[i][0] + ring[j][0]) / 2 - dz * s, (ring[i][1] + ring[j][1]) / 2 + dx * s) ? 1 : -1;
-        if (Math.abs(left) === 3) break;  // three edges agree; a ring that touches itself may have an odd one
+        const a = ring[j], b = ring[i], dx = b[0] - a[0], dz = b[1] - a[1], s = probe_m / Math.hypot(dx, dz);
+        left += insideRings(rings, (a[0] + b[0]) / 2 - dz * s, (a[1] + b[1]) / 2 + dx * s) ? 1 : -1;
+        if (Math.abs(left) === 3) break;  // enough edges agree; where rings touch, one may be odd
     }
     return left < 0 ? -1 : 1;
 };
 
-// A slanted wall comes from the grid as a staircase, in whose notches a visitor would get stuck. Each notch between two tips is cut
-// off by the line between the tips. This only takes floor away, at most NOTCH_M deep, and never closes a passage.
+// A slanted wall comes from the grid as a staircase, in whose notches a visitor would get stuck. Each notch between two
+// tips is cut off by the line between the tips; a ledge at a wall's end gets a ramp twice as long as it is deep. This
+// only takes floor away, at most NOTCH_M deep, and never closes a passage.
 const withoutNotches = (rings) => {
     const straight = rings.map(withoutStraightVertices).filter((ring) => ring.length >= 3);
     return straight.map((ring) => {
         const n = ring.length, side = freeSide(straight, ring);
         const at = (i) => ring[(i + n) % n];
-        const corner = (i) => turn(at(i - 1), at(i), at(i + 1)) * side;  // > 0: the floor's corner is less than 180 degrees wide
-        const holdsAnother = (a, b, c) =>
-            straight.some((other) =>
-                other.some((p) => turn(a, b, p) * side > 1e-9 && turn(b, c, p) * side > 1e-9 && turn(c, a, p) * side > 1e-9));
-        const kept = ring.filter((c, i) => {
-            if (corner(i) <= 0 || corner(i - 1) >= 0 || corner(i + 1) >= 0) return true;
+        const corner = (i) => turn(at(i - 1), at(i), at(i + 1)) * side;  // > 0: the floor's corner is convex
+        const holds = (a, b, c, p) => [[a, b], [b, c], [c, a]].every(([q, r]) => turn(q, r, p) * side > 1e-9);
+        const holdsAnother = (a, b, c) => straight.some((other) => other.some((p) => holds(a, b, c, p)));
+        const length = (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1]);
+        const kept = ring.flatMap((c, i) => {
             const a = at(i - 1), b = at(i + 1);
-            const depth_m = Math.abs(turn(a, b, c)) / Math.hypot(b[0] - a[0], b[1] - a[1]);
-            return depth_m > NOTCH_M || holdsAnother(a, c, b);
+            const tips = [corner(i - 1) < 0 ? a : null, corner(i + 1) < 0 ? b : null];
+            if (corner(i) <= 0 || !(tips[0] || tips[1])) return [c];
+            if (tips[0] && tips[1]) {
+                const depth_m = Math.abs(turn(a, b, c)) / length(a, b);
+                return depth_m > NOTCH_M || holdsAnother(a, c, b) ? [c] : [];
+            }
+            const tip = tips[0] ?? tips[1], wall = tips[0] ? b : a, depth_m = length(tip, c);
+            const share = (2 * depth_m) / length(c, wall);
+            if (depth_m > NOTCH_M || share > 0.5) return [c];
+            const ramp = [c[0] + share * (wall[0] - c[0]), c[1] + share * (wall[1] - c[1])];
+            return (tips[0] ? holdsAnother(a, c, ramp) : holdsAnother(ramp, c, b)) ? [c] : [ramp];
         });
         return withoutStraightVertices(kept);
     });
@@ -112,16 +123,17 @@ class WalkableFloor {
     _firstMet(x, z, mx, mz) {
         let met = null, share = 1;
         for (const e of this.edges) {
-            const toward = -(mx * e.nx + mz * e.nz), distance = (x - e.ax) * e.nx + (z - e.az) * e.nz;
+            const toward = -(mx * e.nx + mz * e.nz);
+            const distance = (x - e.ax) * e.nx + (z - e.az) * e.nz;
             if (toward <= 1e-12 || distance < 0 || distance - toward >= SKIN_M) continue;
             const reached = Math.max(0, (distance - SKIN_M) / toward);
             if (reached >= share) continue;
             const along = (t) => (x + mx * t - e.ax) * e.tx + (z + mz * t - e.az) * e.tz;
             const near = along(reached), crossed = distance / toward, cut = along(crossed);
-            const meets = (near >= -SKIN_M && near <= e.length + SKIN_M) || (crossed <= 1 && cut >= 0 && cut <= e.length);
-            if (!meets) continue;
-            met = e;
-            share = reached;
+            if ((near >= -SKIN_M && near <= e.length + SKIN_M) || (crossed <= 1 && cut >= 0 && cut <= e.length)) {
+                met = e;
+                share = reached;
+            }
         }
         return { met, share };
     }
@@ -174,8 +186,8 @@ class WalkBounds {
         events.on('pick', jump);
     }
 
-    // After each step of a controller: holds the pose it wants and tells the controller, so that it goes on from there and the way
-    // back is free at once.
+    // After each step of a controller: holds the pose it wants and tells the controller, so that it goes on from there
+    // and the way back is free at once.
     hold(mode, controller, camera) {
         const wish = camera.position;
         let held;
@@ -202,7 +214,7 @@ class WalkBounds {
         controller._prevPosition?.copy(wish);  // walk, which blends between its last two steps
     }
 
-    // A blend between two poses may lead over furniture or through a wall: it is shown from the nearest place on the floor.
+    // A blend between two poses may lead over furniture or through a wall: the nearest place on the floor is shown.
     holdBlend(camera) {
         const held = this._nearest(camera.position);
         camera.position.set(held.x, held.y, held.z);

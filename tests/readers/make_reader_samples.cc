@@ -55,10 +55,11 @@ Splats odd_splats() {
     return s;
 }
 
-// A floor within the room's: 4 x 4.5 m with an island of 2 x 1 m, a slanted wall in the steps of a 0.1 m grid, and a doorway 0.3 m
-// wide to a second part. viewer_walk_check.mjs knows the same figures.
+// A floor within the room: 4 x 5 m with an island of 2 x 1 m, a slanted wall in the steps of a 0.1 m grid, and a
+// doorway 0.3 m wide to a second part. viewer_walk_check.mjs knows the same figures.
 WalkableArea two_rooms() {
-    std::vector<Vec2f> outline{{-2, -3}, {2, -3}, {2, 2}, {1.8f, 2}, {1.8f, 2.2f}, {2, 2.2f}, {2, 3.5f}, {-2, 3.5f}, {-2, 2.2f}, {1.5f, 2.2f}, {1.5f, 2}};
+    std::vector<Vec2f> outline{{-2, -3}, {2, -3}, {2, 2}, {1.8f, 2}, {1.8f, 2.2f}, {2, 2.2f}, {2, 3.5f}};
+    for (const Vec2f p : {Vec2f{-2, 3.5f}, Vec2f{-2, 2.2f}, Vec2f{1.5f, 2.2f}, Vec2f{1.5f, 2}}) outline.push_back(p);
     // From (-1, 2) to (-2, 0), half as wide as it is long.
     for (int k = 0; k < 10; ++k) {
         outline.push_back({-1 - 0.1f * static_cast<float>(k), 2 - 0.2f * static_cast<float>(k)});

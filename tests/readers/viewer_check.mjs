@@ -1,14 +1,11 @@
 // Opens viewer.html from disk in Chromium and looks: red wall left, green right, blue ahead, white above, brown below.
 //   node viewer_check.mjs WEB_DIR VIEWER_HTML SCREENSHOT_PNG
-import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 import path from 'node:path';
+import { openChromium } from './open_chromium.mjs';
 
 const [web, html, png] = process.argv.slice(2);
-const { chromium } = createRequire(path.resolve(web, 'package.json'))('playwright-core');
-const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-    '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
+const browser = await openChromium(web);
 let failed = false;
 const expect = (ok, text) => {
     if (!ok) failed = true;

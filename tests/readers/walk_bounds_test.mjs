@@ -5,11 +5,12 @@ import { WalkBounds, WalkableFloor } from '../../web/walk_bounds.mjs';
 
 const box = (x0, z0, x1, z1) => [[x0, z0], [x1, z0], [x1, z1], [x0, z1]];
 // Two rooms, 4 x 4 m with an island of 2 x 1 m and 4 x 3 m, and a doorway 0.3 m wide and 0.2 m deep between them.
-const outline = [[-2, -2], [2, -2], [2, 2], [1.3, 2], [1.3, 2.2], [2, 2.2], [2, 5], [-2, 5], [-2, 2.2], [1, 2.2], [1, 2], [-2, 2]];
+const outline = [[-2, -2], [2, -2], [2, 2], [1.3, 2], [1.3, 2.2], [2, 2.2], [2, 5], [-2, 5], [-2, 2.2], [1, 2.2],
+    [1, 2], [-2, 2]];
 const island = box(-1, 0, 1, 1);
 const house = () => new WalkableFloor([outline, island]);
 
-// The outline of all cells of a grid that `solid` leaves free, as rings of axis-aligned edges, the way a tracer of cells has them.
+// The outline of all free cells of a grid, as rings of axis-aligned edges.
 const gridRings = (n, step, free) => {
     const at = (i, j) => i >= 0 && j >= 0 && i < n && j < n && free((i + 0.5) * step, (j + 0.5) * step);
     const next = new Map();
@@ -37,6 +38,8 @@ const gridRings = (n, step, free) => {
     }
 };
 
+const gridFloor = (free) => new WalkableFloor(gridRings(60, 0.1, free));
+
 const numbers = (seed) => () => ((seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648);
 
 // Pushes in one direction for many frames; every place on the way.
@@ -57,8 +60,8 @@ test('whatever one does, one stays on the floor', () => {
     const random = numbers(7);
     const floors = [
         house(),
-        new WalkableFloor(gridRings(60, 0.1, (x, z) => Math.hypot(x - 3, z - 3) < 2.7 && Math.hypot(x - 3, z - 2) > 0.6)),
-        new WalkableFloor(gridRings(60, 0.1, (x, z) => z < 3 + 0.5 * x && z > x - 2 && !(Math.abs(x - z) < 0.5 && x > 2 && x < 4))),
+        gridFloor((x, z) => Math.hypot(x - 3, z - 3) < 2.7 && Math.hypot(x - 3, z - 2) > 0.6),
+        gridFloor((x, z) => z < 3 + 0.5 * x && z > x - 2 && !(Math.abs(x - z) < 0.5 && x > 2 && x < 4)),
     ];
     for (const floor of floors)
         for (let walk = 0; walk < 60; ++walk) {
@@ -89,7 +92,8 @@ test('one stands still at a wall and in every corner, and the way back is free a
 test('a corner of any width holds without trembling', () => {
     for (let degrees = 20; degrees < 180; degrees += 10) {
         const a = (degrees / 2) * (Math.PI / 180);
-        const floor = new WalkableFloor([[[0, 0], [4 * Math.sin(a), -4 * Math.cos(a)], [0, -8], [-4 * Math.sin(a), -4 * Math.cos(a)]]]);
+        const side = 4 * Math.sin(a), back = -4 * Math.cos(a);
+        const floor = new WalkableFloor([[[0, 0], [side, back], [0, -8], [-side, back]]]);
         for (const x of [0, 0.05, -0.1, 0.3]) {
             const way = push(floor, [0, -1], [x, 1], 300);
             for (let k = 2; k < way.length; ++k) {
@@ -111,10 +115,10 @@ test('one gets round the island and through the doorway by keys alone', () => {
     const floor = house();
     let at = push(floor, [0, -1], [0, 1], 100).at(-1);
     assert.ok(Math.abs(at[1] - (0 - 1e-3)) < 1e-9, `stops at the island, not at ${at}`);
-    at = push(floor, at, [1, 1], 100).at(-1);          // slides along it, past its end, into the corner of wall and door frame
+    at = push(floor, at, [1, 1], 100).at(-1);          // slides along it and past its end
     at = push(floor, at, [0, 1], 100).at(-1);
     assert.ok(at[1] > 1.9, `is past the island: ${at}`);
-    at = push(floor, at, [-1, 1], 200).at(-1);         // slides along the wall until the doorway lets him in
+    at = push(floor, at, [-1, 1], 200).at(-1);         // slides along the wall until the doorway lets one in
     at = push(floor, at, [0, 1], 200).at(-1);
     assert.ok(at[1] > 2.2, `is in the other room: ${at}`);
 });
@@ -126,15 +130,24 @@ test('a slanted wall of steps is walked along as one', () => {
     const way = push(floor, [1.5, 1.2], [1, 1], 60), run = way.slice(-40);
     const share = (1 + slope) / Math.hypot(1, slope) / Math.SQRT2;  // of the speed, along a smooth wall
     const steps = run.slice(1).map((p, i) => Math.hypot(p[0] - run[i][0], p[1] - run[i][1]) / (4 / 60) / share);
-    assert.ok(Math.min(...steps) > 0.8 && Math.max(...steps) < 1.1, `step lengths ${Math.min(...steps)} to ${Math.max(...steps)}`);
+    const least = Math.min(...steps), most = Math.max(...steps);
+    assert.ok(least > 0.8 && most < 1.1, `steps of ${least} to ${most} of a smooth wall's`);
+});
+
+test('a ledge at the end of a wall is passed like a ramp', () => {
+    const floor = new WalkableFloor([[[0, 0], [3, 0], [3, 5], [0.1, 5], [0.1, 2], [0, 2]]]);
+    const at = push(floor, [0.01, 0.5], [0, 1], 100).at(-1);
+    assert.ok(at[1] > 4.9, `came to ${at}`);
 });
 
 test('cutting off notches takes floor away only near the boundary, adds none and keeps every passage', () => {
-    const free = (x, z) => Math.hypot(x - 3, z - 3) < 2.8 && !(Math.abs(x - 3) < 0.35 && Math.abs(z - 3 + 0.4 * (x - 3)) > 0.2);
-    const rings = gridRings(60, 0.1, free), floor = new WalkableFloor(rings), whole = new WalkableFloor([[[0, 0], [1, 0], [1, 1]]]);
+    const inWall = (x, z) => Math.abs(x - 3) < 0.35 && Math.abs(z - 3 + 0.4 * (x - 3)) > 0.2;
+    const free = (x, z) => Math.hypot(x - 3, z - 3) < 2.8 && !inWall(x, z);
+    const rings = gridRings(60, 0.1, free), floor = new WalkableFloor(rings), whole = new WalkableFloor([]);
     whole.rings = rings;
-    const near = (x, z) => [0, 1, 2, 3, 4, 5, 6, 7].some((k) =>
-        !whole.contains(x + 0.12 * Math.cos((k * Math.PI) / 4), z + 0.12 * Math.sin((k * Math.PI) / 4)));
+    const angles = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => (k * Math.PI) / 4);
+    const aside = angles.map((a) => [0.12 * Math.cos(a), 0.12 * Math.sin(a)]);
+    const near = (x, z) => aside.some(([dx, dz]) => !whole.contains(x + dx, z + dz));
     for (let z = 0.013; z < 6; z += 0.037)
         for (let x = 0.011; x < 6; x += 0.037) {
             if (floor.contains(x, z)) assert.ok(whole.contains(x, z), `${x}, ${z} was never floor`);

@@ -67,28 +67,31 @@ Json viewer_bounds(const WalkableArea& area) {
 
 void remove_export(std::string& script, std::string_view exported, const fs::path& file) {
     const std::size_t at = script.rfind(exported);
-    if (at == std::string::npos) throw Error("{}: expected \"{}\", found another version of the viewer", file.string(), exported);
+    if (at == std::string::npos)
+        throw Error("{}: expected \"{}\", found another version of the viewer", file.string(), exported);
     script.erase(at, exported.size());
 }
 
-// Ties walk_bounds.mjs to the viewer's cameras. The viewer has collisions of its own, but they want a second file (a page opened from
-// disk may not read one), leave the orbit camera free and offer walking only where the scene is 5 m wide both ways.
+// Ties walk_bounds.mjs to the viewer's cameras; docs/decisions/0011-our-own-walk-bounds.md says why the viewer's own
+// collisions do not serve.
 void hold_camera(std::string& script, const WalkableArea& area, const fs::path& file) {
     FASTSCENE_CHECK(!area.rings_m.empty());
     // Each step of a controller is held, then what is shown, which may be a blend of two poses.
-    const std::string_view step = "controller.update(dt, frame, target);";
-    replace_once(script, step, std::string(step) + " walkBounds.hold(state.cameraMode, controller, target);", file);
-    const std::string_view shown = "lastPosition.copy(this.camera.position);";
-    replace_once(script, shown, "walkBounds.holdBlend(this.camera); " + std::string(shown), file);
-    const std::string_view made = "this.update = (deltaTime, frame) => {";
-    replace_once(script, made, "walkBounds.listen(events); " + std::string(made), file);
+    const std::string step = "controller.update(dt, frame, target);";
+    const std::string shown = "lastPosition.copy(this.camera.position);";
+    replace_once(script, step, step + " walkBounds.hold(state.cameraMode, controller, target);", file);
+    replace_once(script, shown, "walkBounds.holdBlend(this.camera); " + shown, file);
+    const std::string made = "this.update = (deltaTime, frame) => {";
+    replace_once(script, made, "walkBounds.listen(events); " + made, file);
     // Forward is level wherever one looks; up and down have keys of their own.
     replace_once(script, "setCameraBasis(this._angles, forward$2, right$2, up$1);",
                  "setYawBasis(this._angles.y, forward$2, right$2); up$1.copy(Vec3.UP);", file);
-    replace_once(script, "source.navigateTo(position, speedMul);", "source.navigateTo(walkBounds.walkTarget(position), speedMul);", file);
+    replace_once(script, "source.navigateTo(position, speedMul);",
+                 "source.navigateTo(walkBounds.walkTarget(position), speedMul);", file);
     std::string bounds(kWalkBoundsScript);
     remove_export(bounds, "export { WalkBounds, WalkableFloor };", "web/walk_bounds.mjs");
-    script.insert(0, "const walkBounds = (() => {\n" + bounds + "return new WalkBounds(" + viewer_bounds(area).dump() + ");\n})();\n");
+    bounds += "return new WalkBounds(" + viewer_bounds(area).dump() + ");\n";
+    script.insert(0, "const walkBounds = (() => {\n" + bounds + "})();\n");
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ Vec2d as_double(Vec2f p) { return {p.x, p.y}; }
 template <class Take>
 void each_edge(const WalkableArea& area, Take take) {
     for (const auto& ring : area.rings_m)
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) take(as_double(ring[j]), as_double(ring[i]));
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            take(as_double(ring[j]), as_double(ring[i]));
 }
 
 double signed_area(const std::vector<Vec2f>& ring) {
@@ -44,7 +45,8 @@ bool contains(const WalkableArea& area, Vec3f eyes) {
 
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
     if (contains(area, point)) return point;
-    // Places beside each edge, on either side, of which the area contains one; in a sharp corner only those further from its tip.
+    // Places beside each edge, on either side, of which the area contains one; in a sharp corner only those further
+    // from its tip.
     std::vector<std::pair<double, Vec2f>> places;
     const Vec2d p = as_double(point);
     each_edge(area, [&](Vec2d a, Vec2d b) {
@@ -57,7 +59,8 @@ Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
             const Vec2d nearest = a + tangent * std::clamp(dot(p - a, tangent), margin, length - margin);
             for (const double side : {kOffBoundary_m, -kOffBoundary_m}) {
                 const Vec2d q = nearest + normal * side;
-                places.push_back({std::hypot(q.x - p.x, q.y - p.y), Vec2f{static_cast<float>(q.x), static_cast<float>(q.y)}});
+                places.push_back(
+                    {std::hypot(q.x - p.x, q.y - p.y), Vec2f{static_cast<float>(q.x), static_cast<float>(q.y)}});
             }
         }
     });
@@ -75,7 +78,9 @@ Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes) {
 std::size_t largest_ring(const WalkableArea& area) {
     FASTSCENE_CHECK(!area.rings_m.empty());
     const auto& rings = area.rings_m;
-    const auto smaller = [](const auto& a, const auto& b) { return std::abs(signed_area(a)) < std::abs(signed_area(b)); };
+    const auto smaller = [](const auto& a, const auto& b) {
+        return std::abs(signed_area(a)) < std::abs(signed_area(b));
+    };
     return static_cast<std::size_t>(std::max_element(rings.begin(), rings.end(), smaller) - rings.begin());
 }
 

@@ -7,17 +7,18 @@
 
 namespace fastscene {
 
-// World frame, metres. A point on the floor is a Vec2f whose x and y are the world's x and z. The world's y points down, so low_y is
-// how far up the eyes may go and high_y how far down.
+// World frame, metres. A point on the floor is a Vec2f whose x and y are the world's x and z. The world's y points
+// down, so low_y is how far up the eyes may go and high_y how far down.
 struct WalkableArea {
-    std::vector<std::vector<Vec2f>> rings_m;  // closed polygons, the last vertex joined to the first; even-odd rule: outlines and holes
-    float low_y = 0, high_y = 0;              // the eyes stay within [low_y, high_y]
-    float floor_y = 0;                        // the floor below; eye heights are told from here
+    // Closed polygons, the last vertex joined to the first; outlines and holes (furniture) alike, even-odd rule.
+    std::vector<std::vector<Vec2f>> rings_m;
+    float low_y = 0, high_y = 0;  // the eyes stay within [low_y, high_y]
+    float floor_y = 0;            // eye heights count from here
 };
 
 bool contains(const WalkableArea& area, Vec2f point);
 bool contains(const WalkableArea& area, Vec3f eyes);
-// The point itself where the area contains it, else the nearest one that it contains (kept a millimetre off the boundary).
+// The point itself where the area contains it, else the nearest one that it contains, a millimetre off the boundary.
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point);
 Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes);
 // Index of the ring that encloses most floor.

@@ -22,12 +22,14 @@ float number(const Json& json, const char* what, const std::string& where) {
 }
 
 Vec2f pair(const Json& json, const char* what, const std::string& where) {
-    if (!json.is_array() || json.size() != 2) throw Error("{}: {}: expected two numbers, found {}", where, what, json.dump());
+    if (!json.is_array() || json.size() != 2)
+        throw Error("{}: {}: expected two numbers, found {}", where, what, json.dump());
     return {number(json[0], what, where), number(json[1], what, where)};
 }
 
 std::vector<Vec2f> ring_from(const Json& json, const char* what, const std::string& where) {
-    if (!json.is_array() || json.size() < 3) throw Error("{}: {}: expected at least 3 points, found {}", where, what, json.dump());
+    if (!json.is_array() || json.size() < 3)
+        throw Error("{}: {}: expected at least 3 points, found {}", where, what, json.dump());
     std::vector<Vec2f> ring;
     for (const Json& point : json) ring.push_back(pair(point, what, where));
     return ring;
@@ -61,7 +63,8 @@ WalkableArea walkable_from_json(const Json& json, const std::string& where) {
         area.rings_m.push_back(ring_from(member(json, "polygon_m", where), "polygon_m", where));
     }
     const Vec2f heights = pair(member(json, "eye_heights_m", where), "eye_heights_m", where);
-    if (heights.x > heights.y) throw Error("{}: eye_heights_m: expected [low, high], found {}", where, json["eye_heights_m"].dump());
+    if (heights.x > heights.y)
+        throw Error("{}: eye_heights_m: expected [low, high], found {}", where, json["eye_heights_m"].dump());
     area.floor_y = number(member(json, "floor_y_m", where), "floor_y_m", where);
     area.low_y = area.floor_y - heights.y;
     area.high_y = area.floor_y - heights.x;

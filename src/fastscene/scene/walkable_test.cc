@@ -91,14 +91,15 @@ TEST(Walkable, WrongJsonIsNamed) {
         }
         return std::string("no error");
     };
-    for (const auto& [name, value] : std::vector<std::pair<const char*, Json>>{{"floor_y_m", nullptr},
-                                                                                {"floor_y_m", "low"},
-                                                                                {"eye_heights_m", nullptr},
-                                                                                {"eye_heights_m", {2, 1}},
-                                                                                {"eye_heights_m", {1, 2, 3}},
-                                                                                {"rings_m", 4},
-                                                                                {"rings_m", Json::array({Json::array({1, 2})})},
-                                                                                {"rings_m", Json::array({Json::array({{1, 2}, {3, 4}, {5}})})}}) {
+    for (const auto& [name, value] :
+         std::vector<std::pair<const char*, Json>>{{"floor_y_m", nullptr},
+                                                   {"floor_y_m", "low"},
+                                                   {"eye_heights_m", nullptr},
+                                                   {"eye_heights_m", {2, 1}},
+                                                   {"eye_heights_m", {1, 2, 3}},
+                                                   {"rings_m", 4},
+                                                   {"rings_m", Json::array({Json::array({1, 2})})},
+                                                   {"rings_m", Json::array({Json::array({{1, 2}, {3, 4}, {5}})})}}) {
         const std::string said = message(name, value);
         EXPECT_NE(said.find("report.json"), std::string::npos) << said;
         EXPECT_NE(said.find(name), std::string::npos) << said;
