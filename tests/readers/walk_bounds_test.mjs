@@ -158,6 +158,11 @@ test('cutting off notches takes floor away only near the boundary, adds none and
     assert.ok(at[0] > 3.5, `got through the gap, to ${at}`);
 });
 
+test('steps deeper than the grid\'s stay as they are', () => {
+    const floor = new WalkableFloor([[[0, 0], [3, 0], [3, 3], [0.6, 3], [0.6, 2.7], [0.3, 2.7], [0.3, 2.4], [0, 2.4]]]);
+    assert.ok(floor.contains(0.33, 2.68) && floor.contains(0.63, 2.98));
+});
+
 test('a place off the floor is brought to the nearest place on it', () => {
     const floor = house();
     assert.deepEqual(floor.nearestInside(0.3, -1.2), [0.3, -1.2]);
