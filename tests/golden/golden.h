@@ -38,13 +38,15 @@ class Network {
     const std::string& name() const { return name_; }
     const std::filesystem::path& set() const { return set_; }
     const Json& json() const { return json_; }
+    // How many times the tolerance of its manifest a tensor gets: 1 but where <set>/wider.json says otherwise.
+    double wider(const std::string& of_case, const std::string& tensor) const;
     // The stored elements of a tensor, as far as they were stored.
     at::Tensor stored(const Json& tensor) const;
 
   private:
     std::filesystem::path set_;
     std::string name_;
-    Json json_;
+    Json json_, wider_;
     std::string data_;
 };
 

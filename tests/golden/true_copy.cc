@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Of the copy alone.
-constexpr const char* kOwnFiles[] = {"README.md", "left_out.json", "prompt_tokens.json"};
+constexpr const char* kOwnFiles[] = {"README.md", "left_out.json", "prompt_tokens.json", "wider.json"};
 
 // The original's manifest without the cases that were left out; a name that is no case of it stays, and is told.
 Json without_cases(Json manifest, const Json& left_out, std::vector<std::string>& complaints) {

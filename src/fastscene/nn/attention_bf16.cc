@@ -44,6 +44,8 @@ class Tiles {
             config[16 + 2 * t] = 64;   // bytes a row
             config[48 + t] = 16;       // rows
         }
+        // GCC 12 believes that the instruction reads eight bytes only, and may leave out the rest as stores to nowhere.
+        asm volatile("" : : "r"(config) : "memory");
         _tile_loadconfig(config);
     }
     ~Tiles() {
