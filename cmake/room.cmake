@@ -34,7 +34,7 @@ function(fastscene_room name)
 
   if(tests AND FASTSCENE_TESTS)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE fastscene_${name} fastscene_warnings GTest::gtest GTest::gtest_main)
+    target_link_libraries(${name}_test PRIVATE fastscene_${name} fastscene_test_main fastscene_warnings GTest::gtest)
     # Half of all sources are tests, and they run once: what is saved in compiling them is worth more than their speed.
     target_compile_options(${name}_test PRIVATE -O1)
     target_compile_definitions(${name}_test PRIVATE FASTSCENE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -68,19 +68,27 @@ install_npm() {
   cp "$lock" "$modules/.complete"
 }
 
+# Which of CMakePresets.json is built.
+preset=release
+
+# A release build is for processors with AVX2 (FASTSCENE_ARCH); one without gets a build of its own.
+lacks_avx2() { [ "$(uname -m)" = x86_64 ] && ! { grep -qw avx2 /proc/cpuinfo && grep -qw fma /proc/cpuinfo; }; }
+
 # configure ON|OFF: with or without the tests (which need packages of their own). A build with them serves both.
 configure() {
-  local build=$root/build/release
-  if [ -f "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^FASTSCENE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; }; then return 0; fi
+  local build=$root/build/$preset arch=()
+  if lacks_avx2; then arch=(-DFASTSCENE_ARCH=x86-64-v2); fi
+  if [ -f "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^FASTSCENE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; } &&
+    { [ "${#arch[@]}" = 0 ] || grep -q '^FASTSCENE_ARCH:[A-Z]*=x86-64-v2' "$build/CMakeCache.txt"; }; then return 0; fi
   say "configuring"
   # A half-made build folder of an earlier try would be believed.
   [ -f "$build/build.ninja" ] || rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
-  (cd "$root" && quietly cmake --preset release -DFASTSCENE_TESTS="$1") || fail "cmake failed"
+  (cd "$root" && quietly cmake --preset "$preset" -DFASTSCENE_TESTS="$1" "${arch[@]}") || fail "cmake failed"
 }
 
 # build_targets TARGET…: ninja finds out what has changed (a few hundredths of a second when nothing has).
 build_targets() {
-  local build=$root/build/release
+  local build=$root/build/$preset
   local log last=-1 status=0 line done total
   log=$(mktemp)
   # ninja says [12/120] before each step: a line of ours each tenth of a long build, none for a short one.

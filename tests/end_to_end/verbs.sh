@@ -230,6 +230,10 @@ expect 0 "$fastscene" doctor
 prints threads
 expect 0 "$fastscene" doctor --json
 prints '"remedy"'
+expect 0 env FASTSCENE_ISA=sse4 "$fastscene" doctor
+prints "sse4 in use"
+expect 2 env FASTSCENE_ISA=avx1024 "$fastscene" doctor
+says 'FASTSCENE_ISA: expected sse4, avx2 or avx512, found "avx1024"'
 expect 0 "$fastscene" version
 prints fastscene
 exit 0

@@ -1,7 +1,10 @@
 // Tokenizer, samplers, CLIP, U-Net, ControlNet, VAE, Diffusion360's loops, LPIPS, RRDBNet.
 #include <algorithm>
+#include <cstdlib>
+#include <memory>
 #include <regex>
 
+#include "fastscene/base/file.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/circular.h"
 #include "fastscene/nn/clip_image.h"
@@ -17,10 +20,17 @@ using at::Tensor;
 using nn::HashedWeights;
 using nn::Scope;
 
-const ClipTokenizer& tokenizer(const Case& c) {
-    static const ClipTokenizer* one = nullptr;
-    if (!one) one = new ClipTokenizer(needed_shared_file(c.network().set(), "data/clip/bpe_simple_vocab_16e6.txt.gz"));
-    return *one;
+// CLIP's vocabulary is OpenAI's and does not come with the source.
+const OthersFile kVocabulary{"data/clip/bpe_simple_vocab_16e6.txt.gz", "clip-vit-base-patch32", ""};
+
+// Nothing where it is not there: also where the folder of the pulled model holds no merges.txt.
+const ClipTokenizer* tokenizer(const Case& c) {
+    static std::unique_ptr<ClipTokenizer> one;
+    if (one) return one.get();
+    const auto file = find_others_file(c.network().set(), kVocabulary);
+    if (file && (!std::filesystem::is_directory(*file) || std::filesystem::exists(*file / "merges.txt")))
+        one = std::make_unique<ClipTokenizer>(*file);
+    return one.get();
 }
 
 // ---- tokenizer -----------------------------------------------------------------------------------------------------
@@ -31,10 +41,14 @@ std::string text_of_hex(const std::string& hex) {
     return out;
 }
 
-void check_prompt(Case& c, const std::string& name, const Json& p) {
-    const std::string text = p.contains("prompt_utf8_hex") ? text_of_hex(p["prompt_utf8_hex"]) : p.at("prompt").get<std::string>();
-    const ClipTokenizer& t = tokenizer(c);
-    Json ours = p;
+// What the vocabulary has no part in.
+void parse_prompt(const std::string& text, Json& ours) {
+    Json pieces = Json::array();
+    for (const WeightedText& piece : parse_weights(text)) pieces.push_back({piece.text, piece.weight});
+    ours["parse_prompt_attention"] = pieces;
+}
+
+void encode_prompt(const ClipTokenizer& t, const std::string& text, const Json& p, Json& ours) {
     if (p.contains("hf_ids_untruncated")) {
         std::vector<int> ids = t.encode(text);
         ids.insert(ids.begin(), ClipTokenizer::kBegin);
@@ -46,9 +60,6 @@ void check_prompt(Case& c, const std::string& name, const Json& p) {
     if (p.contains("sd2_ids77_pad0")) ours["sd2_ids77_pad0"] = t.padded(text, 0);
     if (p.contains("openai_clip_tokenize77") && p.value("hf_equals_openai", true)) ours["openai_clip_tokenize77"] = t.padded(text, 0);
     if (p.contains("parse_prompt_attention")) {
-        Json pieces = Json::array();
-        for (const WeightedText& piece : parse_weights(text)) pieces.push_back({piece.text, piece.weight});
-        ours["parse_prompt_attention"] = pieces;
         const WeightedTokens w = weighted_tokens(t, {text}, ClipTokenizer::kEnd)[0];
         ours["padded_tokens"] = w.tokens;
         Json weights = Json::array();  // a weight is single here and double there
@@ -59,11 +70,62 @@ void check_prompt(Case& c, const std::string& name, const Json& p) {
         ours["padded_weights"] = weights;
         ours["max_embeddings_multiples"] = w.chunks;
     }
-    c.value(name, ours);
+}
+
+void check_prompt(Case& c, const std::string& name, const Json& p) {
+    const std::string text =
+        p.contains("prompt_utf8_hex") ? text_of_hex(p["prompt_utf8_hex"]) : p.at("prompt").get<std::string>();
+    const ClipTokenizer* t = tokenizer(c);
+    Json ours = p;
+    if (p.contains("parse_prompt_attention")) parse_prompt(text, ours);
+    if (t) encode_prompt(*t, text, p, ours);
+    if (t || p.contains("parse_prompt_attention")) c.value(name, ours);
+    if (!t) c.lack(name, kVocabulary.relative);
 }
 
 void check_tokenizer(Case& c) {
+    if (!tokenizer(c) && c.name() == "prompts") throw Skipped(kVocabulary.relative);   // all of it is words
     for (const Json& entry : c.json().at("values")) check_prompt(c, entry.at("name"), entry.at("value"));
+}
+
+// Adds to a file of the form that prompt_tokens.json has.
+void record_tokens(const std::filesystem::path& file, const std::string& prompt, const std::string& negative, int pad,
+                   const std::vector<WeightedTokens>& tokens) {
+    Json all = std::filesystem::exists(file) ? read_json(file) : Json::array();
+    Json entry{{"prompts", {prompt, negative}}, {"pad", pad}, {"tokens", Json::array()}};
+    for (const WeightedTokens& one : tokens)
+        entry["tokens"].push_back({{"tokens", one.tokens}, {"weights", one.weights}, {"chunks", one.chunks}});
+    for (const Json& known : all)
+        if (known == entry) return;
+    all.push_back(entry);
+    write_file(file, all.dump() + "\n");
+}
+
+// The prompt and its negative. A clone has no vocabulary, but the numbers of the prompts that its cases use are
+// recorded in prompt_tokens.json, so that the networks behind are not left out; where the vocabulary is, the record
+// must be what it gives.
+std::vector<WeightedTokens> prompt_tokens(const Case& c, const std::string& prompt, const std::string& negative,
+                                          int pad) {
+    const std::filesystem::path file = c.network().set() / "prompt_tokens.json";
+    const ClipTokenizer* t = tokenizer(c);
+    std::vector<WeightedTokens> out, recorded;
+    if (t) out = weighted_tokens(*t, {prompt, negative}, pad);
+    if (std::filesystem::exists(file))
+        for (const Json& entry : read_json(file))
+            if (entry.at("prompts") == Json{prompt, negative} && entry.at("pad") == pad)
+                for (const Json& one : entry.at("tokens"))
+                    recorded.push_back({one.at("tokens").get<std::vector<int>>(),
+                                        one.at("weights").get<std::vector<float>>(), one.at("chunks").get<int>()});
+    if (recorded.empty() && !t) throw Skipped(kVocabulary.relative);
+    if (!t) return recorded;
+    for (std::size_t i = 0; i < recorded.size(); ++i)
+        if (recorded[i].tokens != out[i].tokens || recorded[i].weights != out[i].weights ||
+            recorded[i].chunks != out[i].chunks)
+            throw Error("{}: expected the tokens that the vocabulary gives for \"{}\", found others", file.string(),
+                        i == 0 ? prompt : negative);
+    if (const char* record = std::getenv("FASTSCENE_RECORD_TOKENS"); record && recorded.empty())
+        record_tokens(record, prompt, negative, pad, out);
+    return out;
 }
 
 // ---- samplers ------------------------------------------------------------------------------------------------------
@@ -143,7 +205,7 @@ void check_clip_text(Case& c) {
     }
     // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the exact GELU), else the end.
     const int pad = c.network().json().at("config").at("hidden_act") == "gelu" ? 0 : ClipTokenizer::kEnd;
-    const auto tokens = weighted_tokens(tokenizer(c), {c.json().at("prompt"), c.json().at("negative")}, pad);
+    const auto tokens = prompt_tokens(c, c.json().at("prompt"), c.json().at("negative"), pad);
     const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]),
                               negative = nn::embed_prompt(Scope(weights), tower, tokens[1]);
     c.tensor("text_embeddings", prompt.states);
@@ -278,7 +340,7 @@ struct Tiny {
         tower = nn::clip_text_tower(models.at("text_encoder"), "text_encoder");
     }
     Tensor prompts(const Case& c, const std::string& prompt, const std::string& negative) {
-        const auto tokens = weighted_tokens(tokenizer(c), {prompt, negative}, ClipTokenizer::kEnd);
+        const auto tokens = prompt_tokens(c, prompt, negative, ClipTokenizer::kEnd);
         return at::cat({nn::embed_prompt(Scope(text), tower, tokens[1]).states, nn::embed_prompt(Scope(text), tower, tokens[0]).states}, 0);
     }
 };

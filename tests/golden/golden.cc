@@ -6,8 +6,11 @@
 #include <limits>
 #include <sstream>
 
+#include <zstd.h>
+
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/models/cache.h"
 
 namespace fastscene::golden {
 namespace {
@@ -66,13 +69,33 @@ Json manifest_of_prompts(const Json& list) {
 }
 }  // namespace
 
+std::string read_packed(const fs::path& file) {
+    fs::path packed = file;
+    packed += ".zst";
+    if (fs::exists(file) || !fs::exists(packed)) return read_file(file);
+    const std::string bytes = read_file(packed);
+    const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+    if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
+        throw Error("{}: expected one zstd frame that says its size", packed.string());
+    std::string out(size, '\0');
+    const std::size_t got = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
+    if (ZSTD_isError(got) || got != size) throw Error("{}: damaged", packed.string());
+    return out;
+}
+
 Network::Network(fs::path set, std::string name) : set_(std::move(set)), name_(std::move(name)) {
+    if (fs::exists(set_ / "wider.json")) wider_ = read_json(set_ / "wider.json").at("factors").value(name_, Json());
     if (!fs::exists(set_ / name_ / "manifest.json")) {
         json_ = manifest_of_prompts(read_json(set_ / name_ / "tokenizer.json"));
         return;
     }
     json_ = read_json(set_ / name_ / "manifest.json");
-    if (json_.contains("bin")) data_ = read_file(set_ / name_ / json_["bin"].get<std::string>());
+    if (json_.contains("bin")) data_ = read_packed(set_ / name_ / json_["bin"].get<std::string>());
+}
+
+double Network::wider(const std::string& of_case, const std::string& tensor) const {
+    if (!wider_.contains(of_case)) return 1;
+    return wider_[of_case].value(tensor, 1.0);
 }
 
 at::Tensor Network::stored(const Json& t) const {
@@ -115,7 +138,13 @@ void Case::tensor(const std::string& name, const at::Tensor& ours) {
         double largest = std::max(std::abs(t.value("min", 0.0)), std::abs(t.value("max", 0.0)));
         const at::Tensor reference = network_.stored(t);
         if (!t.contains("max")) largest = reference.to(at::kDouble).abs().max().item<double>();
-        findings.push_back(compared(name, reference, some.narrow(0, 0, reference.numel()), largest, t));
+        Finding f = compared(name, reference, some.narrow(0, 0, reference.numel()), largest, t);
+        if (const double factor = network_.wider(name_, name); factor != 1) {
+            f.tolerance *= factor;
+            f.good = f.max_abs <= f.tolerance;
+            f.remark = fmt::format("{} times the manifest's tolerance", factor);
+        }
+        findings.push_back(f);
     }
     if (!findings.empty()) found_[name] = std::move(findings);
 }
@@ -170,6 +199,13 @@ void Case::leave_out(const std::string& name, const std::string& why) {
     if (wants(name)) found_[name] = {{name, 0, 0, 0, true, "left out: " + why}};
 }
 
+void Case::lack(const std::string& name, const std::string& file) {
+    if (!wants(name)) return;
+    lacked_.insert(file);
+    if (found_.contains(name)) return;
+    found_[name] = {{name, 0, 0, 0, true, "not compared: needs " + file}};
+}
+
 nn::Listener Case::listener() {
     return [this](const std::string& name, const at::Tensor& output) { tensor(name, output); };
 }
@@ -199,23 +235,18 @@ at::Tensor bytes_of(const ImageRgb8& image) {
     return out;
 }
 
-std::optional<fs::path> shared_file(const fs::path& set, const std::string& relative) {
+std::optional<fs::path> find_others_file(const fs::path& set, const OthersFile& file) {
     std::vector<fs::path> places{fs::absolute(set).parent_path()};
     if (const char* shared = std::getenv("FASTSCENE_SHARED")) places.emplace_back(shared);
-    places.push_back(fs::path(FASTSCENE_SOURCE_DIR).parent_path() / "shared");
     for (fs::path source = FASTSCENE_SOURCE_DIR; source.has_relative_path(); source = source.parent_path()) places.push_back(source / "shared");
     for (const fs::path& place : places)
-        if (fs::exists(place / relative)) return place / relative;
-    return std::nullopt;
+        if (fs::exists(place / file.relative)) return place / file.relative;
+    const fs::path pulled = models_root() / model_named(file.model).folder / file.pulled;
+    return fs::exists(pulled) ? std::optional(pulled) : std::nullopt;
 }
 
-fs::path needed_shared_file(const fs::path& set, const std::string& relative) {
-    const auto found = shared_file(set, relative);
-    if (!found) throw Skipped("needs " + relative);
-    return *found;
-}
 fs::path needed_input(const fs::path& set, const std::string& relative) {
-    if (!fs::exists(set / relative)) throw Skipped("needs " + relative);
+    if (!fs::exists(set / relative)) throw Skipped(relative);
     return set / relative;
 }
 

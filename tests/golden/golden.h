@@ -28,6 +28,9 @@ struct Finding {
     std::string remark;
 };
 
+// The file as it is, or unpacked from FILE.zst where that lies in its place.
+std::string read_packed(const std::filesystem::path& file);
+
 // One network's manifest and data.
 class Network {
   public:
@@ -35,13 +38,15 @@ class Network {
     const std::string& name() const { return name_; }
     const std::filesystem::path& set() const { return set_; }
     const Json& json() const { return json_; }
+    // How many times the tolerance of its manifest a tensor gets: 1 but where <set>/wider.json says otherwise.
+    double wider(const std::string& of_case, const std::string& tensor) const;
     // The stored elements of a tensor, as far as they were stored.
     at::Tensor stored(const Json& tensor) const;
 
   private:
     std::filesystem::path set_;
     std::string name_;
-    Json json_;
+    Json json_, wider_;
     std::string data_;
 };
 
@@ -68,6 +73,11 @@ class Case {
     void put(Finding finding);
     // A tensor or value that this program leaves out on purpose, and why.
     void leave_out(const std::string& name, const std::string& why);
+    // A tensor or value that cannot be compared, or not wholly, without a file that is not there. What was handed in
+    // still counts.
+    void lack(const std::string& name, const std::string& file);
+    // The files that were lacked.
+    const std::set<std::string>& lacked() const { return lacked_; }
     // A listener for Scope: every output whose name is a tensor of this case is compared.
     nn::Listener listener();
 
@@ -78,9 +88,10 @@ class Case {
     std::string name_;
     const Json& json_;
     std::map<std::string, std::vector<Finding>> found_;
+    std::set<std::string> lacked_;
 };
 
-// Thrown by a checker that lacks a file which not every clone has (photographs, vocabularies).
+// Thrown by a checker that can do nothing without a file which not every clone has. what() is the file.
 struct Skipped : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -94,12 +105,19 @@ at::Tensor raw(const std::string& name, at::IntArrayRef shape);
 at::Tensor unit(const std::string& name, at::IntArrayRef shape);
 // 8-bit pictures as [H, W, 3].
 at::Tensor bytes_of(const ImageRgb8& image);
-// A file beside the golden set that belongs to it: data/metrics/allmodel. Looked for in <set>/../data, in the variable
-// FASTSCENE_SHARED and in <source>/../shared.
-std::optional<std::filesystem::path> shared_file(const std::filesystem::path& set, const std::string& relative);
-// The same, and a file of the set itself; Skipped when there is none.
-std::filesystem::path needed_shared_file(const std::filesystem::path& set, const std::string& relative);
+// A file that others made and that is not part of this project. Looked for under the name `relative`
+// (data/metrics/allmodel) in <set>/../data, in the folder of the variable FASTSCENE_SHARED and in <source>/../shared;
+// then among the models that were pulled (`fastscene models pull MODEL`).
+struct OthersFile {
+    std::string relative, model, pulled;   // `pulled`: its name there, "" = the model's folder
+};
+std::optional<std::filesystem::path> find_others_file(const std::filesystem::path& set, const OthersFile& file);
+// A file of the set itself; Skipped when there is none.
 std::filesystem::path needed_input(const std::filesystem::path& set, const std::string& relative);
+
+// Holds a copy of a set, with cases left out where <copy>/left_out.json says why, against the original. Says what
+// differs; returns whether nothing does.
+bool is_a_true_copy(const std::filesystem::path& copy, const std::filesystem::path& original);
 
 // The lists of the checkers; one file a family.
 void add_depth_checkers(Checkers& checkers);  // EGformer

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <thread>
 
+#include "fastscene/base/library_settings.h"
 #include "golden.h"
 
 using namespace fastscene;
@@ -35,18 +36,42 @@ void print(const std::string& name, const Finding& f) {
               << std::endl;
 }
 
-// Returns whether all is well.
-bool run_case(Case& one, const Checker& checker, bool verbose) {
+// What became of the cases, and which files were lacked by how many of them.
+struct Tally {
+    int ran = 0, failed = 0, skipped = 0, partly = 0;
+    std::map<std::string, int> skipped_without, partly_without;
+};
+
+std::string listed(const std::map<std::string, int>& without) {
+    std::string out;
+    for (const auto& [file, count] : without)
+        out += fmt::format("{}{} without {}", out.empty() ? "" : ", ", count, file);
+    return out;
+}
+std::string summary(const Tally& t) {
+    std::string out = fmt::format("golden: {} cases ran, {} failed, {} skipped", t.ran, t.failed, t.skipped);
+    if (t.skipped) out += fmt::format(" ({})", listed(t.skipped_without));
+    if (t.partly) out += fmt::format(", {} ran in part ({})", t.partly, listed(t.partly_without));
+    return out;
+}
+
+void run_case(Case& one, const Checker& checker, bool verbose, Tally& tally) {
     const std::string name = one.network().name() + "/" + one.name();
     try {
         checker(one);
     } catch (const Skipped& e) {
-        std::cout << fmt::format("{:<52} skipped  ({})", name, e.what()) << std::endl;
-        return true;
+        std::cout << fmt::format("{:<52} skipped  (needs {})", name, e.what()) << std::endl;
+        ++tally.skipped;
+        ++tally.skipped_without[e.what()];
+        return;
     } catch (const std::exception& e) {
         std::cout << fmt::format("{:<52} FAIL  ({})", name, e.what()) << std::endl;
-        return false;
+        ++tally.ran, ++tally.failed;
+        return;
     }
+    ++tally.ran;
+    tally.partly += one.lacked().empty() ? 0 : 1;
+    for (const std::string& file : one.lacked()) ++tally.partly_without[file];
     std::vector<Finding> findings = one.findings();
     if (findings.empty()) findings.push_back({"", 0, 0, 0, true, "nothing stored"});
     if (verbose)
@@ -58,22 +83,22 @@ bool run_case(Case& one, const Checker& checker, bool verbose) {
     const auto failed = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
     if (failed) shown.remark = fmt::format("{} of {}: {}{}", failed, findings.size(), worst->name, worst->remark.empty() ? "" : ": " + worst->remark);
     print(name, shown);
-    return failed == 0;
+    tally.failed += failed ? 1 : 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     CLI::App app("Compares networks and measures with golden outputs of their official code.");
-    std::string set;
+    std::string set, original;
     std::vector<std::string> only;
     bool verbose = false;
     int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     app.add_option("--set", set, "Folder of <network>/manifest.json and data.bin.")->required();
     app.add_option("--only", only, "Only these networks (or those that begin so).");
     app.add_option("--threads", threads, "Threads of the networks.");
+    app.add_option("--copy-of", original, "Computes nothing: is the set a true copy of (part of) this one?");
     app.add_flag("--verbose", verbose, "A line for every tensor.");
     CLI11_PARSE(app, argc, argv);
+    if (!original.empty()) return is_a_true_copy(set, original) ? 0 : 1;
     at::set_num_threads(std::max(1, threads));
     const at::NoGradGuard no_gradients;  // checkers of losses turn them on for themselves
 
@@ -84,33 +109,44 @@ int main(int argc, char** argv) {
     add_geometry_checkers(checkers);
     add_nets_checkers(checkers);
 
-    int cases = 0, failed = 0;
-    try {
-        std::vector<std::string> networks;
-        for (const auto& entry : fs::directory_iterator(set))
-            if (fs::exists(entry.path() / "manifest.json") || fs::exists(entry.path() / "tokenizer.json"))
-                networks.push_back(entry.path().filename());
-        std::sort(networks.begin(), networks.end());
-        for (const std::string& name : networks) {
-            if (!only.empty() && std::none_of(only.begin(), only.end(), [&](const std::string& o) { return name.starts_with(o); })) continue;
-            const Checker* checker = checker_for(checkers, name);
-            if (!checker) {
-                std::cout << fmt::format("{:<52} FAIL  (no checker for this network)", name) << std::endl;
-                ++cases, ++failed;
-                continue;
-            }
-            const Network network(set, name);
-            for (const auto& [case_name, json] : network.json().at("cases").items()) {
-                Case one(network, case_name, json);
-                ++cases;
-                failed += run_case(one, *checker, verbose) ? 0 : 1;
-            }
+    Tally tally;
+    std::vector<std::string> networks;
+    for (const auto& entry : fs::directory_iterator(set))
+        if (fs::exists(entry.path() / "manifest.json") || fs::exists(entry.path() / "tokenizer.json"))
+            networks.push_back(entry.path().filename());
+    std::sort(networks.begin(), networks.end());
+    for (const std::string& name : networks) {
+        if (!only.empty() &&
+            std::none_of(only.begin(), only.end(), [&](const std::string& o) { return name.starts_with(o); }))
+            continue;
+        const Checker* checker = checker_for(checkers, name);
+        if (!checker) {
+            std::cout << fmt::format("{:<52} FAIL  (no checker for this network)", name) << std::endl;
+            ++tally.ran, ++tally.failed;
+            continue;
         }
+        const Network network(set, name);
+        for (const auto& [case_name, json] : network.json().at("cases").items()) {
+            Case one(network, case_name, json);
+            run_case(one, *checker, verbose, tally);
+        }
+    }
+    if (tally.ran + tally.skipped == 0) throw Error("no case was found in {}", set);
+    std::cout << summary(tally) << std::endl;
+    return tally.failed ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        begin_within_isa(argv);
+        return run(argc, argv);
+    } catch (const UsageError& e) {
+        std::cerr << "golden: " << e.what() << '\n';
+        return 2;
     } catch (const std::exception& e) {
         std::cerr << "golden: " << e.what() << '\n';
         return 1;
     }
-    if (cases == 0) std::cerr << "golden: no case was found in " << set << '\n';
-    std::cout << fmt::format("{} cases, {} failed", cases, failed) << std::endl;
-    return failed || cases == 0;
 }

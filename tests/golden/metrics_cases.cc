@@ -66,13 +66,22 @@ void check_gradient(Case& c) {
     c.tensor("d ssim_3dgs / d img1", gradient);
 }
 
-std::filesystem::path parameters(const Case& c, const std::string& file) { return needed_shared_file(c.network().set(), "data/metrics/" + file); }
+// NIQE's model of undistorted pictures and BRISQUE's regressions are their authors' and do not come with the source;
+// the features that they judge need neither.
+const OthersFile kNiqe{"data/metrics/modelparameters_niqe.mat", "niqe", "modelparameters.mat"},
+    kBrisque{"data/metrics/allmodel", "brisque", "allmodel"},
+    kBrisqueRanges{"data/metrics/allrange", "brisque", "allrange"},
+    kOpencv{"data/metrics/brisque_model_live.yml", "brisque-opencv", "brisque_model_live.yml"},
+    kOpencvRanges{"data/metrics/brisque_range_live.yml", "brisque-opencv", "brisque_range_live.yml"};
 
 at::Tensor row(const std::vector<double>& v) { return at::tensor(v, at::kDouble); }
 
+constexpr const char *kNiqeLuma = "niqe BasicSR convert_to=y",
+                     *kNiqeGray = "niqe BasicSR convert_to=gray (0.299/0.587/0.114, as MATLAB rgb2gray, rounded)";
+
 // BasicSR works in single precision, which is noise in flat areas. How much, its gray tells, of which both precisions were recorded.
 void check_luma(Case& c, double ours) {
-    constexpr const char *y = "niqe BasicSR convert_to=y", *gray = "niqe BasicSR convert_to=gray (0.299/0.587/0.114, as MATLAB rgb2gray, rounded)";
+    const std::string y = kNiqeLuma, gray = kNiqeGray;
     std::map<std::string, double> recorded;
     for (const Json& entry : c.json().value("values", Json::array()))
         if (entry.at("value").is_number()) recorded[entry.at("name")] = entry.at("value");
@@ -84,6 +93,51 @@ void check_luma(Case& c, double ours) {
     c.leave_out(gray, "the authors' own values are compared");
 }
 
+void check_niqe(Case& c, const ImageRgb8& image) {
+    constexpr const char *authors = "niqe AUTHORS MATLAB code in octave (double) - the value to match",
+                         *same = "niqe BasicSR niqe() on the same gray in float64";
+    const auto file = find_others_file(c.network().set(), kNiqe);
+    if (!file) {
+        for (const char* name : {authors, same, kNiqeLuma, kNiqeGray}) c.lack(name, kNiqe.relative);
+        return;
+    }
+    const NiqeModel model = load_niqe_model(*file);
+    const double score = niqe(image, model);
+    c.value(authors, score);
+    c.value(same, score);
+    check_luma(c, niqe(image, model, NiqeGray::luma));
+}
+
+void check_brisque(Case& c, const ImageRgb8& image, const std::vector<double>& features) {
+    constexpr const char
+        *transcribed =
+            "brisque utlive: numpy transcription of brisque_feature.m + svm-scale/svm-predict with allrange/allmodel",
+        *authors = "brisque AUTHORS MATLAB features in octave + svm-scale/svm-predict - the value to match",
+        *scaled_name = "brisque svm-scaled features (svm-scale output)";
+    const auto file = find_others_file(c.network().set(), kBrisque),
+               ranges = find_others_file(c.network().set(), kBrisqueRanges);
+    if (!file || !ranges) {
+        for (const char* name : {transcribed, authors, scaled_name}) c.lack(name, kBrisque.relative);
+        return;
+    }
+    const BrisqueModel model = load_brisque_model(*file, *ranges);
+    const double score = brisque(image, model);
+    c.value(transcribed, score);
+    c.value(authors, score);
+    std::string scaled = "1";
+    const std::vector<double> numbers = brisque_scaled(features, model);
+    for (std::size_t i = 0; i < numbers.size(); ++i) scaled += fmt::format(" {}:{:.6g}", i + 1, numbers[i]);
+    c.number_text(scaled_name, scaled);
+}
+
+void check_brisque_opencv(Case& c, const ImageRgb8& image) {
+    constexpr const char* name = "brisque OpenCV 4.6 quality module (BGR uint8)";
+    const auto file = find_others_file(c.network().set(), kOpencv),
+               ranges = find_others_file(c.network().set(), kOpencvRanges);
+    if (!file || !ranges) return c.lack(name, kOpencv.relative);
+    c.value(name, brisque(image, load_brisque_model(*file, *ranges)));
+}
+
 void check_natural(Case& c) {
     if (c.name() == "window") {
         const Window w = gaussian_window();
@@ -91,27 +145,16 @@ void check_natural(Case& c) {
         return;
     }
     const ImageRgb8 image = load_rgb8(needed_input(c.network().set(), c.json().at("file")));
-    const NiqeModel model = load_niqe_model(parameters(c, "modelparameters_niqe.mat"));
-    const BrisqueModel authors = load_brisque_model(parameters(c, "allmodel"), parameters(c, "allrange"));
-    const BrisqueModel opencv = load_brisque_model(parameters(c, "brisque_model_live.yml"), parameters(c, "brisque_range_live.yml"));
     const std::vector<double> features = brisque_features(image, BrisqueVariant::authors);
     c.tensor("brisque 36 features (MATLAB transcription)", row(features));
+    c.value("brisque octave 36 features", Json(features));
     c.tensor("OpenCV brisque features", row(brisque_features(image, BrisqueVariant::opencv)));
     double gray = 0;
     for (const double v : matlab_gray(image).pixels) gray += v;
     c.value("mean gray (rounded MATLAB rgb2gray)", gray / static_cast<double>(image.size()));
-    c.value("niqe AUTHORS MATLAB code in octave (double) - the value to match", niqe(image, model));
-    c.value("niqe BasicSR niqe() on the same gray in float64", niqe(image, model));
-    check_luma(c, niqe(image, model, NiqeGray::luma));
-    const double score = brisque(image, authors);
-    c.value("brisque utlive: numpy transcription of brisque_feature.m + svm-scale/svm-predict with allrange/allmodel", score);
-    c.value("brisque AUTHORS MATLAB features in octave + svm-scale/svm-predict - the value to match", score);
-    c.value("brisque OpenCV 4.6 quality module (BGR uint8)", brisque(image, opencv));
-    c.value("brisque octave 36 features", Json(features));
-    std::string scaled = "1";
-    const std::vector<double> numbers = brisque_scaled(features, authors);
-    for (std::size_t i = 0; i < numbers.size(); ++i) scaled += fmt::format(" {}:{:.6g}", i + 1, numbers[i]);
-    c.number_text("brisque svm-scaled features (svm-scale output)", scaled);
+    check_niqe(c, image);
+    check_brisque(c, image, features);
+    check_brisque_opencv(c, image);
 }
 
 }  // namespace

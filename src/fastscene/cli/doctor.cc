@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/isa.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
@@ -37,6 +38,11 @@ std::string instruction_sets() {
     add(__builtin_cpu_supports("avx512f"), "avx512f");
 #endif
     return names.empty() ? "baseline" : names;
+}
+
+std::string instruction_set_in_use() {
+    const char* const why = isa() < processor_isa() ? "as FASTSCENE_ISA says" : "the best of this processor";
+    return fmt::format("{} in use, {}; compiled for {} and above", isa_name(isa()), why, isa_name(compiled_isa()));
 }
 
 double memory_gib(const std::string& field) {
@@ -140,6 +146,7 @@ std::vector<Finding> examine() {
     std::vector<Finding> all;
     all.push_back({"fastscene", fmt::format("{} ({})", program_version(), build_json().at("compiler").get<std::string>()), ""});
     all.push_back({"processor", instruction_sets(), ""});
+    all.push_back({"instruction set", instruction_set_in_use(), ""});
     all.push_back({"threads", std::to_string(thread_count()), ""});
     all.push_back(memory());
     all.push_back(painting_memory());

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
-#include <utility>
+#include <vector>
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/base/isa.h"
+#include "fastscene/base/library_settings.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/cli/checks.h"
 #include "fastscene/cli/inpaint.h"
@@ -45,16 +47,21 @@ int usage(const std::string& text) {
     return 2;
 }
 
-// Two things are read when libraries are loaded, so a verb with networks begins anew with what nobody (the start script, the user) has said:
-// libtorch's threads sleep while they wait (spinning ones take the core from those that work: beside another program a depth map costs ten
-// times as much), and large blocks of memory come in large pages (a twentieth of the page faults). Where that is not possible it goes
-// on as it is.
+// What is read when libraries are loaded, so that a verb with networks begins anew with it. Two things, where nobody
+// (the start script, the user) has said otherwise: libtorch's threads sleep while they wait (spinning ones take the
+// core from those that work: beside another program a depth map costs ten times as much), and large blocks of memory
+// come in large pages (a twentieth of the page faults). And libraries keep to the instruction set in use. Where that is
+// not possible it goes on as it is.
 void begin_with_settings(const std::string& verb, char** argv) {
     if (!is_one_of(verb, {"make", "panorama", "depth", "walk", "inpaint", "splat", "metrics", "evaluate"})) return;
-    static constexpr std::pair<const char*, const char*> kSettings[] = {{"OMP_WAIT_POLICY", "passive"}, {"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}};
-    bool anew = false;
-    for (const auto& [name, value] : kSettings) anew |= !std::getenv(name) && ::setenv(name, value, 0) == 0;
-    if (anew) ::execv("/proc/self/exe", argv);
+    std::vector<Setting> settings = library_settings(isa());
+    for (const Setting& usual :
+         {Setting{"OMP_WAIT_POLICY", "passive"}, Setting{"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}}) {
+        const bool taken =
+            std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.name == usual.name; });
+        if (!taken && !std::getenv(usual.name.c_str())) settings.push_back(usual);
+    }
+    begin_with(settings, argv);
 }
 
 int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
@@ -97,6 +104,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         check_values(app);
+        (void)isa();  // a wrong FASTSCENE_ISA is told before anything is done
     } catch (const CLI::Success& e) {
         if (app.get_subcommands().empty() && has_unknown_words(app)) return usage(unknown_argument(app));  // mak --help
         return app.exit(e);  // --help

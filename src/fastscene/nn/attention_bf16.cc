@@ -2,6 +2,8 @@
 // function of a header is compiled for them too and then taken by others.
 #include "fastscene/nn/attention_bf16.h"
 
+#include "fastscene/base/isa.h"
+
 #if defined(__linux__) && defined(__AMX_BF16__) && defined(__AVX512BF16__)
 
 #include <immintrin.h>
@@ -42,6 +44,8 @@ class Tiles {
             config[16 + 2 * t] = 64;   // bytes a row
             config[48 + t] = 16;       // rows
         }
+        // GCC 12 believes that the instruction reads eight bytes only, and may leave out the rest as stores to nowhere.
+        asm volatile("" : : "r"(config) : "memory");
         _tile_loadconfig(config);
     }
     ~Tiles() {
@@ -222,8 +226,7 @@ void add_values(const Work& w, const Bf16* values, std::int64_t keys, const Size
 }  // namespace
 
 bool available() {
-    static const bool there = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bf16");
+    static const bool there = isa() >= Isa::avx512 && __builtin_cpu_supports("avx512bf16");
     return there;
 }
 

@@ -4,6 +4,7 @@
 #include <torch/version.h>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/isa.h"
 
 namespace fastscene::nn {
 namespace {
@@ -29,7 +30,7 @@ void turn(at::DeviceType device, bool on) {
 
 bool cpu_has_bf16() {
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx512bf16");
+    return isa() >= Isa::avx512 && __builtin_cpu_supports("avx512bf16");
 #else
     return false;
 #endif

@@ -1,28 +1,32 @@
+#include <optional>
 #include <string_view>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/isa.h"
 #include "fastscene/splat/kernel.h"
 
 namespace fastscene::splat {
 namespace {
 
-bool runs(std::string_view name) {
-#if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (name == "avx512")
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
-    if (name == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#endif
-    return name == "baseline";
+// By name, as the flag has it: the one for x86-64-v2 is compiled for any x86-64 processor.
+std::optional<Isa> isa_of(std::string_view kernel) {
+    if (kernel == "avx512") return Isa::avx512;
+    if (kernel == "avx2") return Isa::avx2;
+    if (kernel == "baseline") return Isa::sse4;
+    return std::nullopt;
 }
 
 }  // namespace
 
 const Kernel& choose_kernel(const char* name) {
-    if (name && !runs(name)) throw UsageError("splat: this processor cannot run the \"{}\" kernel", name);
-    const std::string_view want = name ? name : runs("avx512") ? "avx512" : runs("avx2") ? "avx2" : "baseline";
-    return want == "avx512" ? avx512::kernel() : want == "avx2" ? avx2::kernel() : baseline::kernel();
+    const Isa in_use = isa();
+    const std::optional<Isa> named = name ? isa_of(name) : in_use;
+    if (!named) throw UsageError("splat: expected the kernel avx512, avx2 or baseline, found \"{}\"", name);
+    if (*named > in_use)
+        throw UsageError(
+            "splat: the kernel \"{}\" is not for this processor or not within FASTSCENE_ISA: expected one up to {}",
+            name, isa_name(in_use));
+    return *named == Isa::avx512 ? avx512::kernel() : *named == Isa::avx2 ? avx2::kernel() : baseline::kernel();
 }
 
 }  // namespace fastscene::splat

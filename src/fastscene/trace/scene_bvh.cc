@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/isa.h"
 #include "fastscene/trace/response.h"
 
 namespace fastscene {
@@ -27,6 +28,16 @@ Vec3f nearest_on_triangle(Vec3f p, Vec3f a, Vec3f b, Vec3f c) {
     if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
     const float sum = va + vb + vc;
     return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
+}
+
+// Embree chooses its kernels by the processor; a smaller set in use bounds them.
+const char* device_settings() {
+    switch (isa()) {
+        case Isa::sse4: return "max_isa=sse42";
+        case Isa::avx2: return "max_isa=avx2";
+        case Isa::avx512: break;
+    }
+    return nullptr;
 }
 
 using Corners = std::vector<std::array<Vec3f, 3>>;   // of the triangles of one mesh
@@ -68,7 +79,7 @@ struct SceneBvh::Impl {
 
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     // No number of threads here: Embree would set it for the whole program, since it shares oneTBB with us.
-    impl_->device = rtcNewDevice(nullptr);
+    impl_->device = rtcNewDevice(device_settings());
     if (!impl_->device) throw Error("Embree: expected a ray tracing device, found error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
     impl_->scene = rtcNewScene(impl_->device);
     impl_->watertight = rtcNewScene(impl_->device);

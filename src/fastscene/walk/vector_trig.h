@@ -1,7 +1,8 @@
-// Sines, cosines and arc tangents of many numbers at once, by the C library's vector mathematics where it has them (glibc 2.35 or newer, a processor
-// with AVX2 and fused multiply-add), one by one elsewhere. The two differ in last digits (3e-16). The official walk cuts coordinates
-// that are whole numbers but for their last bit; its program counts on another library of the same descent, whose last bits these vector functions hit
-// far more often than scalar ones do (docs/benchmarks/walk.md, "Golden outputs").
+// Sines, cosines and arc tangents of many numbers at once, by the C library's vector mathematics where it has them
+// (glibc 2.35 or newer on x86-64, its variant for AVX2 where that is in use), one by one elsewhere. They differ in last
+// digits (3e-16). The official walk cuts coordinates that are whole numbers but for their last bit; its program counts
+// on another library of the same descent, whose last bits these vector functions hit far more often than scalar ones do
+// (docs/benchmarks/walk.md, "Golden outputs").
 #pragma once
 
 #include <span>
