@@ -18,6 +18,10 @@ Tensor plain(const Tensor& q, const Tensor& k, const Tensor& v) {
 }
 double farthest(const Tensor& a, const Tensor& b) { return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>(); }
 
+// The error's bounds are ten times what it differs by from one instruction set to another (sse4, avx2, avx512), or
+// more.
+constexpr double kAsGood = 1e-4, kAsGoodFarInBfloat16 = 0.08;   // 5e-6 and 0.008
+
 struct Shape {
     std::int64_t n, l, m, d;
 };
@@ -28,7 +32,7 @@ TEST(TiledAttention, IsSoftmaxOfProductsForAnyShape) {
     for (const auto& [n, l, m, d] : kShapes) {
         at::manual_seed(n + l + m + d);
         const Tensor q = 3 * at::randn({n, l, d}), k = 3 * at::randn({n, m, d}), v = at::randn({n, m, d});
-        EXPECT_LT(farthest(tiled_attention(q, k, v), plain(q, k, v)), 5e-5) << l << " x " << m << " x " << d;
+        EXPECT_LT(farthest(tiled_attention(q, k, v), plain(q, k, v)), kAsGood) << l << " x " << m << " x " << d;
     }
 }
 
@@ -44,7 +48,8 @@ TEST(TiledAttention, OfBfloat16IsAsNearAsItsRounding) {
         EXPECT_LT((half.to(at::kDouble) - plain(q, k, v)).square().mean().sqrt().item<double>(), 0.004) << l << " x " << m << " x " << d;
     }
     const Tensor far = (200 * at::randn({1, 700, 16})).to(at::kBFloat16), v = at::randn({1, 700, 16}).to(at::kBFloat16);
-    EXPECT_LT(farthest(tiled_attention(far.narrow(1, 0, 20), far, v), plain(far.narrow(1, 0, 20), far, v)), 0.05);
+    EXPECT_LT(farthest(tiled_attention(far.narrow(1, 0, 20), far, v), plain(far.narrow(1, 0, 20), far, v)),
+              kAsGoodFarInBfloat16);
 }
 
 TEST(TiledAttention, SurvivesScoresThatExpCannotHold) {

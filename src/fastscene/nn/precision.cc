@@ -1,5 +1,6 @@
 #include "fastscene/nn/precision.h"
 
+#include <ATen/Context.h>
 #include <ATen/autocast_mode.h>
 #include <torch/version.h>
 
@@ -36,6 +37,13 @@ bool cpu_has_bf16() {
 #endif
 }
 
+// libtorch asks the processor whether oneDNN computes in bfloat16, and oneDNN then refuses where FASTSCENE_ISA forbids
+// it. Such a run goes without oneDNN from there on, backward passes included, as it does on a processor that lacks the
+// instructions.
+void leave_bf16_to_libtorch(at::DeviceType device) {
+    if (device == at::kCPU && isa() < processor_isa()) at::globalContext().setUserEnabledMkldnn(false);
+}
+
 }  // namespace
 
 at::Device device_named(const std::string& name, const std::string& flag) {
@@ -52,6 +60,7 @@ bool trains_in_bf16(const TrainingParams& params) {
 
 Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on) {
     if (!on_) return;
+    leave_bf16_to_libtorch(device_);
     before_ = is_on(device_);
     turn(device_, true);
 }
