@@ -110,10 +110,18 @@ inline void backward_tile(const Frame& f, int tile) {
             if constexpr (kJudge) fetch_tile<0>(f.error[c] + corner, f.stride);
         }
     }
-    constexpr std::uint32_t kAhead = 8;  // records fetched before their turn: they lie in the splats' order, not in this one
+    // Records, and then the slots they point at, fetched before their turn: they lie in the splats' order, not in this one.
+    constexpr std::uint32_t kRecordAhead = 8, kSlotAhead = 2;
     const std::uint32_t end = f.tile_begin[tile + 1];
+    const auto slot_of = [&](std::uint32_t record) {
+        const Record& s = f.records[record];
+        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot + static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide +
+                                 static_cast<std::size_t>(column - s.tile_x);
+        return f.slots + slot * kSlotFloats;
+    };
     for (std::uint32_t i = f.tile_begin[tile]; i < end; ++i) {
-        __builtin_prefetch(&f.records[f.list[i + kAhead < end ? i + kAhead : i]]);
+        __builtin_prefetch(&f.records[f.list[i + kRecordAhead < end ? i + kRecordAhead : i]]);
+        __builtin_prefetch(slot_of(f.list[i + kSlotAhead < end ? i + kSlotAhead : i]), 1);
         const std::uint32_t record = f.list[i];
         const Record& s = f.records[record];
         Lanes sums;
@@ -121,9 +129,7 @@ inline void backward_tile(const Frame& f, int tile) {
             return tile_gradient<kDepth, kJudge, kHeld>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
         };
         if (f.masks[i]) sums = FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld ? gradient.template operator()<true>() : gradient.template operator()<false>();
-        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot +
-                                 static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide + static_cast<std::size_t>(column - s.tile_x);
-        store12(sums, f.slots + slot * kSlotFloats);
+        store12(sums, slot_of(record));
     }
 }
 

@@ -66,6 +66,11 @@ inline Lanes cut(Lanes x, Lanes low, Lanes high) {
     return Lanes(_mm512_maskz_min_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r, high.r));
 }
 inline Lanes above(Lanes x, Lanes low) { return Lanes(_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r)); }
+// `size` with the sign of x; 0 where x is 0.
+inline Lanes signed_like(Lanes x, Lanes size) {
+    const __m512 positive = _mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_GT_OQ), size.r);
+    return Lanes(_mm512_mask_sub_ps(positive, _mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_LT_OQ), positive, size.r));
+}
 // 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
 inline Lanes reciprocal(Lanes a) {
     const Lanes r(_mm512_rcp14_ps(a.r));
@@ -187,16 +192,12 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     split2(a.hi, mantissa.hi, exponent.hi);
 }
 #if defined(__AVX2__)
-// The estimate has twelve bits: one Newton step gives 2e-7, two give all there are. Dividing would keep one unit busy and the others idle.
-inline Lanes reciprocal_estimate(Lanes a) { return {_mm256_rcp_ps(a.lo), _mm256_rcp_ps(a.hi)}; }
+// 1 / a to 2e-7: the estimate (12 bits) and one Newton step. Dividing would keep one unit busy and the others idle.
 inline Lanes reciprocal(Lanes a) {
-    const Lanes r = reciprocal_estimate(a), better = r * (Lanes(2.f) - a * r);
-    return better * (Lanes(2.f) - a * better);
+    const Lanes r(_mm256_rcp_ps(a.lo), _mm256_rcp_ps(a.hi));
+    return r * (Lanes(2.f) - a * r);
 }
-inline Lanes quotient(Lanes a, Lanes b) {
-    const Lanes r = reciprocal_estimate(b);
-    return a * r * (Lanes(2.f) - b * r);
-}
+inline Lanes quotient(Lanes a, Lanes b) { return a * reciprocal(b); }
 #else
 inline Lanes reciprocal(Lanes a) { return Lanes(1.f) / a; }
 inline Lanes quotient(Lanes a, Lanes b) { return a / b; }
@@ -205,6 +206,9 @@ inline Half where(HalfBits mask, Half x) { return (Half)((HalfBits)x & mask); }
 inline Lanes cut(Lanes x, Lanes low, Lanes high) {
     return {where(x.lo >= low.lo, min(x.lo, high.lo)), where(x.hi >= low.hi, min(x.hi, high.hi))};
 }
+// `size` with the sign of x; 0 where x is 0.
+inline Half signed_like(Half x, Half size) { return where(x > 0.f, size) - where(x < 0.f, size); }
+inline Lanes signed_like(Lanes x, Lanes size) { return {signed_like(x.lo, size.lo), signed_like(x.hi, size.hi)}; }
 inline Lanes above(Lanes x, Lanes low) { return {where(x.lo >= low.lo, x.lo), where(x.hi >= low.hi, x.hi)}; }
 // Two from `a`, two from `b`, and so on. (Of equal numbers GCC makes other shuffles, and more of them.)
 inline Half alternate_pairs(Half a, Half b) {
@@ -393,6 +397,33 @@ struct Neighbours {
         if constexpr (k == 0) return Lanes(here);
         else if constexpr (k < 0) return joined(here, before);
         else return joined(after, here);
+    }
+#elif defined(__AVX2__)
+    // Half of the loads would touch two cache lines, which costs as much as two loads: those halves are shifted together in registers.
+    __m256 before, lo, hi, after, before_lo, hi_after;
+    explicit Neighbours(const float* p)
+        : at(p), before(_mm256_load_ps(p - 8)), lo(_mm256_load_ps(p)), hi(_mm256_load_ps(p + 8)), after(_mm256_load_ps(p + 16)),
+          before_lo(_mm256_permute2f128_ps(before, lo, 0x21)), hi_after(_mm256_permute2f128_ps(hi, after, 0x21)) {}
+    template <int k>
+    Lanes shifted() const {
+        static_assert(k >= -8 && k <= 8);
+        if constexpr (k == 0) return {lo, hi};
+        else if constexpr (k < 0) return {joined<k + 8>(before, before_lo, lo), _mm256_loadu_ps(at + 8 + k)};
+        else return {_mm256_loadu_ps(at + k), joined<k>(hi, hi_after, after)};
+    }
+
+  private:
+    // Eight floats from the k-th of `low` and `high` on; `middle` is the upper half of the one and the lower half of the other.
+    template <int k>
+    static __m256 joined(__m256 low, __m256 middle, __m256 high) {
+        const auto shift = []<int bytes>(__m256 b, __m256 a) {
+            return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(b), _mm256_castps_si256(a), bytes));
+        };
+        if constexpr (k == 0) return low;
+        else if constexpr (k == 4) return middle;
+        else if constexpr (k == 8) return high;
+        else if constexpr (k < 4) return shift.template operator()<4 * k>(middle, low);
+        else return shift.template operator()<4 * (k - 4)>(high, middle);
     }
 #else
     explicit Neighbours(const float* p) : at(p) {}
