@@ -25,11 +25,14 @@ template <class F>
 [[gnu::always_inline]] inline F shown_alpha(F raw) {
     return cut(raw, F(kMinAlpha), F(kMaxAlpha));
 }
+// Splats no more opaque than this never reach kMaxAlpha, whatever rounding does.
+inline constexpr float kLog2NeverHeld = -0.0145f;
+static_assert(kLog2NeverHeld < -0.01449957f);  // log2(kMaxAlpha)
 
-// Returns the weight with which the splat's color entered.
+// `raw` is the splat's raw_alpha() here. Returns the weight with which its color entered.
 template <class F>
-[[gnu::always_inline]] inline F blend(PixelState<F>& pixel, const Footprint<F>& s, F dx, F dy) {
-    const F weight = shown_alpha(raw_alpha(s, dx, dy)) * pixel.transmittance;
+[[gnu::always_inline]] inline F blend(PixelState<F>& pixel, const Footprint<F>& s, F raw) {
+    const F weight = shown_alpha(raw) * pixel.transmittance;
     pixel.transmittance = pixel.transmittance - weight;
     pixel.color += s.color * weight;
     return weight;

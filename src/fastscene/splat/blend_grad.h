@@ -22,18 +22,25 @@ struct BlendGrad {
     F weight;  // blending weight; dL/d(splat color) = weight * v
 };
 
-// The gradient for one splat whose raw_alpha() here is `raw`.
-template <bool kDepth = false, class F>
-[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F raw) {
-    const F alpha = shown_alpha(raw);
+// What of blend_grad() takes long and hangs on nothing but the alpha shown.
+template <class F>
+[[gnu::always_inline]] inline F odds_of(F alpha) {
+    return quotient(alpha, F(1) - alpha);
+}
+
+// The gradient for one splat that shows with `alpha`, whose odds_of() are `odds`. kHeld: alpha may have been clamped at kMaxAlpha.
+template <bool kDepth = false, bool kHeld = true, class F>
+[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F alpha, F odds) {
     const F weight = alpha * pixel.transmittance;
     F vc = dot(pixel.v, s.color);
     if constexpr (kDepth) vc = vc + pixel.v_depth * s.depth_z;
     pixel.rest = pixel.rest - weight * vc;
-    const F slope = weight * vc - alpha * pixel.rest * reciprocal(F(1) - alpha);
+    const F slope = weight * vc - pixel.rest * odds;
     pixel.transmittance = pixel.transmittance - weight;
-    // A clamped alpha does not move.
-    return {select(raw < F(kMaxAlpha), slope, F(0)), weight};
+    if constexpr (kHeld)  // a clamped alpha does not move
+        return {select(alpha < F(kMaxAlpha), slope, F(0)), weight};
+    else
+        return {slope, weight};
 }
 
 }  // namespace fastscene::splat

@@ -252,12 +252,13 @@ LossSums Engine::differentiate(const View& view, float lambda, bool judge) {
     }
     for (int c = 0; c < 3; ++c) job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = judge ? error_[c].data() : nullptr;
     const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
-    const int bands = (height_ + kLossRows - 1) / kLossRows;
-    std::vector<LossSums> sums(static_cast<std::size_t>(3 * bands));
+    std::vector<LossSums> sums(static_cast<std::size_t>(3 * height_));
+    for (int c = 0; c < 3; ++c) job.row_sums[c] = sums.data() + c * height_;
+    // Every thread gets a band of each channel. Sums are kept by row, so bands may depend on the number of threads.
+    const int bands = std::clamp(height_ / kLossRows, 1, thread_count());
     parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
-        const int begin = static_cast<int>(piece) % bands * kLossRows;
-        sums[static_cast<std::size_t>(piece)] =
-            kernel_.loss(job, static_cast<int>(piece) / bands, begin, std::min(height_, begin + kLossRows), scratch(floats));
+        const int band = static_cast<int>(piece) % bands;
+        kernel_.loss(job, static_cast<int>(piece) / bands, height_ * band / bands, height_ * (band + 1) / bands, scratch(floats));
     });
     LossSums total;
     for (const LossSums& s : sums) total.loss += s.loss, total.squared_error += s.squared_error;

@@ -8,65 +8,89 @@
 namespace fastscene::splat::FASTSCENE_ISA {
 
 // A block on its way to the back, and what its pixels ask for.
-struct BlockGrad {
+struct alignas(512) BlockGrad {  // a power of two: cheap to find
     PixelGradState<Lanes> pixel;
     Lanes error;
 };
 
-inline BlockGrad first_state(const Frame& f, std::ptrdiff_t at) {
+inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
     const auto block = [&](const float* plane) { return load_block(plane + at, f.stride); };
-    const auto blocks = [&](const auto& planes) { return Vec3<Lanes>{block(planes[0]), block(planes[1]), block(planes[2])}; };
-    BlockGrad b;
-    b.pixel.transmittance = Lanes(1.f);
-    b.pixel.v = blocks(f.v);
-    b.pixel.rest = dot(b.pixel.v, blocks(f.color));
+    const Vec3<Lanes> v{block(f.v[0]), block(f.v[1]), block(f.v[2])}, color{block(f.color[0]), block(f.color[1]), block(f.color[2])};
+    Lanes rest = dot(v, color);
     if (f.v_depth) {
         b.pixel.v_depth = block(f.v_depth);
-        b.pixel.rest += b.pixel.v_depth * block(f.depth);
+        rest += b.pixel.v_depth * block(f.depth);
     }
+    b.pixel.transmittance = Lanes(1.f), b.pixel.v = v, b.pixel.rest = rest;
     if (f.error[0]) b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
-    return b;
 }
 
 // A slot whose pixels are not yet added up: moments of g = dL/d(ln alpha) about the splat's center, color, weight, error, depth.
 struct SlotSums {
-    Lanes all[kSlotFloats];
+    Summand all[kSlotFloats]{};
+
+    void moments(Lanes g, const Vec2<Lanes>& d) {
+#if FASTSCENE_WIDE
+        const Lanes gx = g * d.x, gy = g * d.y;
+        all[0] += g, all[1] += gx, all[2] += gy;
+        all[3] += gx * d.x, all[4] += gx * d.y, all[5] += gy * d.y;
+#else
+        // Both halves have the same columns.
+        const Half both = g.lo + g.hi, x = d.x.lo, gx = both * x, gy_lo = g.lo * d.y.lo, gy_hi = g.hi * d.y.hi, gy = gy_lo + gy_hi;
+        all[0] += both, all[1] += gx, all[2] += gy;
+        all[3] += gx * x, all[4] += gy * x, all[5] += gy_lo * d.y.lo, all[5] += gy_hi * d.y.hi;
+#endif
+    }
+    void add(int i, Lanes a, Lanes b) {
+#if FASTSCENE_WIDE
+        all[i] += a * b;
+#else
+        all[i] += a.lo * b.lo, all[i] += a.hi * b.hi;
+#endif
+    }
+    void add(int i, Lanes a) {
+#if FASTSCENE_WIDE
+        all[i] += a;
+#else
+        all[i] += a.lo + a.hi;
+#endif
+    }
 };
-// One block; `raw` is the splat's alpha there.
-template <bool kDepth, bool kJudge>
-[[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d, Lanes raw, SlotSums& sums) {
-    const BlendGrad<Lanes> grad = blend_grad<kDepth>(b.pixel, splat, raw);
-    const Lanes gx = grad.g * d.x, gy = grad.g * d.y;
-    Lanes* const s = sums.all;
-    s[0] += grad.g, s[1] += gx, s[2] += gy;
-    s[3] += gx * d.x, s[4] += gx * d.y, s[5] += gy * d.y;
-    s[6] += grad.weight * b.pixel.v.x, s[7] += grad.weight * b.pixel.v.y, s[8] += grad.weight * b.pixel.v.z;
-    if constexpr (kJudge) s[9] += grad.weight, s[10] += grad.weight * b.error;
-    if constexpr (kDepth) s[11] += grad.weight * b.pixel.v_depth;
+// One block.
+template <bool kDepth, bool kJudge, bool kHeld>
+[[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d, Lanes alpha, Lanes odds, SlotSums& sums) {
+    const BlendGrad<Lanes> grad = blend_grad<kDepth, kHeld>(b.pixel, splat, alpha, odds);
+    sums.moments(grad.g, d);
+    sums.add(6, grad.weight, b.pixel.v.x), sums.add(7, grad.weight, b.pixel.v.y), sums.add(8, grad.weight, b.pixel.v.z);
+    if constexpr (kJudge) sums.add(9, grad.weight), sums.add(10, grad.weight, b.error);
+    if constexpr (kDepth) sums.add(11, grad.weight, b.pixel.v_depth);
 }
 
 // All blocks that a splat touches, at least one.
-template <bool kDepth, bool kJudge>
+template <bool kDepth, bool kJudge, bool kHeld>
 [[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y, const BlockPixels& grid,
                                                   BlockGrad* blocks) {
     const Footprint<Lanes> splat = spread(s);
     const Lanes from_x = grid.x + Lanes(tile_x - s.x), from_y = grid.y + Lanes(tile_y - s.y);
-    alignas(64) static constexpr float kCorner[4] = {0, 4, 8, 12};
-    const auto offset = [&](int block) { return Vec2<Lanes>{from_x + Lanes(kCorner[block % 4]), from_y + Lanes(kCorner[block / 4])}; };
+    alignas(64) static constexpr float kCornerX[16] = {0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12};
+    alignas(64) static constexpr float kCornerY[16] = {0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12};
+    const auto offset = [&](std::size_t block) { return Vec2<Lanes>{from_x + Lanes(kCornerX[block]), from_y + Lanes(kCornerY[block])}; };
+    const TileAlpha alphas(s, tile_x, tile_y);
     SlotSums sums;
-    int block = __builtin_ctz(touched);
-    Vec2<Lanes> d = offset(block);
-    Lanes raw = raw_alpha(splat, d.x, d.y);
-    // The next block's alpha is asked for before this block's gradient, which waits for its own: the processor sees only some
-    // hundred operations ahead, and one block after the other would leave half of its units idle.
-    while (touched &= touched - 1) {
-        const int next = __builtin_ctz(touched);
-        const Vec2<Lanes> next_d = offset(next);
-        const Lanes next_raw = raw_alpha(splat, next_d.x, next_d.y);
-        blend_back<kDepth, kJudge>(blocks[block], splat, d, raw, sums);
-        block = next, d = next_d, raw = next_raw;
+    // First how much the splat covers everywhere, then the gradient, which waits for itself: the processor sees only some hundred operations
+    // ahead, and one block after the other would leave half of its units idle.
+    alignas(64) float shown[16][2 * kLanes];
+    int count = 0;
+    for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
+        const auto block = static_cast<std::size_t>(__builtin_ctz(bits));
+        const Lanes raw = alphas.raw(block, splat, offset(block)), alpha = kHeld ? shown_alpha(raw) : above(raw, Lanes(kMinAlpha));
+        alpha.store(shown[count]), odds_of(alpha).store(shown[count] + kLanes);
     }
-    blend_back<kDepth, kJudge>(blocks[block], splat, d, raw, sums);
+    count = 0;
+    for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
+        const auto block = static_cast<std::size_t>(__builtin_ctz(bits));
+        blend_back<kDepth, kJudge, kHeld>(blocks[block], splat, offset(block), Lanes::load(shown[count]), Lanes::load(shown[count] + kLanes), sums);
+    }
     return sums12(sums.all);
 }
 
@@ -77,7 +101,7 @@ inline void backward_tile(const Frame& f, int tile) {
     const BlockPixels grid = block_pixels();
     BlockGrad blocks[16];
     for (int block = 0; block < 16; ++block)
-        blocks[block] = first_state(f, (row * kTile + block / 4 * 4) * f.stride + column * kTile + block % 4 * 4);
+        start(blocks[block], f, (row * kTile + block / 4 * 4) * f.stride + column * kTile + block % 4 * 4);
     if (const int next = tile + 1; next < f.tiles_x * f.tiles_y) {
         const std::ptrdiff_t corner = next / f.tiles_x * kTile * f.stride + next % f.tiles_x * kTile;
         for (int c = 0; c < 3; ++c) {
@@ -86,17 +110,26 @@ inline void backward_tile(const Frame& f, int tile) {
             if constexpr (kJudge) fetch_tile<0>(f.error[c] + corner, f.stride);
         }
     }
-    constexpr std::uint32_t kAhead = 8;  // records fetched before their turn: they lie in the splats' order, not in this one
+    // Records, and then the slots they point at, fetched before their turn: they lie in the splats' order, not in this one.
+    constexpr std::uint32_t kRecordAhead = 8, kSlotAhead = 2;
     const std::uint32_t end = f.tile_begin[tile + 1];
+    const auto slot_of = [&](std::uint32_t record) {
+        const Record& s = f.records[record];
+        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot + static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide +
+                                 static_cast<std::size_t>(column - s.tile_x);
+        return f.slots + slot * kSlotFloats;
+    };
     for (std::uint32_t i = f.tile_begin[tile]; i < end; ++i) {
-        __builtin_prefetch(&f.records[f.list[i + kAhead < end ? i + kAhead : i]]);
+        __builtin_prefetch(&f.records[f.list[i + kRecordAhead < end ? i + kRecordAhead : i]]);
+        __builtin_prefetch(slot_of(f.list[i + kSlotAhead < end ? i + kSlotAhead : i]), 1);
         const std::uint32_t record = f.list[i];
         const Record& s = f.records[record];
         Lanes sums;
-        if (f.masks[i]) sums = tile_gradient<kDepth, kJudge>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
-        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot +
-                                 static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide + static_cast<std::size_t>(column - s.tile_x);
-        store12(sums, f.slots + slot * kSlotFloats);
+        const auto gradient = [&]<bool kHeld>() __attribute__((always_inline)) {
+            return tile_gradient<kDepth, kJudge, kHeld>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
+        };
+        if (f.masks[i]) sums = FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld ? gradient.template operator()<true>() : gradient.template operator()<false>();
+        store12(sums, slot_of(record));
     }
 }
 

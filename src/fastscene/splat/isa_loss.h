@@ -1,7 +1,7 @@
 // L1 + D-SSIM and its gradient for one channel and a band of rows. SSIM (Wang et al. 2004) with an
 // 11x11 Gaussian window, sigma 1.5, zeros outside the picture. With blurred x, y, x^2 + y^2 and x y
 // (variances enter SSIM only as their sum: four maps suffice), the window being symmetric,
-//   dS/dx = blur(p) + 2 x blur(q) + y blur(r),   p = dS/d(blur x), q = dS/d(blur(x^2 + y^2)), r = dS/d(blur(x y)).
+//   dS/dx = blur(p) + x blur(q) + y blur(r),   p = dS/d(blur x), q = 2 dS/d(blur(x^2 + y^2)), r = dS/d(blur(x y)).
 // Both blurs run in one sweep down the band, kGroup rows at a time, the second kReach rows behind the first:
 // what is alive are rings of 16 rows that stay in the second-level cache, not planes.
 #pragma once
@@ -26,15 +26,16 @@ alignas(64) inline constexpr float kColumns[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8
 
 inline std::ptrdiff_t scratch_row(std::ptrdiff_t stride) { return stride + 2 * kMargin; }
 
-// The scratch memory of one band: rings of rows, the rows blurred down, and a row of weights.
+// The scratch memory of one band: rings of rows, the rows blurred down, a row of weights, and one to write what nobody wants.
 struct LossScratch {
     float* memory;
     std::ptrdiff_t row_floats;
     float* ring(int map, int y) const { return memory + (map * kRing + (y & (kRing - 1))) * row_floats + kMargin; }
     float* blurred(int map, int i) const { return memory + (kLossMaps * kRing + map * kGroup + i) * row_floats + kMargin; }
     float* weights() const { return memory + (kLossMaps * kRing + 4 * kGroup) * row_floats + kMargin; }
+    float* unused() const { return weights() + row_floats; }
 };
-inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) { return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 1); }
+inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) { return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 2); }
 
 // blurred(out, i) = the rows around y + i of `map`, blurred down the columns; i < kGroup.
 inline void blur_down(const LossScratch& s, int map, int out, int y, int width) {
@@ -42,6 +43,7 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
     for (int k = 0; k < kGroup + 2 * kReach; ++k) rows[k] = s.ring(map, y - kReach + k);
     float* to[kGroup];
     for (int i = 0; i < kGroup; ++i) to[i] = s.blurred(out, i);
+#if FASTSCENE_WIDE
     for (int x = 0; x < width; x += kLanes) {
         Lanes sum[kGroup];
 #pragma GCC unroll 14
@@ -53,6 +55,23 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
         }
         for (int i = 0; i < kGroup; ++i) sum[i].store(to[i] + x);
     }
+#else
+    // Rows equally far from the middle are added first: additions have units of their own. Twelve rows fill the registers; two rows come of them.
+    for (int x = 0; x < width; x += kLanes / 2)
+#pragma GCC unroll 2
+        for (int first = 0; first < kGroup; first += 2) {
+            Half v[2 * kReach + 2];
+#pragma GCC unroll 12
+            for (int k = 0; k < 2 * kReach + 2; ++k) v[k] = *reinterpret_cast<const Half*>(rows[first + k] + x);
+#pragma GCC unroll 2
+            for (int i = 0; i < 2; ++i) {
+                Half sum = v[i + kReach] * kWindow[kReach];
+#pragma GCC unroll 5
+                for (int k = 1; k <= kReach; ++k) sum += (v[i + kReach - k] + v[i + kReach + k]) * kWindow[kReach + k];
+                *reinterpret_cast<Half*>(to[first + i] + x) = sum;
+            }
+        }
+#endif
 }
 // `at` is aligned: three loads and shifts cost less than eleven loads across cache lines. What lies equally far on both sides is
 // added first: additions have units of their own.
@@ -116,50 +135,53 @@ inline void source_row(const LossJob& job, const LossScratch& s, int channel, in
     }
 }
 
+// Sums over a row, lane by lane: weight * |difference|, weight * (1 - SSIM), weight * difference^2.
+struct RowSums {
+    Lanes size, dissimilarity, squared;
+};
+
 // From the maps blurred down: SSIM of row y, and p, q, r (times -lambda * weight / values) into their rings.
-// `own` rows also give their loss and error.
-inline void statistics_row(const LossJob& job, const LossScratch& s, int channel, int y, int i, bool own, Lanes& loss, Lanes& squared) {
+// A band's neighbours go the same way as its own rows, so that they round alike: `error` may be s.unused().
+inline RowSums statistics_row(const LossJob& job, const LossScratch& s, int y, int i, float* error) {
     const float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *weights = s.weights();
     float *p_out = s.ring(kP, y), *q_out = s.ring(kQ, y), *r_out = s.ring(kR, y);
-    const float scale = 1.f / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height));
+    RowSums sums;
+    const Lanes twice(-2 * job.lambda / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height)));
     for (int x = 0; x < job.width; x += kLanes) {
         const Lanes mx = blur_along(s.blurred(0, i) + x), my = blur_along(s.blurred(1, i) + x);
         const Lanes ss = blur_along(s.blurred(2, i) + x), sp = blur_along(s.blurred(3, i) + x);
+        // SSIM = a1 a2 / (b1 b2), and its slopes with what they share taken out: one reciprocal serves all.
         const Lanes mxmy = mx * my, mm = mx * mx + my * my;
-        const Lanes a1 = mxmy + mxmy + Lanes(kC1), a2 = (sp - mxmy) * Lanes(2.f) + Lanes(kC2);
+        const Lanes a1 = mxmy * Lanes(2.f) + Lanes(kC1), a2 = (sp - mxmy) * Lanes(2.f) + Lanes(kC2);
         const Lanes b1 = mm + Lanes(kC1), b2 = ss - mm + Lanes(kC2);
-        const Lanes inv_b1 = reciprocal(b1), inv_b2 = reciprocal(b2), inv = inv_b1 * inv_b2;
-        const Lanes ssim = a1 * a2 * inv;
-        const Lanes w = Lanes::load(weights + x), k = w * Lanes(-job.lambda * scale), kk = k + k;
-        const Lanes p = my * (a2 - a1) * inv - mx * ssim * (inv_b1 - inv_b2);
-        (kk * p).store(p_out + x);
-        (-(k * ssim * inv_b2)).store(q_out + x);
-        (kk * a1 * inv).store(r_out + x);
-        if (own) {
-            const Lanes difference = Lanes::load(x1 + x) - Lanes::load(y1 + x), size = w * abs(difference);
-            loss += Lanes(1.f - job.lambda) * size + Lanes(job.lambda) * w * (Lanes(1.f) - ssim);
-            squared += size * abs(difference);
-            if (job.error[channel]) size.store(job.error[channel] + y * job.stride + x);
-        }
+        const Lanes inv = reciprocal(b1 * b2), ssim = a1 * a2 * inv;
+        const Lanes w = Lanes::load(weights + x), k = w * twice * inv;
+        (k * (my * (a2 - a1) - mx * ssim * (b2 - b1))).store(p_out + x);
+        (-(k * b1 * ssim)).store(q_out + x);
+        (k * a1).store(r_out + x);
+        const Lanes difference = abs(Lanes::load(x1 + x) - Lanes::load(y1 + x)), size = w * difference;
+        sums.size += size;
+        sums.dissimilarity += w - w * ssim;
+        sums.squared += size * difference;
+        size.store(error + x);
     }
+    return sums;
 }
 
 // From p, q, r blurred down: dL/d color of row y.
 inline void gradient_row(const LossJob& job, const LossScratch& s, int channel, int y, int i) {
     const float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *weights = s.weights();
-    const float scale = (1.f - job.lambda) / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height));
+    const Lanes scale((1.f - job.lambda) / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height)));
     float* out = job.v[channel] + y * job.stride;
     for (int x = 0; x < job.width; x += kLanes) {
-        const Lanes c = Lanes::load(x1 + x), t = Lanes::load(y1 + x), w = Lanes::load(weights + x);
-        const Lanes sign = select(c > t, Lanes(1.f), select(c < t, Lanes(-1.f), Lanes(0.f)));
-        const Lanes slope = w * Lanes(scale) * sign + blur_along(s.blurred(0, i) + x) +
-                            Lanes(2.f) * c * blur_along(s.blurred(1, i) + x) + t * blur_along(s.blurred(2, i) + x);
-        const Lanes column = Lanes(static_cast<float>(x)) + Lanes::load(kColumns);
-        select(column < Lanes(static_cast<float>(job.width)), slope, Lanes(0.f)).store(out + x);
+        const Lanes c = Lanes::load(x1 + x), t = Lanes::load(y1 + x), size = Lanes::load(weights + x) * scale;
+        (signed_like(c - t, size) + blur_along(s.blurred(0, i) + x) + c * blur_along(s.blurred(1, i) + x) + t * blur_along(s.blurred(2, i) + x)).store(out + x);
     }
+    const std::ptrdiff_t end = (job.width + kLanes - 1) / kLanes * kLanes;  // what the last vector wrote beyond the picture is no gradient
+    __builtin_memset(out + job.width, 0, static_cast<std::size_t>(end - job.width) * sizeof(float));
 }
 
-inline LossSums loss_band(const LossJob& job, int channel, int row_begin, int row_end, float* scratch) {
+inline void loss_band(const LossJob& job, int channel, int row_begin, int row_end, float* scratch) {
     const FlushDenormals flush;
     const LossScratch s{scratch, scratch_row(job.stride)};
     // Zeros beside the rows; what lies between is written before it is read.
@@ -171,7 +193,7 @@ inline LossSums loss_band(const LossJob& job, int channel, int row_begin, int ro
     const bool weighted = job.weight || job.row_weight;
     if (!weighted)  // ones over the picture's columns, zeros beyond
         for (int x = 0; x < job.width; ++x) s.weights()[x] = 1.f;
-    LossSums sums;
+    const double lambda = static_cast<double>(job.lambda);
     const float scale = 1.f / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height));
     // So that the rows finished in each turn, y - kReach and the following, start at row_begin.
     const int first = row_begin + kReach - 3 * kGroup;
@@ -186,10 +208,11 @@ inline LossSums loss_band(const LossJob& job, int channel, int row_begin, int ro
                 continue;
             }
             if (weighted) weight_row(job, row, s.weights());
-            Lanes loss, squared;
-            statistics_row(job, s, channel, row, i, row >= row_begin && row < row_end, loss, squared);
-            sums.loss += sum_of(loss) * scale;
-            sums.squared_error += sum_of(squared) * scale;
+            const bool own = row >= row_begin && row < row_end;
+            float* const error = own && job.error[channel] ? job.error[channel] + row * job.stride : s.unused();
+            const RowSums of_row = statistics_row(job, s, row, i, error);
+            if (!own) continue;
+            job.row_sums[channel][row] = {((1 - lambda) * sum_of(of_row.size) + lambda * sum_of(of_row.dissimilarity)) * scale, sum_of(of_row.squared) * scale};
         }
         const int done = y - kReach;
         if (done < row_begin) continue;
@@ -199,7 +222,6 @@ inline LossSums loss_band(const LossJob& job, int channel, int row_begin, int ro
             gradient_row(job, s, channel, row, row - done);
         }
     }
-    return sums;
 }
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

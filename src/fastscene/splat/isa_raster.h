@@ -2,27 +2,24 @@
 // blocks that its ellipse really touches are visited.
 #pragma once
 
-#include "fastscene/splat/blend.h"
-#include "fastscene/splat/kernel.h"
-#include "fastscene/splat/lanes.h"
+#include "fastscene/splat/isa_alpha.h"
 
 namespace fastscene::splat::FASTSCENE_ISA {
 
-inline Footprint<Lanes> spread(const Record& r) {
-    return {r.x, r.y, r.a, r.b, r.c, r.log2_opacity, {r.color[0], r.color[1], r.color[2]}, r.depth_z};
-}
-
 // A 4x4 block of a plane, rows one after the other.
 inline Lanes load_block(const float* p, std::ptrdiff_t stride) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#if FASTSCENE_WIDE
     __m512 r = _mm512_castps128_ps512(_mm_loadu_ps(p));
     r = _mm512_insertf32x4(r, _mm_loadu_ps(p + stride), 1);
     r = _mm512_insertf32x4(r, _mm_loadu_ps(p + 2 * stride), 2);
     return Lanes(_mm512_insertf32x4(r, _mm_loadu_ps(p + 3 * stride), 3));
 #else
-    float rows[kBlock];
-    for (int i = 0; i < 4; ++i) __builtin_memcpy(rows + 4 * i, p + i * stride, 16);
-    return Lanes::load(rows);
+    typedef float Row __attribute__((vector_size(16)));
+    Row row[4];
+    for (int i = 0; i < 4; ++i) __builtin_memcpy(row + i, p + i * stride, sizeof(Row));
+    // Put together in registers: two stores that one load reads wait for the cache.
+    const auto both = [](Row a, Row b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); };
+    return {both(row[0], row[1]), both(row[2], row[3])};
 #endif
 }
 inline void store_block(Lanes x, float* p, std::ptrdiff_t stride) {
@@ -35,15 +32,6 @@ inline void store_block(Lanes x, float* p, std::ptrdiff_t stride) {
 template <int kWrite>
 inline void fetch_tile(const float* corner, std::ptrdiff_t stride) {
     for (int y = 0; y < kTile; ++y) __builtin_prefetch(corner + y * stride, kWrite);
-}
-
-struct BlockPixels {
-    Lanes x, y;  // pixel centers relative to the block's corner
-};
-inline BlockPixels block_pixels() {
-    alignas(64) float x[kBlock], y[kBlock];
-    for (int i = 0; i < kBlock; ++i) x[i] = static_cast<float>(i % 4) + 0.5f, y[i] = static_cast<float>(i / 4) + 0.5f;
-    return {Lanes::load(x), Lanes::load(y)};
 }
 
 // Which of the tile's 16 blocks hold a pixel center with alpha >= kMinAlpha (or nearly). The exponent is
@@ -63,11 +51,27 @@ inline std::uint16_t touched_blocks(const Record& s, float tile_x, float tile_y,
 
 // sets[block] = which of the chunk's splats touch the block.
 inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#if FASTSCENE_WIDE
     const __m512i low = _mm512_loadu_si512(masks), high = _mm512_loadu_si512(masks + 32);
     for (int i = 0; i < 16; ++i) {
         const __m512i bit = _mm512_set1_epi16(static_cast<short>(1u << i));
         sets[i] = _mm512_test_epi16_mask(low, bit) | static_cast<std::uint64_t>(_mm512_test_epi16_mask(high, bit)) << 32;
+    }
+#elif defined(__AVX2__)
+    // A byte a splat, blocks 0..7 and 8..15; the topmost bits of all bytes come out together, then the next are shifted up.
+    const auto load = [&](int i) { return _mm256_load_si256(reinterpret_cast<const __m256i*>(masks) + i); };
+    const auto bytes = [](__m256i a, __m256i b) { return _mm256_permute4x64_epi64(_mm256_packus_epi16(a, b), 0xd8); };
+    const __m256i low_byte = _mm256_set1_epi16(0xff);
+    for (int i = 0; i < 16; ++i) sets[i] = 0;
+    for (int part = 0; part < 2; ++part) {
+        const __m256i a = load(2 * part), b = load(2 * part + 1);
+        __m256i low = bytes(_mm256_and_si256(a, low_byte), _mm256_and_si256(b, low_byte));
+        __m256i high = bytes(_mm256_srli_epi16(a, 8), _mm256_srli_epi16(b, 8));
+        const auto topmost = [&](__m256i x) { return std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(x))} << (32 * part); };
+        for (int i = 7; i >= 0; --i) {
+            sets[i] |= topmost(low), sets[i + 8] |= topmost(high);
+            low = _mm256_add_epi8(low, low), high = _mm256_add_epi8(high, high);
+        }
     }
 #else
     for (int i = 0; i < 16; ++i) sets[i] = 0;
@@ -79,6 +83,7 @@ inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
 // One chunk of a tile's list, copied together so that the inner loops run in the first-level cache.
 struct Chunk {
     Record records[kChunk];
+    TileAlpha alphas[kChunk];
     alignas(64) std::uint16_t masks[kChunk];
     std::uint64_t sets[16];
     int count;
@@ -110,9 +115,11 @@ inline void forward_tile(const Frame& f, int tile) {
         }
         chunk.gather(f, begin, end);
         __builtin_memset(chunk.masks, 0, sizeof chunk.masks);
-        for (int i = 0; i < chunk.count; ++i)
-            chunk.masks[i] = static_cast<std::uint16_t>(
-                open & touched_blocks(chunk.records[i], static_cast<float>(tile_x), static_cast<float>(tile_y), grid));
+        for (int i = 0; i < chunk.count; ++i) {
+            const Record& s = chunk.records[i];
+            chunk.masks[i] = static_cast<std::uint16_t>(open & touched_blocks(s, static_cast<float>(tile_x), static_cast<float>(tile_y), grid));
+            chunk.alphas[i] = TileAlpha(s, static_cast<float>(tile_x), static_cast<float>(tile_y));
+        }
         __builtin_memcpy(f.masks + begin, chunk.masks, static_cast<std::size_t>(chunk.count) * sizeof(std::uint16_t));
         transpose_masks(chunk.masks, chunk.sets);
 
@@ -123,8 +130,10 @@ inline void forward_tile(const Frame& f, int tile) {
             PixelState<Lanes> pixel = state[block];
             Lanes z = depth[block];
             for (std::uint64_t bits = chunk.sets[block]; bits; bits &= bits - 1) {
-                const Record& s = chunk.records[__builtin_ctzll(bits)];
-                const Lanes weight = blend(pixel, spread(s), px - Lanes(s.x), py - Lanes(s.y));
+                const int i = __builtin_ctzll(bits);
+                const Record& s = chunk.records[i];
+                const Footprint<Lanes> splat = spread(s);
+                const Lanes weight = blend(pixel, splat, chunk.alphas[i].raw(static_cast<std::size_t>(block), splat, {px - splat.x, py - splat.y}));
                 if constexpr (kDepth) z += weight * Lanes(s.depth_z);
             }
             state[block] = pixel;

@@ -80,6 +80,10 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
         Lanes sums[16];
         Lanes gradient[kParameters];
         const std::int64_t base = first * kParameters;
+        // Three streams that come from memory: asked for two blocks ahead.
+        if (constexpr std::int64_t kAhead = 2 * kBlock; !job.gradients && first + kAhead < end)
+            for (std::int64_t i = base + kAhead * kParameters; i < base + (kAhead + kBlock) * kParameters; i += kBlock)
+                for (const float* stream : {job.parameters, job.first_moment, job.second_moment}) __builtin_prefetch(stream + i, 1);
         if (const std::uint32_t seen = sum_slots(job, first + kBlock, record, record_end, slots, sums)) {
             transpose16(sums);
             const Gaussian<Lanes> g = load_gaussians(job.parameters + base);

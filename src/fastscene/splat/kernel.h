@@ -73,6 +73,9 @@ struct Frame {
     float* slots;
 };
 
+struct LossSums {
+    double loss = 0, squared_error = 0;
+};
 struct LossJob {
     int width, height;
     std::ptrdiff_t stride;
@@ -83,9 +86,7 @@ struct LossJob {
     float lambda;
     float* v[3];
     float* error[3];  // or null
-};
-struct LossSums {
-    double loss = 0, squared_error = 0;
+    LossSums* row_sums[3];  // one per row
 };
 
 struct UpdateJob {
@@ -122,12 +123,13 @@ struct Kernel {
     void (*backward)(const Frame&, int tile);
     // Floats of scratch memory the loss needs for a picture of this stride.
     std::ptrdiff_t (*loss_scratch)(std::ptrdiff_t stride);
-    // Loss of the rows [row_begin, row_end), their v and their error.
-    LossSums (*loss)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
+    // Of the rows [row_begin, row_end): their sums, v and error. The same whatever the rows are cut into, but at every cut the 10 nearest are
+    // done twice.
+    void (*loss)(const LossJob&, int channel, int row_begin, int row_end, float* scratch);
     // A piece: records [record_begin, record_end) belong to splats [begin, end), and their slots begin at `slots`.
     void (*update)(const UpdateJob&, std::int64_t begin, std::int64_t end, std::int64_t record_begin, std::int64_t record_end, const float* slots);
 };
-inline constexpr int kLossRows = 128;  // rows a loss piece handles at most; its neighbours' 10 nearest are done twice
+inline constexpr int kLossRows = 64;  // a loss piece handles no fewer rows: the work done twice would outgrow what more threads save
 
 namespace baseline {
 const Kernel& kernel();

@@ -18,6 +18,12 @@ namespace fastscene::splat::FASTSCENE_ISA {
 inline constexpr int kLanes = 16;
 
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#define FASTSCENE_WIDE 1  // one register holds all lanes
+#else
+#define FASTSCENE_WIDE 0
+#endif
+
+#if FASTSCENE_WIDE
 
 struct Mask {
     __mmask16 m;
@@ -56,9 +62,31 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     mantissa.r = _mm512_getmant_ps(a.r, _MM_MANT_NORM_p75_1p5, _MM_MANT_SIGN_src);
     exponent.r = _mm512_getexp_ps(a.r / mantissa.r);
 }
-inline Lanes reciprocal_estimate(Lanes a) { return Lanes(_mm512_rcp14_ps(a.r)); }
 inline Lanes cut(Lanes x, Lanes low, Lanes high) {
     return Lanes(_mm512_maskz_min_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r, high.r));
+}
+inline Lanes above(Lanes x, Lanes low) { return Lanes(_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r)); }
+// `size` with the sign of x; 0 where x is 0.
+inline Lanes signed_like(Lanes x, Lanes size) {
+    const __m512 positive = _mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_GT_OQ), size.r);
+    return Lanes(_mm512_mask_sub_ps(positive, _mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_LT_OQ), positive, size.r));
+}
+// 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
+inline Lanes reciprocal(Lanes a) {
+    const Lanes r(_mm512_rcp14_ps(a.r));
+    return r * (Lanes(2.f) - a * r);
+}
+// a / b to about 1e-7.
+inline Lanes quotient(Lanes a, Lanes b) { return a * reciprocal(b); }
+// 2^x to 3e-06 relative (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]); the blending loops.
+[[gnu::always_inline]] inline Lanes exp2_fast(Lanes x) {
+    const Lanes n = round_near(x), f = x - n;
+    Lanes p(0.00966636852f);
+    p = p * f + Lanes(0.0559219758f);
+    p = p * f + Lanes(0.24022349f);
+    p = p * f + Lanes(0.693121045f);
+    p = p * f + Lanes(1.f);
+    return scale2(p, n);
 }
 
 // Integers that travel as the bits of lanes.
@@ -98,7 +126,7 @@ struct Mask {
 struct Lanes {
     Half lo, hi;
     Lanes() : lo{}, hi{} {}
-    Lanes(float x) : lo(x - Half{}), hi(x - Half{}) {}
+    Lanes(float x) : lo(x - Half{}), hi(lo) {}
     Lanes(Half a, Half b) : lo(a), hi(b) {}
     static Lanes load(const float* p) {
         Lanes out;
@@ -125,16 +153,20 @@ struct Lanes {
 inline Lanes select(Mask m, Lanes yes, Lanes no) { return {m.lo ? yes.lo : no.lo, m.hi ? yes.hi : no.hi}; }
 #if defined(__AVX2__)
 inline Lanes sqrt(Lanes a) { return {_mm256_sqrt_ps(a.lo), _mm256_sqrt_ps(a.hi)}; }
-inline Lanes min(Lanes a, Lanes b) { return {_mm256_min_ps(a.lo, b.lo), _mm256_min_ps(a.hi, b.hi)}; }
-inline Lanes max(Lanes a, Lanes b) { return {_mm256_max_ps(a.lo, b.lo), _mm256_max_ps(a.hi, b.hi)}; }
+inline Half min(Half a, Half b) { return _mm256_min_ps(a, b); }
+inline Half max(Half a, Half b) { return _mm256_max_ps(a, b); }
 #else
 inline Lanes sqrt(Lanes a) {
     for (int i = 0; i < 8; ++i) a.lo[i] = __builtin_sqrtf(a.lo[i]), a.hi[i] = __builtin_sqrtf(a.hi[i]);
     return a;
 }
-inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
-inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
+inline Half min(Half a, Half b) { return a < b ? a : b; }
+inline Half max(Half a, Half b) { return a > b ? a : b; }
 #endif
+inline Lanes min(Lanes a, Lanes b) { return {min(a.lo, b.lo), min(a.hi, b.hi)}; }
+inline Lanes max(Lanes a, Lanes b) { return {max(a.lo, b.lo), max(a.hi, b.hi)}; }
+// The same number in all of them (x + 0 would not do: it is more than a copy for -0).
+inline Half eight(float x) { return x - Half{}; }
 inline Half abs(Half a) { return (Half)((HalfBits)a & 0x7fffffff); }
 inline Lanes abs(Lanes a) { return {abs(a.lo), abs(a.hi)}; }
 // Adding 1.5 * 2^23 pushes the fraction out of the mantissa; |a| < 2^22.
@@ -160,19 +192,43 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     split2(a.hi, mantissa.hi, exponent.hi);
 }
 #if defined(__AVX2__)
-// Twelve bits; reciprocal()'s one Newton step would not do.
-inline Lanes reciprocal_estimate(Lanes a) {
+// 1 / a to 2e-7: the estimate (12 bits) and one Newton step. Dividing would keep one unit busy and the others idle.
+inline Lanes reciprocal(Lanes a) {
     const Lanes r(_mm256_rcp_ps(a.lo), _mm256_rcp_ps(a.hi));
     return r * (Lanes(2.f) - a * r);
 }
-inline Lanes cut(Lanes x, Lanes low, Lanes high) {
-    const Lanes held = min(x, high);
-    return {_mm256_and_ps(_mm256_cmp_ps(x.lo, low.lo, _CMP_GE_OQ), held.lo), _mm256_and_ps(_mm256_cmp_ps(x.hi, low.hi, _CMP_GE_OQ), held.hi)};
-}
+inline Lanes quotient(Lanes a, Lanes b) { return a * reciprocal(b); }
 #else
-inline Lanes reciprocal_estimate(Lanes a) { return Lanes(1.f) / a; }
-inline Lanes cut(Lanes x, Lanes low, Lanes high) { return select(x >= low, min(x, high), Lanes(0.f)); }
+inline Lanes reciprocal(Lanes a) { return Lanes(1.f) / a; }
+inline Lanes quotient(Lanes a, Lanes b) { return a / b; }
 #endif
+inline Half where(HalfBits mask, Half x) { return (Half)((HalfBits)x & mask); }
+inline Lanes cut(Lanes x, Lanes low, Lanes high) {
+    return {where(x.lo >= low.lo, min(x.lo, high.lo)), where(x.hi >= low.hi, min(x.hi, high.hi))};
+}
+// `size` with the sign of x; 0 where x is 0.
+inline Half signed_like(Half x, Half size) { return where(x > 0.f, size) - where(x < 0.f, size); }
+inline Lanes signed_like(Lanes x, Lanes size) { return {signed_like(x.lo, size.lo), signed_like(x.hi, size.hi)}; }
+inline Lanes above(Lanes x, Lanes low) { return {where(x.lo >= low.lo, x.lo), where(x.hi >= low.hi, x.hi)}; }
+// Two from `a`, two from `b`, and so on. (Of equal numbers GCC makes other shuffles, and more of them.)
+inline Half alternate_pairs(Half a, Half b) {
+#if defined(__AVX__)
+    return _mm256_blend_ps(a, b, 0b11001100);
+#else
+    return __builtin_shuffle(a, b, HalfBits{0, 1, 10, 11, 4, 5, 14, 15});
+#endif
+}
+// 2^x to 2e-7 relative, |x| <= 126 (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]): the exponent is added to the bits.
+[[gnu::always_inline]] inline Half exp2_near(Half x) {
+    const Half magic = Half{} + 12582912.f, shifted = x + magic, f = x - (shifted - magic);  // round_near
+    Half p = Half{} + 0.00133813025f;
+    p = p * f + 0.00966636852f;
+    p = p * f + 0.0555038101f;
+    p = p * f + 0.24022349f;
+    p = p * f + 0.693147181f;
+    p = p * f + 1.f;
+    return (Half)((HalfBits)p + ((HalfBits)shifted << 23));
+}
 
 inline Lanes lane_numbers(std::int32_t first) {
     const HalfBits lane = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -187,22 +243,6 @@ inline Lanes spans(Lanes from, Lanes to) { return {spans(from.lo, to.lo), spans(
 
 #endif
 
-// 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
-inline Lanes reciprocal(Lanes a) {
-    const Lanes r = reciprocal_estimate(a);
-    return r * (Lanes(2.f) - a * r);
-}
-
-// 2^x to 3e-06 relative (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]); the blending loops.
-[[gnu::always_inline]] inline Lanes exp2_fast(Lanes x) {
-    const Lanes n = round_near(x), f = x - n;
-    Lanes p(0.00966636852f);
-    p = p * f + Lanes(0.0559219758f);
-    p = p * f + Lanes(0.24022349f);
-    p = p * f + Lanes(0.693121045f);
-    p = p * f + Lanes(1.f);
-    return scale2(p, n);
-}
 // 2^x to float precision; the projection.
 inline Lanes exp2(Lanes x) {
     x = min(max(x, Lanes(-200.f)), Lanes(200.f));
@@ -252,7 +292,7 @@ inline Lanes atan2(Lanes y, Lanes x) {
 
 // Rows become columns, in place: after it, r[i] lane j is what r[j] lane i was.
 inline void transpose16(Lanes* r) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#if FASTSCENE_WIDE
     __m512 a[16], b[16];
     for (int i = 0; i < 16; i += 2) {
         a[i] = _mm512_unpacklo_ps(r[i].r, r[i + 1].r);
@@ -299,10 +339,16 @@ inline void transpose16(Lanes* r) {
 #endif
 }
 
+// What sums12() adds up: vectors into which a splat's 16 pixels are summed lane by lane.
+#if FASTSCENE_WIDE
+using Summand = Lanes;
+#else
+using Summand = Half;
+#endif
 // Lane i = the sum over all lanes of r[i], i < 12; zero beyond. Halves are folded and two sums put into one vector at
-// each level, so 12 sums cost 26 shuffles and not 48.
-inline Lanes sums12(const Lanes* r) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+// each level, so 12 sums cost some 26 shuffles and not 48.
+inline Lanes sums12(const Summand* r) {
+#if FASTSCENE_WIDE
     // Quarters of the result: a, b = r[i], r[4 + i]; c = r[8 + i]; each of them still in four parts.
     const auto quarters = [&](int i) {
         const __m512 a = r[i].r, b = r[4 + i].r, c = r[8 + i].r;
@@ -318,20 +364,17 @@ inline Lanes sums12(const Lanes* r) {
     constexpr HalfBits low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
     constexpr HalfBits even = {0, 8, 1, 9, 4, 12, 5, 13}, odd = {2, 10, 3, 11, 6, 14, 7, 15};
     constexpr HalfBits left = {0, 1, 8, 9, 4, 5, 12, 13}, right = {2, 3, 10, 11, 6, 7, 14, 15};
-    const auto quarters = [&](int i, int j) {
-        const Half a = r[i].lo + r[i].hi, b = j < 12 ? r[j].lo + r[j].hi : Half{};
-        return __builtin_shuffle(a, b, low) + __builtin_shuffle(a, b, high);
-    };
-    const auto eight = [&](int i) {
-        const Half q0 = quarters(i, i + 4), q1 = quarters(i + 1, i + 5), q2 = quarters(i + 2, i + 6), q3 = quarters(i + 3, i + 7);
-        const Half p = __builtin_shuffle(q0, q1, even) + __builtin_shuffle(q0, q1, odd), q = __builtin_shuffle(q2, q3, even) + __builtin_shuffle(q2, q3, odd);
-        return __builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right);
-    };
-    return {eight(0), eight(8)};
+    const auto pair = [&](int i, int j) { return __builtin_shuffle(r[i], r[j], low) + __builtin_shuffle(r[i], r[j], high); };
+    const auto woven = [&](Half a, Half b) { return __builtin_shuffle(a, b, even) + __builtin_shuffle(a, b, odd); };
+    const Half p = woven(pair(0, 4), pair(1, 5)), q = woven(pair(2, 6), pair(3, 7));
+    // The last four: in each half two sums, each still in two parts.
+    const Half two = woven(pair(8, 10), pair(9, 11));
+    const Half four = two + __builtin_shuffle(two, HalfBits{2, 3, 0, 1, 6, 7, 4, 5});
+    return {__builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right), __builtin_shuffle(four, Half{}, HalfBits{0, 1, 4, 5, 8, 9, 10, 11})};
 #endif
 }
 inline void store12(Lanes a, float* p) {
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#if FASTSCENE_WIDE
     _mm256_storeu_ps(p, _mm512_castps512_ps256(a.r));
     _mm_storeu_ps(p + 8, _mm512_extractf32x4_ps(a.r, 2));
 #else
@@ -343,7 +386,7 @@ inline void store12(Lanes a, float* p) {
 // The 16 floats at an aligned place with those before and after: shifted<k>() is what stands k floats further on, |k| < 16.
 struct Neighbours {
     const float* at;
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__)
+#if FASTSCENE_WIDE
     __m512 before, here, after;
     explicit Neighbours(const float* p) : at(p), before(_mm512_load_ps(p - kLanes)), here(_mm512_load_ps(p)), after(_mm512_load_ps(p + kLanes)) {}
     template <int k>
@@ -354,6 +397,33 @@ struct Neighbours {
         if constexpr (k == 0) return Lanes(here);
         else if constexpr (k < 0) return joined(here, before);
         else return joined(after, here);
+    }
+#elif defined(__AVX2__)
+    // Half of the loads would touch two cache lines, which costs as much as two loads: those halves are shifted together in registers.
+    __m256 before, lo, hi, after, before_lo, hi_after;
+    explicit Neighbours(const float* p)
+        : at(p), before(_mm256_load_ps(p - 8)), lo(_mm256_load_ps(p)), hi(_mm256_load_ps(p + 8)), after(_mm256_load_ps(p + 16)),
+          before_lo(_mm256_permute2f128_ps(before, lo, 0x21)), hi_after(_mm256_permute2f128_ps(hi, after, 0x21)) {}
+    template <int k>
+    Lanes shifted() const {
+        static_assert(k >= -8 && k <= 8);
+        if constexpr (k == 0) return {lo, hi};
+        else if constexpr (k < 0) return {joined<k + 8>(before, before_lo, lo), _mm256_loadu_ps(at + 8 + k)};
+        else return {_mm256_loadu_ps(at + k), joined<k>(hi, hi_after, after)};
+    }
+
+  private:
+    // Eight floats from the k-th of `low` and `high` on; `middle` is the upper half of the one and the lower half of the other.
+    template <int k>
+    static __m256 joined(__m256 low, __m256 middle, __m256 high) {
+        const auto shift = []<int bytes>(__m256 b, __m256 a) {
+            return _mm256_castsi256_ps(_mm256_alignr_epi8(_mm256_castps_si256(b), _mm256_castps_si256(a), bytes));
+        };
+        if constexpr (k == 0) return low;
+        else if constexpr (k == 4) return middle;
+        else if constexpr (k == 8) return high;
+        else if constexpr (k < 4) return shift.template operator()<4 * k>(middle, low);
+        else return shift.template operator()<4 * (k - 4)>(high, middle);
     }
 #else
     explicit Neighbours(const float* p) : at(p) {}

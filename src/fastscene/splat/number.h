@@ -21,9 +21,14 @@ template <std::floating_point F>
 F cut(F x, F low, F high) {
     return x >= low ? x < high ? x : high : F(0);
 }
+// 0 below `low`.
 template <std::floating_point F>
-F reciprocal(F x) {
-    return F(1) / x;
+F above(F x, F low) {
+    return x >= low ? x : F(0);
+}
+template <std::floating_point F>
+F quotient(F a, F b) {
+    return a / b;
 }
 
 }  // namespace fastscene::splat

@@ -88,7 +88,7 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
     out.depth_sum.assign(size, F(0));
     for (const auto& d : detail::draw_order(splats, lens, rest))
         detail::each_pixel(d, width, height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
-            out.depth_sum[i] += blend(out.pixels[i], d.footprint, dx, dy) * d.footprint.depth_z;
+            out.depth_sum[i] += blend(out.pixels[i], d.footprint, raw_alpha(d.footprint, dx, dy)) * d.footprint.depth_z;
         });
     for (auto& pixel : out.pixels) pixel.color += background * pixel.transmittance;
     return out;
@@ -111,7 +111,8 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
         PixelSums<F> sums;
         detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
-            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, raw_alpha(d.footprint, dx, dy));
+            const F alpha = shown_alpha(raw_alpha(d.footprint, dx, dy));
+            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, alpha, odds_of(alpha));
             sums.g += b.g;
             sums.g_dx += b.g * dx;
             sums.g_dy += b.g * dy;
