@@ -52,6 +52,8 @@ expect 0 "$fastscene" make --panorama other/panorama/color.png --range other/dep
 cmp -s other/panorama/color.png picture/panorama/color.png || same_pixels=no
 has picture/{preview.jpg,credits.txt} picture/panorama/{color.png,prompt.json,room.json} picture/splat/scene.ply
 [ "${same_pixels:-yes}" = yes ] || fail "the picture came out changed"
+# Around the first panorama the walk of the room's is that of its picture.
+expect 0 "$fastscene" walk other --walk ours
 same_walk() { cmp -s "other/walk/$1" "picture/walk/$1" || fail "walk/$1 differs between the room and its picture"; }
 same_walk 002/color.png
 same_walk 002/range.exr

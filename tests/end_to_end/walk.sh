@@ -2,8 +2,20 @@
 . "$(dirname "$0")/lib.sh"
 
 expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
-grep -q '"kind": "ours"' run/walk/stage.json || fail "stage.json does not say how was walked"
+grep -q '"kind": "room"' run/walk/stage.json || fail "stage.json does not say how was walked"
+grep -q '"unseen_share"' run/walk/stage.json || fail "stage.json does not say what the standpoints leave unseen"
+has run/walk/walkable.json
+grep -q '"polygon_m"' run/report.json || fail "report.json does not say where one may walk"
+in_room=$(ls run/walk | wc -l)
+# Everything in a standpoint's panorama was looked at, and the same room lit again gives the same bytes.
+cp run/walk/001/color.png first_color.png
+cp run/walk/poses.json first_poses.json
+expect 0 "$fastscene" walk run --walk ours
 ours=$(ls run/walk | wc -l)
+expect 0 "$fastscene" walk run --walk room
+[ "$(ls run/walk | wc -l)" = "$in_room" ] || fail "the walk through the room is not what it was"
+cmp run/walk/poses.json first_poses.json || fail "the standpoints are not what they were"
+cmp run/walk/001/color.png first_color.png || fail "a room that was made again is another one"
 
 # Another walk in the same folder: panorama and depth stay, the walk is made anew, and back again.
 before=$(stat -c %Y%i run/panorama/color.png)
@@ -25,7 +37,7 @@ has run/splat/scene.ply
 expect 0 "$fastscene" walk run --walk ours
 [ "$(ls run/walk | wc -l)" = "$ours" ] || fail "our walk is not what it was"
 expect 2 "$fastscene" walk run --walk papre
-says "--walk: expected one of ours, paper, paper-direct, paper-far"
+says "--walk: expected one of auto, room, ours, paper, paper-direct, paper-far"
 expect 2 "$fastscene" walk run --walk-step 0
 expect 2 "$fastscene" walk run --walk-step nan
 # Steps that are too long are clipped, and it is said.
@@ -39,6 +51,8 @@ expect 0 "$fastscene" make "$prompt" -o looked "${tiny[@]}" --walk-inpainter roo
 cmp run/walk/001/color.png looked/walk/001/color.png || fail "a room that was made again is another one"
 expect 2 "$fastscene" walk run --walk paper --walk-inpainter room
 says "--walk-inpainter room: expected --walk ours"
+expect 2 "$fastscene" make --panorama run/panorama/color.png --range run/depth/range.exr -o pictured "${tiny[@]}" --walk room
+says "--walk room: expected a prompt"
 expect 2 "$fastscene" make --panorama run/panorama/color.png --range run/depth/range.exr -o pictured "${tiny[@]}" --walk-inpainter room
 says "behind which there is no room"
 lacks pictured

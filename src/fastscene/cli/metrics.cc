@@ -45,8 +45,11 @@ Verb add_metrics(CLI::App& app) {
                     throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
                 if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
                 TruthParams params;
+                if (flags->given->count("--radius")) params.where = "near";   // a radius has no other meaning
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
+                if (params.where != "near" && flags->given->count("--radius"))
+                    throw UsageError("--radius: expected with --where near, found --where {}", params.where);
                 const Json report = measure_run(flags->folder, params, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
             }};

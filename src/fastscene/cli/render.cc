@@ -1,14 +1,19 @@
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/program.h"
 #include "fastscene/base/writable.h"
+#include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/io/capture_io.h"
+#include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/pipeline/camera_path.h"
+#include "fastscene/pipeline/room_of_run.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/splat_files.h"
 #include "fastscene/splat/splat.h"
@@ -19,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Flags {
-    std::string scene, out, path, size, depth, alpha;
+    std::string scene, of = "splats", out, path, size, depth, alpha;
+    int samples = 128;
     std::vector<float> position{0, 0, 0}, background{0, 0, 0};
     float yaw_deg = 0, pitch_deg = 0, fov_deg = 75;
     bool sphere = false;
@@ -59,13 +65,52 @@ std::string ffmpeg_frames(const fs::path& folder) {
     return text + "/%05d.png";
 }
 
+// What the cameras look at: the splats, or the room that they were made from.
+struct Subject {
+    std::function<Still(const Pinhole&, const Rigid& world_from_camera)> flat;
+    std::function<Still(int width, const Rigid& world_from_pano)> sphere;   // equirectangular
+};
+
+Subject subject_of_splats(Splats given, Vec3f background) {
+    const auto splats = std::make_shared<const Splats>(std::move(given));
+    return {[=](const Pinhole& camera, const Rigid& pose) { return still_of(*splats, camera, pose, background); },
+            [=](int width, const Rigid& pose) { return sphere_of(*splats, width, pose, background); }};
+}
+
+// Path traced, as free of noise as the truth that splats are judged by.
+Subject subject_of_room(const std::string& folder, int samples, const Session& session) {
+    const Run run = session.run(0);
+    if (!fs::is_directory(folder)) throw UsageError("--of room: expected the folder of a run from a prompt, found the file {}", folder);
+    const RunFolder run_folder{folder};
+    const RecordedRun recorded = recorded_run(run_folder);
+    const std::shared_ptr<const TracedRoom> room = room_of_run(run_folder, recorded, 0, run);
+    const ShotParts parts = final_parts(samples);
+    const Run quiet{recorded.seed, nullptr, run.stop};
+    const auto still = [](Shot shot, auto&& of_range) {
+        Still out{srgb8_from_linear(shot.color), ImageMask(shot.color.width, shot.color.height, 255), std::move(shot.range)};
+        for (int y = 0; y < out.distance.height; ++y)
+            for (int x = 0; x < out.distance.width; ++x) {
+                float& d = out.distance.at(x, y);
+                d = std::isfinite(d) ? d * of_range(x, y) : 0.f;   // nothing is outside
+            }
+        return out;
+    };
+    return {[=](const Pinhole& camera, const Rigid& pose) {
+                return still(room->perspective(pose, camera, parts, quiet), [&](int x, int y) {
+                    return normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f})).z;
+                });
+            },
+            [=](int width, const Rigid& pose) {
+                return still(room->panorama(pose, {width, width / 2}, parts, quiet), [](int, int) { return 1.f; });
+            }};
+}
+
 // The film's frames as PNGs, and the film itself where ffmpeg is.
-void render_film(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
+void render_film(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
     const Run run = session.run(0);
     const fs::path frames = out.extension() == ".mp4" ? fs::path(out).replace_extension("") : out;
     make_directories(frames);
     const Pinhole pinhole = Pinhole::with_fov(camera.width, camera.height, camera.fov_deg);
-    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
     const int count = camera.frames();
     Progress progress(run, "render", count);
     for (int i = 0; i < count; ++i) {
@@ -73,7 +118,7 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
         const CameraKey key = camera.at(camera.keys.front().time_s + static_cast<float>(i) / camera.fps);
         const Rigid pose = world_from_camera_at(key.position_m, key.yaw_deg, key.pitch_deg);
         save_png(frames / fmt::format("{:05}.png", i),
-                 (flags.sphere ? sphere_of(splats, camera.width / 2 * 2, pose, background) : still_of(splats, pinhole, pose, background)).color);
+                 (flags.sphere ? subject.sphere(camera.width / 2 * 2, pose) : subject.flat(pinhole, pose)).color);
         progress.advance();
     }
     Json json{{"frames", frames.string()}, {"count", count}};
@@ -95,12 +140,11 @@ void render_film(const Splats& splats, const CameraPath& camera, const fs::path&
 }
 
 // A picture from each camera of a capture, under the names that they have there.
-void render_cameras(const Splats& splats, const Capture& capture, const fs::path& out, const Flags& flags, const Session& session) {
+void render_cameras(const Subject& subject, const Capture& capture, const fs::path& out, const Session& session) {
     const Run run = session.run(0);
     if (capture.photos.empty()) throw Error("{}: expected cameras, found none", capture.source);
     Progress progress(run, "render", static_cast<std::int64_t>(capture.photos.size()));
     const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
-    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
     bool bent = false;
     for (const Photo& photo : capture.photos) {
         run.check_stop();
@@ -115,8 +159,7 @@ void render_cameras(const Splats& splats, const Capture& capture, const fs::path
         const fs::path file = (out / below).replace_extension(".png");
         make_directories(file.parent_path());
         save_png(file,
-                 (sphere ? sphere_of(splats, photo.lens.width / 2 * 2, pose, background) : still_of(splats, photo.lens.pinhole(), pose, background))
-                     .color);
+(sphere ? subject.sphere(photo.lens.width / 2 * 2, pose) : subject.flat(photo.lens.pinhole(), pose)).color);
         progress.advance();
     }
     if (bent) run.note("lenses with distortion were rendered without it");
@@ -135,11 +178,10 @@ std::optional<Capture> cameras_of(const fs::path& place) {
     return {};
 }
 
-void render_one(const Splats& splats, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
-    const Vec3f background{flags.background[0], flags.background[1], flags.background[2]};
+void render_one(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
     const Rigid pose = world_from_camera_at({flags.position[0], flags.position[1], flags.position[2]}, flags.yaw_deg, flags.pitch_deg);
-    const Still still = flags.sphere ? sphere_of(splats, camera.width, pose, background)
-                                     : still_of(splats, Pinhole::with_fov(camera.width, camera.height, flags.fov_deg), pose, background);
+    const Still still = flags.sphere ? subject.sphere(camera.width, pose)
+                                     : subject.flat(Pinhole::with_fov(camera.width, camera.height, flags.fov_deg), pose);
     save_color(out, still.color);
     Json json{{"picture", out.string()}};
     if (!flags.depth.empty()) save_distance(flags.depth, still.distance), json["depth"] = flags.depth;
@@ -148,8 +190,10 @@ void render_one(const Splats& splats, const CameraPath& camera, const fs::path& 
 }
 
 void render(const Flags& flags, const Session& session) {
-    const fs::path scene = scene_file(flags.scene);
-    const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene) : scene.parent_path();
+    const bool of_room = flags.of == "room";
+    const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene) : scene_file(flags.scene).parent_path();
+    if (flags.verb->count("--samples") && !of_room) throw UsageError("--samples: expected with --of room, found with --of {}", flags.of);
+    if (flags.verb->count("--background") && of_room) throw UsageError("--background: expected with --of splats, found with --of room");
     CameraPath camera;
     parse_size(!flags.size.empty() ? flags.size : flags.sphere ? "2048x1024" : "1280x720", camera.width, camera.height);
     if (flags.sphere && camera.width != 2 * camera.height)
@@ -184,10 +228,12 @@ void render(const Flags& flags, const Session& session) {
     if (flags.path.empty())
         for (const fs::path& file : {out, fs::path(flags.depth), fs::path(flags.alpha)})
             if (!file.empty()) check_writable(file);
-    const Splats splats = load_scene(flags.scene, session.run(0)).splats;
-    if (capture) return render_cameras(splats, *capture, out, flags, session);
-    if (!flags.path.empty()) return render_film(splats, camera, out, flags, session);
-    render_one(splats, camera, out, flags, session);
+    const Subject subject = of_room ? subject_of_room(flags.scene, flags.samples, session)
+                                    : subject_of_splats(load_scene(flags.scene, session.run(0)).splats,
+                                                        {flags.background[0], flags.background[1], flags.background[2]});
+    if (capture) return render_cameras(subject, *capture, out, session);
+    if (!flags.path.empty()) return render_film(subject, camera, out, flags, session);
+    render_one(subject, camera, out, flags, session);
 }
 
 }  // namespace
@@ -198,6 +244,14 @@ Verb add_render(CLI::App& app) {
     verb->add_option("scene", flags->scene, "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
         ->type_name("DIR|FILE")
         ->required();
+    verb->add_option("--of", flags->of, "What to look at: the splats, or the room they were made from, path traced (scenes from a prompt).")
+        ->type_name("splats|room")
+        ->check(one_of({"splats", "room"}))
+        ->capture_default_str();
+    verb->add_option("--samples", flags->samples, "With --of room: most camera rays a pixel.")
+        ->type_name("N")
+        ->check(whole_number_within(16, 65536))
+        ->capture_default_str();
     verb->add_option("-o,--out", flags->out, "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")
         ->type_name("PATH");
     verb->add_option("--position", flags->position, "Where the camera is: metres right, down, forward of the first panorama.")
@@ -217,7 +271,9 @@ Verb add_render(CLI::App& app) {
     verb->add_option("--path", flags->path,
                      "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
         ->type_name("FILE|DIR");
-    verb->footer("Example:\n  fastscene render out/bedroom --yaw 40 --position 0.2 0 0.3 -o still.png");
+    verb->footer(
+        "Examples:\n  fastscene render out/bedroom --yaw 40 --position 0.2 0 0.3 -o still.png\n"
+        "  fastscene render out/bedroom --of room --yaw 40 --position 0.2 0 0.3 -o traced.png");
     flags->verb = verb;
     return {verb, [flags](const Session& session) { render(*flags, session); }};
 }

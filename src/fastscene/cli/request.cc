@@ -32,6 +32,8 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
 
 void apply_param_flags(SceneParams& params, const Given& given) {
     visit_sections(params, [&](std::string_view section, auto& fields) { apply_fields(std::string(section), fields, given); });
+    // Who names a number of Gaussians means it.
+    if (given.count("--splat-count") && !given.count("--splat-per-m2")) params.splat.per_m2 = 0;
 }
 
 // stdout: where the scene is.

@@ -31,7 +31,7 @@ CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) 
     request.source = flags.nerfstudio.empty() ? flags.colmap : flags.nerfstudio;
     request.folders = {flags.images, flags.masks, 1};
     request.quality = stage.quality;
-    request.splat = params_of_quality(stage.quality).splat;
+    request.splat = capture_params_of_quality(stage.quality);
     request.photos.max_size = max_size_of(stage.quality);
     request.start_over = flags.force;
     return request;
@@ -103,7 +103,7 @@ Verb add_splat(CLI::App& app) {
             auto recorded = recorded_capture(folder);
             check_flags(*app, *stage->given, *flags, false, recorded.has_value());
             if (!recorded) return continue_run(session);
-            if (stage->has_quality) recorded->request.splat = params_of_quality(stage->quality).splat;
+            if (stage->has_quality) recorded->request.splat = capture_params_of_quality(stage->quality);
             apply_fields("splat", recorded->request.splat, *stage->given);
             apply_fields("", recorded->request.photos, *flags->given);
             return train(recorded->request, folder, recorded->seed, session);

@@ -32,6 +32,8 @@ const std::vector<Column>& columns() {
         {"psnr_seen", "PSNR, seen", "dB", up, 2, "held-out", "", "of the pixels whose surface panorama 0 saw"},
         {"psnr_unseen", "PSNR, unseen", "dB", up, 2, "held-out", "", "of the pixels whose surface panorama 0 did not see"},
         {"psnr_worst", "PSNR, worst view", "dB", up, 2, "held-out", "", "of the worst pose"},
+        {"psnr_worst5", "PSNR, worst 5 %", "dB", up, 2, "held-out", "", "mean of the worst twentieth of the poses"},
+        {"low_alpha", "Open pixels", "%", down, 3, "held-out", "", "share of pixels that the splats leave more than 2 % transparent"},
         {"psnr_a", "A: true panoramas", "dB", none, 2, "held-out", "",
          "the same trainer on true panoramas at the walked poses: about the most that a walk can reach"},
         {"psnr_b", "B: panorama 0 alone", "dB", none, 2, "held-out", "", "the same trainer on panorama 0 alone: what a walk starts from"},

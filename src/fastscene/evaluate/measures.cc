@@ -129,23 +129,46 @@ class SceneMeasures {
         const HeldOutParams& p = in_.suite->held_out;
         const Run poses_run{0, run_.events, run_.stop};
         RunTruth room(folder.root, in_.truth, poses_run);
+        const bool several = p.radii_m.size() + p.room > 1;
         for (const double radius : p.radii_m) {
-            const std::string group = p.radii_m.size() > 1 ? fmt::format("within {} m", radius) : "";
-            Json params{{"views", p.views}, {"size", p.size_px}, {"bounds", in_.bounds && theirs.empty()}, {"radius", radius}};
-            if (!theirs.empty()) params["splats"] = content_identity(theirs);
-            const auto make = [&](const fs::path& to) { make_held_out(room, folder, theirs, radius, to); };
-            const fs::path dir = sheet_.made(fmt::format("held-out-{}", radius), params, folder, make);
-            add_truth(group, read_json(dir / "truth.json"), !theirs.empty());
-            if (!group.empty()) sheet_.sample_of(group).at = radius;
-            sheet_.scores("held-out", group, dir / "splats", dir / "truth");
-            const std::string caption = fmt::format("At poses never trained on, {}", group.empty() ? fmt::format("within {} m", radius) : group);
-            sheet_.show_pairs(caption, {"the traced room", dir / "truth"}, {theirs.empty() ? "splats" : "theirs", dir / "splats"});
+            const std::string within = fmt::format("within {} m", radius);
+            held_out_at(room, folder, theirs, near_params(radius, theirs), {fmt::format("held-out-{}", radius), several ? within : "", within});
+            if (several) sheet_.sample_of(within).at = radius;
         }
+        if (!p.room) return;
+        const std::string anywhere = "anywhere in the room";
+        held_out_at(room, folder, theirs, room_params(theirs), {"held-out-room", several ? anywhere : "", anywhere});
     }
 
-    void make_held_out(RunTruth& room, const RunFolder& folder, const fs::path& theirs, double radius, const fs::path& to) {
+    TruthParams room_params(const fs::path& theirs) const {
         const HeldOutParams& p = in_.suite->held_out;
-        const TruthParams params{.views = p.views, .size_px = p.size_px, .radius_m = static_cast<float>(radius), .bounds = in_.bounds && theirs.empty()};
+        return {.where = "room", .views = p.views, .size_px = p.size_px, .bounds = in_.bounds && theirs.empty()};
+    }
+    TruthParams near_params(double radius, const fs::path& theirs) const {
+        TruthParams params = room_params(theirs);
+        params.where = "near";
+        params.radius_m = static_cast<float>(radius);
+        return params;
+    }
+
+    // Where poses lie, as the sheet has it.
+    struct HeldOutPlace {
+        std::string folder, group, caption;
+    };
+    void held_out_at(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params, const HeldOutPlace& place) {
+        Json key{{"views", params.views}, {"size", params.size_px}, {"bounds", params.bounds}};
+        if (params.where == "near") key["radius"] = params.radius_m;
+        if (!theirs.empty()) key["splats"] = content_identity(theirs);
+        const auto make = [&](const fs::path& to) { make_held_out(room, folder, theirs, params, to); };
+        const fs::path dir = sheet_.made(place.folder, key, folder, make);
+        add_truth(place.group, read_json(dir / "truth.json"), !theirs.empty());
+        sheet_.scores("held-out", place.group, dir / "splats", dir / "truth");
+        sheet_.show_pairs("At poses never trained on, " + place.caption, {"the traced room", dir / "truth"},
+                          {theirs.empty() ? "splats" : "theirs", dir / "splats"});
+    }
+
+    void make_held_out(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params, const fs::path& to) {
+        const HeldOutParams& p = in_.suite->held_out;
         const bool in_run = theirs.empty() && !in_.read_only;
         const fs::path strips = in_run ? folder.metrics() : in_.work / "strips";
         const Json truth = room.measure(params, theirs, strips).at("truth");
@@ -173,6 +196,8 @@ class SceneMeasures {
         put("psnr_seen", truth, "psnr_seen_mean");
         put("psnr_unseen", truth, "psnr_unseen_mean");
         put("psnr_worst", truth, "psnr_worst");
+        put("psnr_worst5", truth, "psnr_worst5_mean");
+        put("low_alpha", truth, "low_alpha_share", 100);
         put("floor", truth, "floor_db");
         if (!truth.contains("bounds")) {
             const char* why = of_another ? "says something of our own trainer" : "not asked: bounds = true in [held-out]";

@@ -55,6 +55,7 @@ void apply_settings(const TomlTable& table, const fs::path& folder, SceneParams&
         else if constexpr (std::is_integral_v<T>) value = static_cast<T>(table.whole(name, 0, -2'000'000'000, 2'000'000'000));
         else value = static_cast<T>(table.number(name, 0, -1e30, 1e30));
     });
+    if (table.has("splat-count") && !table.has("splat-per-m2")) params.splat.per_m2 = 0;   // who names a number of Gaussians means it
     try {
         check_params(params);
     } catch (const UsageError& e) {  // "--walk-steps: expected …": the same name stands in the table
@@ -145,13 +146,14 @@ class Reader {
     void read_held_out() {
         const toml::table* found = top_.table("held-out");
         if (!found) return;
-        const TomlTable table(*found, file_.string(), "[held-out]", {"views", "size", "radii", "bounds"});
+        const TomlTable table(*found, file_.string(), "[held-out]", {"views", "size", "radii", "room", "bounds"});
         HeldOutParams& h = suite_.held_out;
         h.views = table.whole("views", h.views, 1, 1000);
         h.size_px = table.whole("size", h.size_px, 64, 4096);
         h.bounds = table.flag("bounds", h.bounds);
+        h.room = table.flag("room", h.room);
         if (table.has("radii")) h.radii_m = table.numbers("radii");
-        if (h.radii_m.empty()) table.fail("radii", "expected at least one radius in metres, found none");
+        if (h.radii_m.empty() && !h.room) table.fail("radii", "expected at least one radius in metres, or room = true, found neither");
         for (const double r : h.radii_m)
             if (!(r >= 0.01 && r <= 10)) table.fail("radii", fmt::format("expected metres from 0.01 to 10, found {}", r));
             else if (std::count(h.radii_m.begin(), h.radii_m.end(), r) > 1) table.fail("radii", fmt::format("expected each once, found {} twice", r));

@@ -46,6 +46,7 @@ struct StillsParams {
 struct HeldOutParams {
     int views = 10, size_px = 512;
     std::vector<double> radii_m{0.3};
+    bool room = false;                 // also wherever a visitor can stand
     bool bounds = false;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -99,18 +100,58 @@ class Means {
         unseen_.push_back(l.psnr_unseen);
     }
     double psnr() const { return mean_of(psnr_); }
+    double ssim() const { return mean_of(ssim_); }
+    std::size_t count() const { return psnr_.size(); }
     Json json() const {
         return {{"psnr_mean", mean_of(psnr_)}, {"ssim_mean", mean_of(ssim_)}, {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
-                {"psnr_seen_mean", mean_of(seen_)}, {"psnr_unseen_mean", mean_of(unseen_)}};
+                {"psnr_worst5_mean", worst_mean()}, {"psnr_seen_mean", mean_of(seen_)}, {"psnr_unseen_mean", mean_of(unseen_)}};
     }
 
   private:
+    // Of the worst twentieth, one at least.
+    double worst_mean() const {
+        constexpr std::size_t kTwentieth = 20;
+        std::vector<double> sorted = psnr_;
+        std::sort(sorted.begin(), sorted.end());
+        sorted.resize((sorted.size() + kTwentieth - 1) / kTwentieth);
+        return mean_of(sorted);
+    }
     std::vector<double> psnr_, ssim_, seen_, unseen_;
 };
 
-Json view_json(const TruthPose& pose, const Likeness& l) {
-    const Vec3f p = pose.world_from_camera.translation;
-    return {{"position_m", {p.x, p.y, p.z}}, {"psnr", l.psnr}, {"ssim", l.ssim}, {"psnr_seen", l.psnr_seen}, {"psnr_unseen", l.psnr_unseen}};
+// Likeness by how far from panorama 0 one stands.
+class ByDistance {
+  public:
+    void add(const Rigid& pose, const Likeness& likeness) {
+        const auto metre = static_cast<std::size_t>(length(pose.translation));
+        bins_[std::min(metre, bins_.size() - 1)].add(likeness);
+    }
+    Json json() const {
+        Json out = Json::array();
+        for (std::size_t m = 0; m < bins_.size(); ++m) {
+            if (bins_[m].count() == 0) continue;
+            Json bin{{"from_m", m}, {"views", bins_[m].count()}, {"psnr_mean", bins_[m].psnr()}, {"ssim_mean", bins_[m].ssim()}};
+            if (m + 1 < bins_.size()) bin["to_m"] = m + 1;
+            out.push_back(std::move(bin));
+        }
+        return out;
+    }
+
+  private:
+    std::array<Means, 6> bins_;   // a metre each; the last has no end
+};
+
+Json view_json(const TruthPose& pose, const Likeness& l, const SplatSight& sight) {
+    constexpr float kDegrees = 180.f / kPi;
+    const Vec3f p = pose.world_from_camera.translation, forward = pose.world_from_camera.rotation * Vec3f{0, 0, 1};
+    return {{"position_m", {p.x, p.y, p.z}},
+            {"yaw_deg", std::atan2(forward.x, forward.z) * kDegrees},
+            {"pitch_deg", std::asin(std::clamp(-forward.y, -1.f, 1.f)) * kDegrees},
+            {"psnr", l.psnr},
+            {"ssim", l.ssim},
+            {"low_alpha_share", sight.low_alpha_share},
+            {"psnr_seen", l.psnr_seen},
+            {"psnr_unseen", l.psnr_unseen}};
 }
 
 }  // namespace
@@ -131,17 +172,22 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
     }
 
     Means ours, bound_a, bound_b;
+    ByDistance by_distance;
+    double low_alpha = 0;
     Json views = Json::array();
     for (std::size_t i = 0; i < poses.size(); ++i) {
         run.check_stop();
         const TruthPicture& truth = inputs.truth.pictures[i];
-        std::vector<ImageRgb8> row{truth.color, splat_picture(inputs.splats, poses[i], params.size_px)};
-        const Likeness likeness = compare(row[1], truth);
+        const SplatSight sight = splat_sight(inputs.splats, poses[i], params.size_px);
+        std::vector<ImageRgb8> row{truth.color, sight.color};
+        const Likeness likeness = compare(sight.color, truth);
         ours.add(likeness);
-        Json view = view_json(poses[i], likeness);
+        by_distance.add(poses[i].world_from_camera, likeness);
+        low_alpha += sight.low_alpha_share / static_cast<double>(poses.size());
+        Json view = view_json(poses[i], likeness, sight);
         if (a) {
-            row.push_back(splat_picture(*a, poses[i], params.size_px));
-            row.push_back(splat_picture(*b, poses[i], params.size_px));
+            row.push_back(splat_sight(*a, poses[i], params.size_px).color);
+            row.push_back(splat_sight(*b, poses[i], params.size_px).color);
             const Likeness of_a = compare(row[2], truth), of_b = compare(row[3], truth);
             bound_a.add(of_a);
             bound_b.add(of_b);
@@ -152,8 +198,11 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
         views.push_back(std::move(view));
     }
 
-    Json truth = {{"radius_m", params.radius_m}, {"samples", params.samples}};
+    Json truth = {{"where", params.where}, {"samples", params.samples}};
+    if (params.where == "near") truth["radius_m"] = params.radius_m;
     truth.update(ours.json());
+    truth["low_alpha_share"] = low_alpha;
+    truth["by_distance"] = by_distance.json();
     truth["floor_db"] = inputs.truth.floor_db;
     if (a) {
         truth["bounds"] = {{"A", bound_a.json()}, {"B", bound_b.json()}};

@@ -19,6 +19,7 @@
 namespace fastscene {
 
 struct TruthParams {
+    std::string where = "room";
     int views = 30;
     int size_px = 512;
     float radius_m = 0.3f;
@@ -28,9 +29,11 @@ struct TruthParams {
 };
 template <class V>
 void visit_fields(TruthParams& p, V&& v) {
+    v("where", p.where, Choices{{"room", "near"}},
+      "Where the poses lie: room, wherever a visitor can stand, eyes 1.2 to 1.8 m above the floor; near, in a ball about panorama 0.");
     v("views", p.views, Bounds{1, 10000}, "Number of poses never trained on.");
     v("size", p.size_px, Bounds{64, 4096}, "Width and height of a pose's picture in pixels, 75 degrees wide.");
-    v("radius", p.radius_m, Bounds{0.01, 10}, "The poses lie in a ball of this radius in metres about panorama 0.");
+    v("radius", p.radius_m, Bounds{0.01, 10}, "Near: the radius of that ball in metres.");
     v("samples", p.samples, Bounds{256, 65536}, "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
     v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
 }
@@ -39,7 +42,8 @@ void visit_fields(TruthParams& p, V&& v) {
 struct TruthPose {
     Rigid world_from_camera;
 };
-// Uniform in the ball, clear of furniture by 0.15 m; any yaw, pitch within +-30 degrees, no roll. Deterministic in `seed`.
+// Near: uniform in the ball, clear of furniture by 0.15 m and in sight of panorama 0. Room: uniform over the standable floor (standable.h),
+// eyes 1.2 to 1.8 m above it and 0.25 m clear of everything. Any yaw, pitch within +-30 degrees, no roll. Deterministic in `seed`.
 // Throws Error when the room leaves no space.
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
 
@@ -67,8 +71,12 @@ struct Likeness {
 };
 Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
-// The splats as a truth-sized picture.
-ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose, int size);
+// The splats as a truth-sized picture, and the share of its pixels that they leave more than 2 % open.
+struct SplatSight {
+    ImageRgb8 color;
+    double low_alpha_share = 0;
+};
+SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size);
 
 // What is judged, and what the bounds are made from.
 struct TruthInputs {
@@ -84,8 +92,9 @@ struct TruthInputs {
     std::string key;                      // names these inputs: bounds trained before under the same key are used again
 };
 // Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,
-// `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: psnr_mean, ssim_mean, psnr_worst, psnr_seen_mean,
-// psnr_unseen_mean, floor_db, views, and with bounds
+// `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: where, psnr_mean, ssim_mean, psnr_worst, psnr_worst5_mean (of
+// the worst twentieth of the poses), low_alpha_share, psnr_seen_mean, psnr_unseen_mean, floor_db, by_distance (from panorama 0), views, and
+// with bounds
 // bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B), and
 // walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: against the true panoramas at the walked poses (panorama 0, which
 // is true, left out) the walk's pictures, the splats and A's seen all around from there; the last is the mean of what the splats have less than the walk.

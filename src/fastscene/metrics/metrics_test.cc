@@ -32,6 +32,7 @@ Room box_room() {
 TEST(TruthPoses, StayInTheBallAndClearOfThings) {
     const TracedRoom room(box_room());
     TruthParams params;
+    params.where = "near";
     params.radius_m = 1.2f;
     params.views = 50;
     const std::vector<TruthPose> poses = truth_poses(room, params, 7);
@@ -47,12 +48,41 @@ TEST(TruthPoses, StayInTheBallAndClearOfThings) {
     EXPECT_NE(truth_poses(room, params, 8)[49].world_from_camera, poses[49].world_from_camera);
 }
 
+TEST(TruthPoses, StandAllOverTheRoomAtTheHeightOfEyes) {
+    Room box = box_room();
+    const float floor = box.max_corner.y;
+    box.meshes[1] = fastscene::box_mesh({-0.4f, -0.2f, 0.6f}, {0.4f, floor, 1.6f}, 1, -1, false);   // a cupboard, too high to look over for some
+    const TracedRoom room(std::move(box));
+    TruthParams params;
+    params.views = 200;
+    const std::vector<TruthPose> poses = truth_poses(room, params, 3);
+    ASSERT_EQ(poses.size(), 200u);
+    int behind = 0;
+    for (const TruthPose& pose : poses) {
+        const Vec3f p = pose.world_from_camera.translation;
+        EXPECT_GE(floor - p.y, 1.2f);
+        EXPECT_LE(floor - p.y, 1.8f);
+        EXPECT_GE(room.clearance(p, 0.25f), 0.249f);
+        // Nobody stands in the cupboard, or within an arm's length of a wall.
+        EXPECT_FALSE(std::abs(p.x) < 0.55f && p.z > 0.45f && p.z < 1.75f);
+        EXPECT_LT(std::abs(p.x), 1.76f);
+        behind += p.z > 1.7f;
+    }
+    EXPECT_GT(behind, 20) << "walked around the cupboard";
+}
+
 TEST(TruthPoses, NoSpaceIsAnError) {
     Room room = box_room();
     room.meshes.push_back(box({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}, true, 1));
     TruthParams params;
     params.views = 1;
+    params.where = "near";
     EXPECT_THROW(truth_poses(TracedRoom(room), params, 1), Error);
+    // Beds from wall to wall: one looks around above them, and cannot stand.
+    Room beds = box_room();
+    beds.meshes.push_back(fastscene::box_mesh({-2, 1.f, -2.5f}, {2, 1.5f, 2.5f}, 1, -1, false));
+    params.where = "room";
+    EXPECT_THROW(truth_poses(TracedRoom(beds), params, 1), Error);
 }
 
 TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {

@@ -7,6 +7,7 @@
 #include "fastscene/image/ssim.h"
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/splat/splat.h"
+#include "fastscene/trace/standable.h"
 
 namespace fastscene {
 namespace {
@@ -35,28 +36,53 @@ bool stands_free(const TracedRoom& room, Vec3f p) {
     return room.clearance(p, kClearance) >= kClearance;
 }
 
+// Any yaw, pitch within 30 degrees.
+Mat3f looking_anywhere(Random& random) {
+    const float yaw = random.uniform(-1, 1) * std::numbers::pi_v<float>;
+    return looking(yaw, random.uniform(-1, 1) * std::numbers::pi_v<float> / 6);
+}
+
+// Where visitors stand.
+std::vector<TruthPose> poses_in_room(const TracedRoom& room, const TruthParams& params, Random random) {
+    constexpr float kLow_m = 1.2f, kHigh_m = 1.8f, kAir_m = 0.25f;
+    constexpr int kTriesAPose = 1000;
+    const StandableFloor floor = standable_floor(room, {.clear_m = kAir_m});
+    const std::vector<FloorCell> cells = standable_cells(floor);
+    std::vector<TruthPose> poses;
+    for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
+        if (cells.empty() || tries > kTriesAPose * params.views)
+            throw Error("--where room: expected floor where one can stand, with {} m of air around, found {} poses; --where near needs less", kAir_m,
+                        poses.size());
+        const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
+        const Vec2f middle = floor.center(cell.column, cell.row), off{random.uniform(-0.5f, 0.5f), random.uniform(-0.5f, 0.5f)};
+        const Vec2f at = middle + off * floor.cell_m;
+        const Vec3f eye{at.x, floor.floor_y - random.uniform(kLow_m, kHigh_m), at.y};
+        const Mat3f rotation = looking_anywhere(random);
+        if (has_air(room, eye, kAir_m)) poses.push_back({{rotation, eye}});
+    }
+    return poses;
+}
+
 }  // namespace
 
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed) {
     Random random(seed, params.pose_seed);
+    if (params.where == "room") return poses_in_room(room, params, random);
     std::vector<TruthPose> poses;
     for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
         if (tries > 1000 * params.views)
             throw Error("--radius {}: expected free space for {} poses around the first viewpoint, found {}", params.radius_m,
                         params.views, poses.size());
         const Vec3f p = uniform_in_ball(random) * params.radius_m;
-        const float yaw = random.uniform(-1, 1) * std::numbers::pi_v<float>;
-        const float pitch = random.uniform(-1, 1) * std::numbers::pi_v<float> / 6;
-        if (stands_free(room, p)) poses.push_back({{looking(yaw, pitch), p}});
+        const Mat3f rotation = looking_anywhere(random);
+        if (stands_free(room, p)) poses.push_back({{rotation, p}});
     }
     return poses;
 }
 
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run) {
     const Pinhole camera = truth_camera(size);
-    // As many camera rays as each pixel needs, 16 to 64: an even wall is exact at once, an outline is not.
-    const ShotParts parts{.color = true, .range = true, .pixel_samples = 128, .contacts = true, .denoise = true, .noise = 0.006f};
-    const Shot shot = room.perspective(pose.world_from_camera, camera, parts, run);
+    const Shot shot = room.perspective(pose.world_from_camera, camera, final_parts(), run);
     TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(size, size)};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
@@ -78,8 +104,11 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
             psnr(picture, truth.color, truth.unseen)};
 }
 
-ImageRgb8 splat_picture(const Splats& splats, const TruthPose& pose, int size) {
-    return srgb8_from_unit(render_splats(splats, truth_camera(size), pose.world_from_camera).color);
+SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size) {
+    constexpr float kOpaque = 0.98f;
+    const SplatPicture seen = render_splats(splats, truth_camera(size), pose.world_from_camera);
+    const auto open = std::count_if(seen.alpha.pixels.begin(), seen.alpha.pixels.end(), [](float a) { return !(a >= kOpaque); });
+    return {srgb8_from_unit(seen.color), static_cast<double>(open) / static_cast<double>(seen.alpha.size())};
 }
 
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures) {

@@ -1,6 +1,7 @@
 #include "fastscene/panorama/panorama.h"
 
 #include "fastscene/rooms/pack.h"
+#include "fastscene/trace/standable.h"
 
 namespace fastscene {
 
@@ -13,9 +14,26 @@ PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, 
     return understand_prompt(prompt, params.strict, furniture_pack(params, complaints));
 }
 
+namespace {
+
+// Panorama 0, and where visitors may stand: what none of them sees gets fewer light paths.
+std::vector<Vec3f> places_to_look_from(const TracedRoom& room) {
+    constexpr int kApart = 8;             // cells
+    constexpr float kEyeHeight_m = 1.5f;
+    const StandableFloor floor = passable_floor(room);
+    std::vector<Vec3f> places{Vec3f{}};
+    for (const auto& [column, row] : standable_cells(floor)) {
+        const Vec2f at = floor.center(column, row);
+        if (column % kApart == 0 && row % kApart == 0) places.push_back({at.x, floor.floor_y - kEyeHeight_m, at.y});
+    }
+    return places;
+}
+
+}  // namespace
+
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run) {
     auto room = std::make_shared<TracedRoom>(make_room(prompt, run));
-    room->gather_light(params.trace, run);
+    room->gather_light(params.trace, run, places_to_look_from(*room));
     return room;
 }
 

@@ -36,7 +36,9 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     if (estimated && depth.weights.empty()) take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;
-    if (walk.inpainter == "aotgan" && walk.inpaint_weights.empty()) take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
+    const WalkParams resolved = walk_of(source, depth, walk);
+    const bool paints = resolved.kind != kRoomWalk && resolved.inpainter == "aotgan";
+    if (paints && walk.inpaint_weights.empty()) take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
 }
 
 }  // namespace fastscene

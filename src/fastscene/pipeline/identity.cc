@@ -107,8 +107,8 @@ void tell_doubts(const fs::path& picture, const ImageColor& color, const Run& ru
 
 void check_more(const SceneSource& source, const SceneParams& params, const Run& run) {
     if (source.picture.empty()) throw UsageError("--more: expected together with --panorama FILE, found alone");
-    if (params.walk.kind != "ours")
-        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.walk.kind);
+    if (const WalkParams walk = walk_of(source, params.depth, params.walk); walk.kind != "ours")
+        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", walk.kind);
     for (const MorePanorama& more : read_more_panoramas(source.more)) {
         const Panorama one = panorama_from_image(more.color);
         tell_doubts(more.color, one.color, run);

@@ -16,6 +16,7 @@
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/stage_cache.h"
 #include "fastscene/pipeline/stage_events.h"
+#include "fastscene/scene/walkable_json.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -80,6 +81,7 @@ Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& reque
     for (const std::string& name : RunFolder::owned())
         if (name != "metrics" && (name == "report.json" || fs::exists(folder.root / name))) made.push_back(name);
     report["made"] = made;
+    if (const auto area = walkable_in(folder)) report["walkable"] = walkable_json(*area);
     return report;
 }
 
@@ -102,12 +104,13 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     };
     if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer") load_weights(params.depth.weights);
     if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
-    if (reaches("walk") && !params.walk.inpaint_weights.empty() && params.walk.inpainter == "aotgan") load_weights(params.walk.inpaint_weights);
+    if (reaches("walk") && !params.walk.inpaint_weights.empty() && walk_of(request.source, params.depth, params.walk).inpainter == "aotgan")
+        load_weights(params.walk.inpaint_weights);
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
     if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
     // Splats that are there already may come from a larger machine.
-    if (request.start_over || !fs::exists(folder.stage("splat"))) check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
+    if (params.splat.per_m2 == 0 && (request.start_over || !fs::exists(folder.stage("splat")))) check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
 }
 
 }  // namespace
@@ -132,7 +135,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     std::shared_ptr<const TracedRoom> room;   // kept for a walk that looks into it again
     stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
         auto made = make_panorama(source, params.panorama, out, r);
-        if (params.walk.inpainter == kLookIntoRoom) room = std::move(made);
+        if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
     stream.stage("depth", fields_json(params.depth),
                  [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });

@@ -5,33 +5,62 @@
 namespace fastscene {
 namespace {
 
+// Scenes from panoramas: points lie dense on every surface, and there is a backdrop behind, so splats start as closed, opaque surfaces that are
+// nearly where they belong.
+void start_closed(SplatParams& p) {
+    p.start_opacity = 0.95f;
+    p.start_overlap = 0.7f;
+    p.learning_rate_mean_m = 0.8e-3f;
+    p.learning_rate_logit = 0.06f;
+    p.opaque = 0.03f;
+}
+SplatParams started_as_photographs(SplatParams p) {
+    const SplatParams defaults;
+    p.start_opacity = defaults.start_opacity;
+    p.start_overlap = defaults.start_overlap;
+    p.learning_rate_mean_m = defaults.learning_rate_mean_m;
+    p.learning_rate_logit = defaults.learning_rate_logit;
+    p.opaque = defaults.opaque;
+    p.per_m2 = defaults.per_m2;
+    return p;
+}
+
 // Two minutes a core: to see whether the prompt was understood as meant.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
-    p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 8};
     p.walk.viewpoints = 8;
+    p.walk.standpoints = 12;
+    p.walk.pixel_samples = 2;
     p.views.size = 320;
-    p.views.points = 200'000;
-    p.splat.count = 100'000;
+    p.views.points = 250'000;
+    p.splat.count = 250'000;
+    p.splat.per_m2 = 800;
     p.splat.steps = 1200;
 }
 void fill_standard(SceneParams& p) {
     p.panorama.width = 2048;
-    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 8};
     p.walk.viewpoints = 14;
+    p.walk.standpoints = 20;
+    p.walk.pixel_samples = 2;
     p.views.size = 640;
-    p.views.points = 500'000;
-    p.splat.count = 250'000;
-    p.splat.steps = 3000;
+    p.views.points = 700'000;
+    p.splat.count = 600'000;
+    p.splat.per_m2 = 2000;
+    p.splat.steps = 1200;
 }
 void fill_high(SceneParams& p) {
     p.panorama.width = 4096;
     p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16};
     p.walk.viewpoints = 20;
+    p.walk.standpoints = 40;
+    p.walk.pixel_samples = 4;
     p.views.size = 1024;
-    p.views.points = 1'200'000;
-    p.splat.count = 600'000;
-    p.splat.steps = 8000;
+    p.views.points = 1'500'000;
+    p.splat.count = 1'500'000;
+    p.splat.per_m2 = 5000;
+    p.splat.steps = 5000;
 }
 
 }  // namespace
@@ -40,6 +69,8 @@ std::vector<std::string> qualities() { return {"draft", "standard", "high"}; }
 
 SceneParams params_of_quality(std::string_view quality) {
     SceneParams params;
+    start_closed(params.splat);
+    params.views.backdrop = 6000;   // 2.6 degrees apart
     if (quality == "draft")
         fill_draft(params);
     else if (quality == "standard")
@@ -50,6 +81,8 @@ SceneParams params_of_quality(std::string_view quality) {
         throw UsageError("--quality: expected one of {}, found \"{}\"", fmt::join(qualities(), ", "), quality);
     return params;
 }
+
+SplatParams capture_params_of_quality(std::string_view quality) { return started_as_photographs(params_of_quality(quality).splat); }
 
 Json json_of_params(const SceneParams& params) {
     Json json = Json::object();

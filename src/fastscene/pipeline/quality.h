@@ -34,6 +34,8 @@ void visit_sections(SceneParams& p, V&& v) {
 std::vector<std::string> qualities();  // "draft", "standard", "high"
 // Throws UsageError for an unknown name.
 SceneParams params_of_quality(std::string_view quality);
+// For splats of photographs, whose starting points are sparse and where the world has no end.
+SplatParams capture_params_of_quality(std::string_view quality);
 
 // By section and field, as in run.json, and back. Fields that the JSON lacks keep the value they have in `base`.
 Json json_of_params(const SceneParams& params);

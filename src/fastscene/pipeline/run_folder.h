@@ -33,6 +33,8 @@ struct RunFolder {
     // Where panorama 0 looks into a mirror of a room that is known.
     std::filesystem::path depth_mirrored_range() const { return root / "depth" / "mirrored-range.exr"; }
     std::filesystem::path walk() const { return root / "walk"; }
+    // Where visitors may walk (scene/walkable_json.h).
+    std::filesystem::path walkable_json() const { return root / "walk" / "walkable.json"; }
     std::filesystem::path views() const { return root / "views"; }
     // Where a training that was stopped goes on; gone when it is done.
     std::filesystem::path splat_place() const { return root / ".splat.unfinished"; }

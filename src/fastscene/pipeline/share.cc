@@ -14,6 +14,7 @@
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/stages.h"
+#include "fastscene/scene/walkable_json.h"
 #include "fastscene/splat/splat.h"
 
 namespace fastscene {
@@ -81,10 +82,15 @@ void share_scene(const RunFolder& folder, const std::string& title, const Run& r
 
     const auto viewer_dir = find_viewer_dir();
     if (viewer_dir)
-        save_viewer_html(folder.viewer_html(), splats, {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f}, *viewer_dir);
+        save_viewer_html(folder.viewer_html(), splats, {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f, walkable_in(folder)}, *viewer_dir);
     else
         run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
+}
+
+std::optional<WalkableArea> walkable_in(const RunFolder& folder) {
+    if (!fs::exists(folder.walkable_json())) return {};
+    return walkable_from_json(read_json(folder.walkable_json()), folder.walkable_json().string());
 }
 
 void write_credits(const RunFolder& folder) { write_file(folder.credits_txt(), credits_of(folder, find_viewer_dir())); }

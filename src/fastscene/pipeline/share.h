@@ -10,6 +10,7 @@
 #include "fastscene/image/image.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/scene/splats.h"
+#include "fastscene/scene/walkable.h"
 
 namespace fastscene {
 
@@ -29,6 +30,9 @@ void write_credits(const RunFolder& folder);
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run);
 // The same for splats of photographs, from splat/viewer.compressed.ply and viewer.json.
 void share_capture(const RunFolder& folder, const std::string& title, const Run& run);
+
+// Where a visitor may walk; absent in a folder whose walk did not say.
+std::optional<WalkableArea> walkable_in(const RunFolder& folder);
 
 // Where a visitor of a capture stands first; absent in a folder that is none.
 struct FirstGlance {

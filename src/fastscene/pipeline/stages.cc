@@ -21,7 +21,11 @@
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/pipeline/same_room.h"
 #include "fastscene/pipeline/sfm.h"
+#include "fastscene/scene/walkable_json.h"
+#include "fastscene/trace/standable.h"
 #include "fastscene/walk/agreement.h"
+#include "fastscene/walk/room_walk.h"
+#include "fastscene/walk/walkable_walk.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -250,21 +254,33 @@ std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
     return more;
 }
 
-void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
-    if (params.inpainter != kLookIntoRoom) return;
-    const auto refuse = [](std::string_view expected, std::string_view found) {
-        throw UsageError("--walk-inpainter {}: expected {}, found {}", kLookIntoRoom, expected, found);
-    };
+WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
+    return resolved(params, source.has_room() && depth_backend(source, depth) == "exact");
+}
+
+bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || walk.inpainter == kLookIntoRoom; }
+
+void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& asked) {
+    const WalkParams params = walk_of(source, depth, asked);
+    if (!looks_into_room(params)) return;
+    const std::string flag = params.kind == kRoomWalk ? fmt::format("--walk {}", kRoomWalk) : fmt::format("--walk-inpainter {}", kLookIntoRoom);
+    const auto refuse = [&](std::string_view expected, std::string_view found) { throw UsageError("{}: expected {}, found {}", flag, expected, found); };
     if (!source.has_room())
         refuse("a prompt and the rooms' maker", source.picture.empty() ? "a painted panorama, behind which there is no room"
                                                                        : "the picture " + source.picture.string() + ", behind which there is no room");
     if (const std::string backend = depth_backend(source, depth); backend != "exact") refuse("the room's own range", "--depth-backend " + backend);
-    if (params.kind != "ours") refuse("--walk ours", params.kind);
+    if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);
 }
 
-void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth, const RunFolder& folder, const WalkParams& params,
+void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth, const RunFolder& folder, const WalkParams& asked,
                std::shared_ptr<const TracedRoom> room, const fs::path& out, const Run& run) {
-    check_walk(source, depth, params);
+    check_walk(source, depth, asked);
+    const WalkParams params = walk_of(source, depth, asked);
+    if (looks_into_room(params) && !room) {
+        PromptSpec prompt = read_prompt(source.prompt, panorama);
+        room = make_traced_room(prompt, panorama, run);
+        check_same_room(*room, load_float(folder.depth_range()), folder.root);
+    }
     WalkAdvice advice;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
         DepthParams published = depth;   // after each of 48 steps: one look, as published
@@ -274,31 +290,34 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
         };
     }
     if (params.inpainter == kLookIntoRoom) {
-        if (!room) {
-            PromptSpec prompt = read_prompt(source.prompt, panorama);
-            room = make_traced_room(prompt, panorama, run);
-            check_same_room(*room, load_float(folder.depth_range()), folder.root);
-        }
-        advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& asked, const Run& r) {
+        advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& mask, const Run& r) {
             ShotParts parts = panorama_parts(panorama.trace);   // as panorama 0 was shot
             parts.range = parts.object = false;
             parts.mirrored_range = true;
-            parts.only = &asked;
-            Shot shot = room->panorama(world_from_pano, {asked.width, asked.height}, parts, r);
+            parts.only = &mask;
+            Shot shot = room->panorama(world_from_pano, {mask.width, mask.height}, parts, r);
             return RoomSight{std::move(shot.color), std::move(shot.mirrored_range)};
         };
     }
     std::vector<Viewpoint> viewpoints;
+    std::vector<Invention> inventions;
     const auto save = [&](const Panorama& seen) {
         run.check_stop();
         const std::string name = name_of_viewpoint(viewpoints.size());
+        inventions.push_back(invention_of(seen));
         make_directories(out / name);
         save_png(out / name / "color.png", srgb8_from_linear(seen.color));
         save_exr(out / name / "range.exr", seen.range);
         save_png(out / name / "known.png", mask_from_known(seen.known, seen.color.width, seen.color.height));
         viewpoints.push_back({name, seen.world_from_pano});
     };
-    const Json about = walk_through(load_first_panorama(folder), params, run, save, advice, load_more_panoramas(folder));
+    const Panorama first = load_first_panorama(folder);
+    const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
+    Json about = params.kind == kRoomWalk ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
+                                          : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
+    about["invented"] = to_json(inventions);
+    const bool stands = !standable_cells(floor).empty();
+    write_json(out / folder.walkable_json().filename(), walkable_json(stands ? walkable_room(floor) : walkable_of(inventions, floor_below(first))));
     save_viewpoints(out / "poses.json", viewpoints);
     write_json(out / "about.json", about);
 }
@@ -339,7 +358,15 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
 }
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
-    save_fit(fit_and_keep_place(load_views(folder.views()), params, folder, run), out);
+    const ViewSet views = load_views(folder.views());
+    SplatParams sized = params;
+    sized.count = count_for(views.points, params);
+    if (const int fit = most_that_fit(params); params.per_m2 > 0 && fit < sized.count) {
+        run.warn(fmt::format("splat: the room wants {} Gaussians and there is memory for {}: it will look coarser", sized.count, fit));
+        sized.count = fit;
+    } else if (sized.count < params.count) run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
+    else if (params.per_m2 > 0) run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
+    save_fit(fit_and_keep_place(views, sized, folder, run), out);
     forget_place(folder);
 }
 

@@ -39,7 +39,11 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params);
 // the floor as that says, at least kLeastCameraHeight.
 inline constexpr float kLeastCameraHeight = 0.2f;
 DepthParams depth_of_further(DepthParams params, const Vec3f& position);
-// Throws UsageError where --walk-inpainter room has no room to look into.
+// The walk's settings with "auto" resolved: whether a room stands behind the panorama.
+WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
+// Whether that walk looks into the room.
+bool looks_into_room(const WalkParams& resolved);
+// Throws UsageError where --walk room or --walk-inpainter room has no room to look into.
 void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
 // The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how. `room`: what make_panorama returned;
 // null: it is made and lit again where it is needed, and is the same.

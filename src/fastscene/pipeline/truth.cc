@@ -7,7 +7,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/pipeline.h"
-#include "fastscene/pipeline/same_room.h"
+#include "fastscene/pipeline/room_of_run.h"
 #include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
@@ -34,21 +34,9 @@ struct RunTruth::Impl {
     int lit_samples = 0;
 
     // The same room under the same light as the panorama; a truth that asks for more samples gets them.
-    PanoramaParams panorama_with(int samples) const {
-        PanoramaParams panorama = recorded.request.params.panorama;
-        panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, samples);
-        return panorama;
-    }
-
     const TracedRoom& lit_room(int samples) {
         if (!room || lit_samples != samples) {
-            const PanoramaParams panorama = panorama_with(samples);
-            PromptSpec prompt = read_prompt(recorded.request.source.prompt, panorama);
-            room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
-            // An estimated range says nothing of the room.
-            const SceneParams& params = recorded.request.params;
-            if (depth_backend(recorded.request.source, params.depth) == "exact")
-                check_same_room(*room, load_float(folder.depth_range()), folder.root);
+            room = room_of_run(folder, recorded, samples, run);
             lit_samples = samples;
         }
         return *room;
@@ -59,9 +47,10 @@ struct RunTruth::Impl {
         const std::string result = finished_stage(folder.root, "panorama").value_or(StageRecord{}).result;
         TruthParams asked = params;
         asked.bounds = false;
+        if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;   // does not count
         const Json what{{"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}};
         const std::string key = stage_key("metrics", what, {result}, run.seed);
-        const std::string name = fmt::format("radius-{}", params.radius_m);
+        const std::string name = params.where == "room" ? "room" : fmt::format("radius-{}", params.radius_m);
         make_directories(kept);
         const auto make = [&](const std::filesystem::path& out) { save_truth_set(out, make_truth_set(lit_room(params.samples), params, run)); };
         run_stage(kept, name, key, run, make);
@@ -73,7 +62,8 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
     if (!recorded.request.source.has_room())
-        throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with", run_dir.string());
+        throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with; `splat DIR --splat-eval-every N` "
+                         "holds views of it out instead", run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
     if (!walk || !splat)
         throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
@@ -101,13 +91,14 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     inputs.splats = splats.empty() ? load_splat_ply(folder.scene_ply()) : load_splats(splats).splats;
     inputs.views = settings.views;
     inputs.splat = settings.splat;
-    inputs.shot = panorama_parts(impl_->panorama_with(params.samples).trace);
+    inputs.shot = panorama_parts(panorama_of_run(impl_->recorded, params.samples).trace);
     inputs.key = stage_key("metrics", json_of_params(settings), {impl_->walk.result}, impl_->recorded.seed);
     const Json truth = measure_truth(inputs, params, to, impl_->run);
 
     Json report = previous_report(to / "report.json");
     report["truth"] = truth;
-    report["truth_by_radius"][fmt::format("{}", params.radius_m)] = truth;
+    if (params.where == "room") report["truth_of_room"] = truth;
+    else report["truth_by_radius"][fmt::format("{}", params.radius_m)] = truth;
     write_json(to / "report.json", report);
     return report;
 }

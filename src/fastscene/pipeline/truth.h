@@ -17,8 +17,8 @@ class RunTruth {
     RunTruth(const std::filesystem::path& run_dir, std::filesystem::path kept, const Run& run);
     ~RunTruth();
 
-    // run.seed (of the constructor) chooses the poses, not the room. Writes metrics/report.json (the section "truth"; sections of other
-    // radii are kept under "truth_by_radius") and metrics/truth/*.png; returns the report. `splats` (not empty) are judged instead of
+    // run.seed (of the constructor) chooses the poses, not the room. Writes metrics/report.json (the section "truth"; the last
+    // sections of each kind are kept under "truth_of_room" and "truth_by_radius") and metrics/truth/*.png; returns the report. `splats` (not empty) are judged instead of
     // the run's own; `out` (not empty) takes the place of metrics/.
     Json measure(const TruthParams& params, const std::filesystem::path& splats = {}, const std::filesystem::path& out = {});
 
@@ -27,7 +27,7 @@ class RunTruth {
     std::unique_ptr<Impl> impl_;
 };
 
-// One radius, kept in the run.
+// One measurement, kept in the run.
 Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run);
 
 }  // namespace fastscene

@@ -21,14 +21,14 @@ void each_edge(const WalkableArea& area, Take take) {
             take(as_double(ring[j]), as_double(ring[i]));
 }
 
+}  // namespace
+
 double signed_area(const std::vector<Vec2f>& ring) {
     double twice = 0;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
         twice += static_cast<double>(ring[j].x) * ring[i].y - static_cast<double>(ring[i].x) * ring[j].y;
     return twice / 2;
 }
-
-}  // namespace
 
 bool contains(const WalkableArea& area, Vec2f point) {
     const Vec2d p = as_double(point);

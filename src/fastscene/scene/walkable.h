@@ -21,6 +21,8 @@ bool contains(const WalkableArea& area, Vec3f eyes);
 // The point itself where the area contains it, else the nearest one that it contains, a millimetre off the boundary.
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point);
 Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes);
+// Square metres; its sign tells which way round the ring goes.
+double signed_area(const std::vector<Vec2f>& ring);
 // Index of the ring that encloses most floor.
 std::size_t largest_ring(const WalkableArea& area);
 

@@ -1,6 +1,6 @@
 // The gradient of blend(), walking front to back once more. Behind splat i lies
 //   rest_i = sum_{j > i} w_j (v . c_j) + T_end (v . background),   v = dL/d(pixel color),
-// and dL/d alpha_i = T_i (v . c_i) - rest_i / (1 - alpha_i). Starting from v . (final color), rest needs
+// (a loss of T_end itself, dL/d T_end, adds to v . background), and dL/d alpha_i = T_i (v . c_i) - rest_i / (1 - alpha_i). Starting from v . (final color), rest needs
 // only one subtraction a splat, so nothing has to be stored by the forward pass.
 #pragma once
 

@@ -120,7 +120,7 @@ void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& worl
     set_size(camera.width, camera.height);
     lens_ = lens_of(camera, world_from_camera, model, cloud.antialias);
     background_ = background;
-    depth_counts_ = false;
+    depth_counts_ = transmittance_counts_ = false;
     if (depth) depth_.resize(transmittance_.size());
     project(cloud);
     sort();
@@ -286,6 +286,26 @@ double Engine::differentiate_depth(const View& view, const ImageF& depth, float 
     return std::accumulate(row_loss.begin(), row_loss.end(), 0.0);
 }
 
+double Engine::differentiate_transmittance(const View& view, float strength) {
+    const Stopwatch watch(times.loss);
+    transmittance_counts_ = true;
+    v_transmittance_.assign(transmittance_.size(), 0.f);
+    const float scale = strength / (static_cast<float>(width_) * static_cast<float>(height_));
+    double loss = 0;
+    for (int y = 0; y < height_; ++y) {
+        const float row = scale * (view.model == CameraModel::equirectangular ? latitude_weight(y, height_) : 1.f);
+        float sum = 0;
+        for (int x = 0; x < width_; ++x) {
+            const std::size_t i = index(x, y);
+            const float weight = row * (view.weight.empty() ? 1.f : static_cast<float>(view.weight.at(x, y)) / 255.f);
+            v_transmittance_[i] = weight;
+            sum += weight * transmittance_[i];
+        }
+        loss += static_cast<double>(sum);
+    }
+    return loss;
+}
+
 void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
     judges_ = false;
     FASTSCENE_CHECK(v.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
@@ -303,6 +323,7 @@ void Engine::backward() {
     grow(slots_, static_cast<std::size_t>(slots_used_) * kSlotFloats + 2 * kBlock);
     Frame f = frame(depth_counts_);
     f.v_depth = depth_counts_ ? v_depth_.data() : nullptr;
+    f.v_transmittance = transmittance_counts_ ? v_transmittance_.data() : nullptr;
     parallel_for(tiles_x_ * tiles_y_, 4, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) kernel_.backward(f, static_cast<int>(t));
     });

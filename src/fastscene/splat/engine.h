@@ -77,6 +77,8 @@ class Engine {
     // After that, if render() was asked for depth: adds `strength` times the mean relative error of depth (depth_loss.h) and returns
     // it. `depth`: metres along the optical axis (equirectangular: along the ray), 0 = unknown.
     double differentiate_depth(const View& view, const ImageF& depth, float strength);
+    // After either: adds `strength` times the mean transmittance that is left and returns it: pictures shall be opaque.
+    double differentiate_transmittance(const View& view, float strength);
     // After render(): take dL/d color from the caller instead (tests). Three planes of width * height.
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After either: gradients per splat; Adam with these step sizes moves the cloud.
@@ -112,9 +114,10 @@ class Engine {
     std::ptrdiff_t stride_ = 0;
     Lens<float> lens_{};
     Vec3f background_;
-    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_;
+    AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_, v_transmittance_;
     bool judges_ = false;                       // the gradient to come also sums what density control asks for
     bool depth_counts_ = false;                 // in the gradient to come
+    bool transmittance_counts_ = false;         // …
     // As projection left them, piece after piece of splats, with gaps between the pieces.
     AlignedVector<Record> records_;
     std::vector<std::uint64_t> piece_keys_;

@@ -11,9 +11,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kOpacity = 0.6f;      // high enough to cover, low enough that the ones behind still get gradients
 constexpr float kThickness = 0.08f;   // of the disc's radius: surfaces are sharp from aside
-constexpr float kOverlap = 0.6f;      // standard deviation per spacing: neighbours close the surface
 
 bool usable(const SurfacePoint& p) {
     const float reach = std::fabs(p.position_m.x) + std::fabs(p.position_m.y) + std::fabs(p.position_m.z);
@@ -58,8 +56,18 @@ void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::si
 
 }  // namespace
 
-Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run) {
-    std::vector<std::size_t> chosen = draw(points, static_cast<std::size_t>(std::max(count, 0)), run);
+int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params) {
+    if (!(params.per_m2 > 0)) return params.count;
+    constexpr float kOutside_m = 100.f;      // no room is so large
+    constexpr double kLeast = 20'000;        // a closet has edges, too
+    double area = 0;                         // the squared spacings together are the surface
+    for (const SurfacePoint& p : points)
+        if (length(p.position_m) < kOutside_m) area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
+    return static_cast<int>(std::min<double>(params.count, std::max(kLeast, static_cast<double>(params.per_m2) * area)));
+}
+
+Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run) {
+    std::vector<std::size_t> chosen = draw(points, static_cast<std::size_t>(std::max(params.count, 0)), run);
     order_in_space(points, chosen);
     std::size_t all = 0;
     for (const SurfacePoint& p : points) all += usable(p);
@@ -70,7 +78,7 @@ Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const 
     out.resize(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         const SurfacePoint& p = points[chosen[k]];
-        const float sigma = std::max(kOverlap * p.radius_m * thinning, 1e-4f);
+        const float sigma = std::max(params.start_overlap * p.radius_m * thinning, 1e-4f);
         const bool flat = dot(p.normal, p.normal) > 0.25f;
         out.mean_m[k] = p.position_m;
         out.log_scale[k] = {std::log(sigma), std::log(sigma), std::log(flat ? sigma * kThickness : sigma)};
@@ -80,7 +88,7 @@ Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const 
             make_frame(n, s, t);
             out.rotation[k] = quaternion_of(Mat3f::from_columns(s, t, n));
         }
-        out.opacity_logit[k] = std::log(kOpacity / (1.f - kOpacity));
+        out.opacity_logit[k] = std::log(params.start_opacity / (1.f - params.start_opacity));
         out.sh0[k] = (unit_from_srgb8(p.color) - Vec3f{0.5f, 0.5f, 0.5f}) / kSh0;
     }
     return out;

@@ -21,6 +21,7 @@ inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
         b.pixel.v_depth = block(f.v_depth);
         rest += b.pixel.v_depth * block(f.depth);
     }
+    if (f.v_transmittance) rest += block(f.v_transmittance) * block(f.transmittance);
     b.pixel.transmittance = Lanes(1.f), b.pixel.v = v, b.pixel.rest = rest;
     if (f.error[0]) b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
 }

@@ -62,6 +62,7 @@ struct Frame {
     float* depth;          // sum of weight * depth_z; null = not wanted
     const float* v[3];     // dL/d color; zero outside the picture
     const float* error[3]; // |difference| per channel; null: weights and errors of splats are not summed
+    const float* v_transmittance;  // dL/d(transmittance left), zero outside the picture; null = none
     const float* v_depth;  // dL/d(depth sum), zero outside the picture; null = none, otherwise `depth` is there
     float background[3];
     const Record* records;

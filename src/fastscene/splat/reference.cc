@@ -81,4 +81,17 @@ double depth_loss_reference(ReferencePicture<double>& picture, const View& view,
     return sum;
 }
 
+double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength, std::vector<double>& v_transmittance) {
+    const double scale = strength / static_cast<double>(picture.pixels.size());
+    double sum = 0;
+    v_transmittance.clear();
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        double weight = scale * (view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0);
+        if (view.model == CameraModel::equirectangular) weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
+        v_transmittance.push_back(weight);
+        sum += weight * picture.pixels[i].transmittance;
+    }
+    return sum;
+}
+
 }  // namespace fastscene::splat

@@ -94,11 +94,12 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
     return out;
 }
 
-// dL/d(parameters) from v = dL/d(pixel color) and, if there is one, v_depth = dL/d(depth sum).
+// dL/d(parameters) from v = dL/d(pixel color) and, if there are any, v_depth = dL/d(depth sum), v_transmittance = dL/d(transmittance left).
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                              const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
-                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr, const std::vector<F>& v_depth = {}) {
+                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr, const std::vector<F>& v_depth = {},
+                                             const std::vector<F>& v_transmittance = {}) {
     std::vector<Gaussian<F>> out(splats.size());
     const auto n = static_cast<std::size_t>(3 * rest_functions(rest.degree));
     if (rest_out) rest_out->assign(splats.size() * n, F(0));
@@ -106,7 +107,8 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
     std::vector<PixelGradState<F>> state(v.size());
     for (std::size_t i = 0; i < v.size(); ++i) {
         const F z = v_depth.empty() ? F(0) : v_depth[i];
-        state[i] = {F(1), dot(v[i], picture.pixels[i].color) + z * picture.depth_sum[i], v[i], z};
+        const F open = v_transmittance.empty() ? F(0) : v_transmittance[i] * picture.pixels[i].transmittance;
+        state[i] = {F(1), dot(v[i], picture.pixels[i].color) + z * picture.depth_sum[i] + open, v[i], z};
     }
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
         PixelSums<F> sums;
@@ -161,5 +163,7 @@ struct ReferenceLoss {
 ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view, double lambda);
 // The regularizer of depth (depth_loss.h); puts the target behind the picture's depth sums. v_depth = dL/d(depth sum).
 double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength, std::vector<double>& v_depth);
+// `strength` times the mean transmittance left.
+double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength, std::vector<double>& v_transmittance);
 
 }  // namespace fastscene::splat

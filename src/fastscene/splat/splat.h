@@ -18,15 +18,20 @@ namespace fastscene {
 
 struct SplatParams {
     std::string backend = "cpu";
-    int count = 200000;                // Gaussians; fixed: memory is known in advance
+    int count = 200000;                // Gaussians, at most; fixed: memory is known in advance
+    float per_m2 = 0;                  // Gaussians a square metre of what the points lie on, where that makes fewer
     int steps = 3000;
+    float start_opacity = 0.6f;        // high enough to cover, low enough that the ones behind still get gradients
+    float start_overlap = 0.6f;        // standard deviations per spacing: neighbours close the surface
     float coarse = 0;                  // share of the steps
     float lambda_dssim = 0.2f;
+    float learning_rate_logit = 0.03f;
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
     std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
     int sh_degree = 0;                 // generated rooms carry no view dependence
     float opacity_pull = 0, scale_pull = 0;
     float depth = 0;                   // of the regularizer of depth
+    float opaque = 0;                  // of the loss of what is left transparent
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -40,7 +45,11 @@ template <class V>
 void visit_fields(SplatParams& p, V&& v) {
     v("backend", p.backend, Choices{{"cpu", "reference"}}, "What renders and differentiates the splats.");
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
+    v("per-m2", p.per_m2, Bounds{0, 1e6}, "Gaussians a square metre of surface, up to --splat-count; 0: that count.");
     v("steps", p.steps, Bounds{0, 1e6}, "Training steps; each looks at one view.");
+    v("start-opacity", p.start_opacity, Bounds{0.01, 0.999}, "Opacity of the Gaussians at the start.");
+    v("start-overlap", p.start_overlap, Bounds{0.05, 5}, "Standard deviation of the Gaussians at the start, as a share of their spacing.");
+    v("lr-logit", p.learning_rate_logit, Bounds{0, 1}, "First step size of the opacities' logits.");
     v("coarse", p.coarse, Bounds{0, 1}, "Share of the steps, the first ones, that look at views of half the size.");
     v("lambda", p.lambda_dssim, Bounds{0, 1}, "Weight of D-SSIM in the loss.");
     v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
@@ -50,6 +59,7 @@ void visit_fields(SplatParams& p, V&& v) {
     v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
     v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
     v("depth", p.depth, Bounds{0, 10}, "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
+    v("opaque", p.opaque, Bounds{0, 10}, "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
     v("antialias", p.antialias, "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
     v("random-background", p.random_background, "A background of random color behind every step: nothing may hide in black.");
     v("eval-every", p.eval_every, Bounds{0, 1e6}, "Measure held-out views every so many steps; 0 = train on all views.");
@@ -86,11 +96,21 @@ void check_splat_params(const SplatParams& params);
 
 // Bytes that training takes besides its views, known in advance: `points` to start from.
 std::int64_t splat_memory(const SplatParams& params, std::size_t points);
+// The most Gaussians that there is memory for; params.count where nobody knows how much there is.
+int most_that_fit(const SplatParams& params);
 // Throws Error where that is more than there is, `beside_bytes` taken for something else.
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes = 0);
 
-// Starting Gaussians: flat discs on the surfaces, `count` of them drawn from the points.
-Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run);
+// params.count, or fewer where params.per_m2 asks for fewer on the surface that the points lie on (the outside does not count).
+int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params);
+
+// Starting Gaussians: flat discs on the surfaces, params.count of them drawn from the points.
+Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run);
+inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run) {
+    SplatParams params;
+    params.count = count;
+    return initial_splats(points, params, run);
+}
 // Throws Error for views that do not fit together, for more Gaussians than there is memory for, for a checkpoint of other settings, a
 // damaged one or one that cannot be written (later on, with a full disk, it only warns); Stopped (after writing the
 // checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the bytes of a run that was never stopped.

@@ -57,7 +57,30 @@ TEST_P(SplatDepth, GradientIsTheSlopeOfTheJet) {
     }
 }
 
-// Color and depth together, as a training step has them.
+// What the transmittance left asks of every parameter, by derivatives carried through the renderer.
+TEST_P(SplatDepth, TransmittanceHasTheGradientOfItsJets) {
+    const auto g = gaussians_of<double>(splats_);
+    const auto picture = render_reference(g, lens_over<double>(lens_), camera_.width, camera_.height, Vec3d{});
+    std::vector<double> v, no_bands;
+    EXPECT_GT(transmittance_loss_reference(picture, view_, kStrength, v), 0);
+    auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v.size()), {}, &no_bands, {}, v);
+    auto jets = gaussians_of<Jet>(splats_);
+    for (int p = 0; p < kParameters - 3; ++p) {  // transmittance has no color
+        Distance distance;
+        for (std::size_t i = 0; i < jets.size(); i += 4) {
+            parameter(jets[i], p).slope = 1;
+            const auto moved = render_reference(jets, lens_over<Jet>(lens_), camera_.width, camera_.height, Vec3<Jet>{});
+            parameter(jets[i], p).slope = 0;
+            double slope = 0;
+            for (std::size_t k = 0; k < v.size(); ++k) slope += v[k] * moved.pixels[k].transmittance.slope;
+            distance.add(parameter(gradient[i], p), slope);
+        }
+        EXPECT_GT(distance.size2, 0) << p;
+        EXPECT_LT(distance.relative(), 1e-5) << p;
+    }
+}
+
+// Color, depth and transmittance together, as a training step has them.
 TEST_P(SplatDepth, KernelsAreTheReference) {
     const auto g = gaussians_of<double>(splats_);
     const auto lens = lens_over<double>(lens_);
@@ -67,8 +90,10 @@ TEST_P(SplatDepth, KernelsAreTheReference) {
     const ReferenceLoss color_loss = loss_reference(colors, view_, 0.2);
     std::vector<double> v_depth;
     const double loss = depth_loss_reference(picture, view_, target_, kStrength, v_depth);
+    std::vector<double> v_transmittance;
+    const double open_loss = transmittance_loss_reference(picture, view_, kStrength, v_transmittance);
     std::vector<double> no_bands;
-    auto ruler = gradients_reference(g, lens, picture, color_loss.v, {}, &no_bands, v_depth);
+    auto ruler = gradients_reference(g, lens, picture, color_loss.v, {}, &no_bands, v_depth, v_transmittance);
     for (const char* name : {"avx512", "avx2", "baseline"}) {
         const Kernel* kernel = nullptr;
         try {
@@ -81,6 +106,7 @@ TEST_P(SplatDepth, KernelsAreTheReference) {
         engine.render(cloud, camera_, test_pose(), {}, true, GetParam());
         engine.differentiate(view_, 0.2f);
         EXPECT_NEAR(engine.differentiate_depth(view_, target_, static_cast<float>(kStrength)), loss, 1e-5 * loss) << name;
+        EXPECT_NEAR(engine.differentiate_transmittance(view_, static_cast<float>(kStrength)), open_loss, 1e-5 * open_loss) << name;
         const AlignedFloats mine = engine.gradients(cloud);
         for (int p = 0; p < kParameters; ++p) {
             Distance distance;

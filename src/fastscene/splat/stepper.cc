@@ -15,6 +15,7 @@ class CpuStepper : public Stepper {
         engine_.render(cloud, view.camera, view.world_from_camera, plan.background, plan.depth != nullptr, view.model);
         LossSums sums = engine_.differentiate(view, plan.lambda_dssim, plan.judge);
         if (plan.depth) sums.loss += engine_.differentiate_depth(view, *plan.depth, plan.depth_strength);
+        if (plan.alpha_strength > 0) sums.loss += engine_.differentiate_transmittance(view, plan.alpha_strength);
         engine_.step(cloud, plan.rates);
         return sums;
     }
@@ -49,8 +50,10 @@ class ReferenceStepper : public Stepper {
         ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
         std::vector<double> v_depth;
         if (plan.depth) loss.loss += depth_loss_reference(picture, view, *plan.depth, static_cast<double>(plan.depth_strength), v_depth);
+        std::vector<double> v_transmittance;
+        if (plan.alpha_strength > 0) loss.loss += transmittance_loss_reference(picture, view, static_cast<double>(plan.alpha_strength), v_transmittance);
         std::vector<double> rest_gradient;
-        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth);
+        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth, v_transmittance);
         const int n = 3 * rest_functions(cloud.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i) {
             const Gaussian<double>& g = gradients[static_cast<std::size_t>(i)];

@@ -44,7 +44,7 @@ class ViewOrder {
 std::array<float, kParameters> rates_at(float done, const SplatParams& params, const TrainTuning& t) {
     const float other = std::pow(t.other_end, done);
     const float mean = params.learning_rate_mean_m * std::pow(t.mean_end, done);
-    const float scale = t.scale * other, rotation = t.rotation * other, logit = t.logit * other, sh0 = t.sh0 * other;
+    const float scale = t.scale * other, rotation = t.rotation * other, logit = params.learning_rate_logit * other, sh0 = t.sh0 * other;
     return {mean, mean, mean, scale, scale, scale, rotation, rotation, rotation, rotation, logit, sh0, sh0, sh0};
 }
 
@@ -186,7 +186,7 @@ class Training {
             std::filesystem::remove(params_.checkpoint);
         }
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
-        Splats splats = initial_splats(set.points, params_.count, run_);
+        Splats splats = initial_splats(set.points, params_, run_);
         if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
         splats.resize(splats.size());
@@ -215,6 +215,7 @@ class Training {
         const View& view = view_of(now);
         plan.judge = (params_.strategy == "mcmc" && done < tuning_.relocate_until) || (params_.strategy == "classic" && done < Classic{}.until);
         if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
+        plan.alpha_strength = params_.opaque;
         const LossSums sums = stepper_->step(state_.cloud, view, plan);
         state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
         state_.step = now;
@@ -315,6 +316,13 @@ void check_splat_params(const SplatParams& params) {
 std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
     const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
     return count * splat::memory_of_one(params);
+}
+
+int most_that_fit(const SplatParams& params) {
+    constexpr double kShare = 0.8;   // views and pictures want theirs
+    const std::int64_t found = available_memory();
+    if (found <= 0) return params.count;
+    return static_cast<int>(std::min<double>(2e9, kShare * static_cast<double>(found) / static_cast<double>(splat::memory_of_one(params))));
 }
 
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes) {

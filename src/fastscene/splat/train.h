@@ -7,7 +7,7 @@ namespace fastscene::splat {
 
 struct TrainTuning {
     // Adam step sizes at the start; each falls exponentially to `end` times its start.
-    float scale = 1.2e-2f, rotation = 3e-3f, logit = 0.03f, sh0 = 1e-2f;
+    float scale = 1.2e-2f, rotation = 3e-3f, sh0 = 1e-2f;
     float mean_end = 0.05f, other_end = 0.2f;
     // Of the splats, each time. 0: only the dead move. Started from dense surface points there is nothing
     // to densify: moving 3 % of the splats cost 0.1 dB at held-out poses.

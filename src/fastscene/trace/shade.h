@@ -15,6 +15,7 @@ struct ShadeScene {
     const Lights& lights;
     const IrradianceCache& light;
     bool contacts = false;   // where the cache is too coarse (edges, corners, small things), light is gathered ray by ray
+    bool frugal = false;     // ShotParts::frugal
 };
 
 // What a camera ray brings back, through clear glass from what lies behind it. The parts that chance decides are kept apart from the

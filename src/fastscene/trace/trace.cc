@@ -60,7 +60,7 @@ struct TracedRoom::Impl {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
         if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts}, eye, parts, samples, look, albedo, run);
+        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal}, eye, parts, samples, look, albedo, run);
     }
 
     // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
@@ -130,6 +130,23 @@ Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& came
 }
 
 float TracedRoom::distance(Vec3f origin, Vec3f direction) const { return impl_->bvh.first_hit(origin, direction).distance; }
+
+TracedRoom::Surface TracedRoom::surface(Vec3f origin, Vec3f direction) const {
+    const RayHit hit = impl_->bvh.first_lit(origin, direction);
+    if (!hit) return {hit.distance, {}};
+    return {hit.distance, dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal};
+}
+
+float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const {
+    return impl_->distance_by_mirrors(origin, direction, impl_->bvh.first_hit(origin, direction));
+}
+
+bool TracedRoom::sees(Vec3f from, Vec3f to) const {
+    constexpr float kSurface_m = 4e-3f;   // rounding, and the thickness of what lies on a surface
+    const Vec3f way = to - from;
+    const float far = length(way);
+    return far <= kSurface_m || !impl_->bvh.blocked(from, way / far, 0.f, far - kSurface_m);
+}
 
 float TracedRoom::clearance(Vec3f point, float limit_m) const {
     // Inside a solid most ways out lead through back faces.

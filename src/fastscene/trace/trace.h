@@ -45,10 +45,17 @@ struct ShotParts {
     bool paths = false;      // plain path tracing: no cache, nothing shared between pixels; for measurements
     bool radiance = false;   // `color` holds the pixel's mean radiance, undeveloped
     bool contacts = false;   // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
+    bool frugal = false;     // reflections that add little are traced by a few rays only (Russian roulette): for many views that are averaged
     bool denoise = false;    // average over neighbours what chance leaves in the light (denoise.h); takes samples / 16 to samples / 2 rays
     float noise = 0.f;       // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
     const ImageMask* only = nullptr;   // of the picture's size: the pixels that are asked for (nonzero); what the others hold means nothing
 };
+
+// For pictures of final quality, and for truth: as many camera rays as each pixel needs, `samples` at most; an even wall is exact at once, an
+// outline is not.
+inline ShotParts final_parts(int samples = 128) {
+    return {.color = true, .range = true, .pixel_samples = samples, .contacts = true, .denoise = true, .noise = 0.006f};
+}
 
 // A room ready to be looked at: triangles in Embree, light in the cache, exposure fixed.
 class TracedRoom {
@@ -69,6 +76,17 @@ class TracedRoom {
 
     // Distance in metres to the first surface along a ray; +inf = none. `direction` of length 1.
     float distance(Vec3f origin, Vec3f direction) const;
+    // The first surface along a ray (`direction` of length 1), through clear glass: its distance in metres and its unit normal, turned
+    // towards the ray's origin. +inf and zero: none.
+    struct Surface {
+        float distance;
+        Vec3f normal;
+    };
+    Surface surface(Vec3f origin, Vec3f direction) const;
+    // Along a ray, on through flat mirrors as a picture shows it: metres to the image behind the mirror; +inf = none.
+    float distance_through_mirrors(Vec3f origin, Vec3f direction) const;
+    // Whether nothing but clear glass is between two points. The last millimetres before `to` do not count: it may lie on a surface.
+    bool sees(Vec3f from, Vec3f to) const;
     // Radius of the empty ball around a point (0 inside an object), up to `limit_m`.
     float clearance(Vec3f point, float limit_m) const;
 

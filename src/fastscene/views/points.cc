@@ -23,10 +23,12 @@ struct Surface {
     Vec3f point, normal;
 };
 
-// Nothing stands behind the sky: a painted range between a wall's and the sky's may be of kilometres.
+// In the panorama's frame. Nothing stands behind the sky, which is as far from the world's origin wherever the panorama was taken: it shows no
+// parallax. A painted range between a wall's and the sky's may be of kilometres.
 Vec3f point_at(const Panorama& panorama, float sky_m, int x, int y) {
     const float range = panorama.range.at(x, y);
-    return direction_of_pixel(x, y, panorama.size()) * (range < sky_m ? range : sky_m);
+    const Vec3f direction = direction_of_pixel(x, y, panorama.size());
+    return range < sky_m ? direction * range : direction * sky_m + inverse(panorama.world_from_pano) * Vec3f{};
 }
 
 // Differences to the neighbours on the same surface; a pixel alone looks at the viewpoint.
@@ -63,40 +65,107 @@ bool is_given(const Panorama& panorama) {
            std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(), [](Known k) { return k == Known::original; });
 }
 
-// Behind all that was taken or traced.
+// Behind all that was taken or traced, and so far that steps between panoramas hardly turn it.
 float sky_distance(const std::vector<Panorama>& panoramas) {
-    constexpr float kBeyond = 1.5f, kMost_m = 1000.f;   // SPZ holds 2048 m
-    float far = 0;
-    for (std::size_t i = 0; i < panoramas.size(); ++i)
-        if (i == 0 || is_given(panoramas[i]))
-            for (const float r : panoramas[i].range.pixels)
-                if (r < kMost_m) far = std::max(far, r);
-    return std::clamp(kBeyond * far, kSky_m, kMost_m);
+    constexpr float kBeyond = 1.5f, kMost_m = 900.f;   // viewers clip at 1000 m, and there is a backdrop behind
+    constexpr float kSteps = 250.f;
+    float far = 0, step = 0;
+    for (std::size_t i = 0; i < panoramas.size(); ++i) {
+        if (i > 0 && !is_given(panoramas[i])) continue;
+        step = std::max(step, length(panoramas[i].world_from_pano.translation));
+        for (const float r : panoramas[i].range.pixels)
+            if (r < kMost_m) far = std::max(far, r);
+    }
+    return std::clamp(std::max(kBeyond * far, kSteps * step), kSky_m, kMost_m);
 }
 
-void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, float sky_m, std::vector<Candidate>& out) {
+// Which of several given panoramas a bit of surface takes its points from: the one that sees it finest. So each bit gives points once, and in
+// the best colors there are.
+class Owners {
+  public:
+    Owners(const std::vector<Panorama>& panoramas, float sky_m) : sky_m_(sky_m) {
+        for (std::uint32_t i = 0; i < panoramas.size(); ++i)
+            if (i == 0 || is_given(panoramas[i])) given_.push_back({&panoramas[i], inverse(panoramas[i].world_from_pano), i});
+    }
+    std::size_t count() const { return given_.size(); }
+    // Every so many rows and columns give a candidate: panoramas that overlap have pixels to spare.
+    int stride() const {
+        constexpr double kCandidates = 4e6;
+        double pixels = 0;
+        for (const Given& g : given_) pixels += static_cast<double>(g.panorama->range.size());
+        return std::max(1, static_cast<int>(std::sqrt(pixels / kCandidates)));
+    }
+    // Of a surface seen by panorama `index`; its frame.
+    bool owns(std::uint32_t index, const Panorama& panorama, const Surface& surface, bool outside) const {
+        if (given_.size() < 2) return true;
+        const Vec3f point = panorama.world_from_pano * surface.point, normal = panorama.world_from_pano.rotation * surface.normal;
+        const float own = pixels_an_area(surface.point, surface.normal);
+        for (const Given& g : given_) {
+            if (g.index == index || (outside && g.index > index)) continue;
+            const Vec3f there = g.pano_from_world * point;
+            if (!outside) {
+                const float its = pixels_an_area(there, g.pano_from_world.rotation * normal);
+                if (its < own || (its == own && g.index > index)) continue;
+            }
+            if (sees(*g.panorama, there, outside)) return false;
+        }
+        return true;
+    }
+
+  private:
+    struct Given {
+        const Panorama* panorama;
+        Rigid pano_from_world;
+        std::uint32_t index;
+    };
+    static float pixels_an_area(Vec3f point, Vec3f normal) {
+        const float far2 = dot(point, point);
+        return std::max(0.f, -dot(normal, point)) / (far2 * std::sqrt(far2));
+    }
+    bool sees(const Panorama& panorama, Vec3f there, bool outside) const {
+        constexpr float kSame = 0.02f, kSame_m = 0.01f;   // what a slanted surface changes within a pixel
+        const Vec2f at = pixel_of_direction(there, panorama.size());
+        const float range =
+            panorama.range.at(wrap_column(static_cast<int>(at.x), panorama.color.width), std::min(static_cast<int>(at.y), panorama.color.height - 1));
+        if (outside) return !(range < sky_m_);
+        const float far = length(there);
+        return std::fabs(range - far) < kSame * far + kSame_m;
+    }
+
+    float sky_m_;
+    std::vector<Given> given_;
+};
+
+void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const Owners& owners, float sky_m, std::vector<Candidate>& out) {
     const Panorama& panorama = panoramas[index];
     const bool given = index == 0 || is_given(panorama);
     const EquirectSize size = panorama.size();
     const ImageMask cuts = range_edges(panorama.range);
-    for (int y = 0; y < size.height; ++y) {
-        const float angle = static_cast<float>(pixel_solid_angle(y, size));
-        for (int x = 0; x < size.width; ++x) {
-            const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
-            if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
-            if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
-            const Surface s = surface_at(panorama, cuts, sky_m, x, y);
-            const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
-            out.push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
-                           angle * (0.01f + gradient_at(panorama.color, x, y)), !(panorama.range.at(x, y) < sky_m)});
+    const int stride = given ? owners.stride() : 1;
+    std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>((size.height + stride - 1) / stride));
+    parallel_for(static_cast<std::int64_t>(rows.size()), 8, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t row = begin; row < end; ++row) {
+            const int y = std::min(size.height - 1, static_cast<int>(row) * stride + stride / 2);
+            const float angle = static_cast<float>(pixel_solid_angle(y, size)) * static_cast<float>(stride * stride);
+            for (int x = stride / 2; x < size.width; x += stride) {
+                const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
+                if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
+                if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
+                const Surface s = surface_at(panorama, cuts, sky_m, x, y);
+                const bool outside = !(panorama.range.at(x, y) < sky_m);
+                if (given && !owners.owns(index, panorama, s, outside)) continue;
+                const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
+                rows[static_cast<std::size_t>(row)].push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
+                                                               angle * (0.01f + gradient_at(panorama.color, x, y)), outside});
+            }
         }
-    }
+    });
+    for (const auto& row : rows) out.insert(out.end(), row.begin(), row.end());
 }
 
 // Radians from each pixel to the nearest nonzero one, along steps to the eight neighbours (at most a twelfth too long); columns close at the seam.
 ImageF angle_to(const ImageMask& mask) {
     const int w = mask.width, h = mask.height;
-    const EquirectSize size{w, h};
     ImageF out(w, h, std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < out.size(); ++i)
         if (mask.pixels[i]) out.pixels[i] = 0;
@@ -179,7 +248,8 @@ std::vector<double> shares_of(const std::vector<Candidate>& candidates, int coun
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run) {
     std::vector<Candidate> candidates;
     const float sky_m = sky_distance(panoramas);
-    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, sky_m, candidates);
+    const Owners owners(panoramas, sky_m);
+    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, owners, sky_m, candidates);
     if (candidates.empty()) return {};
     const ImageColor outlook = outside_picture(panoramas[0].color, panoramas[0].range);
     if (!outlook.empty()) collect_hidden(panoramas[0], candidates);
@@ -210,6 +280,23 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }
+    }
+    return points;
+}
+
+std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count) {
+    constexpr float kBehind = 1.1f;      // of the sky's distance
+    constexpr float kWide = 1.3f;        // of their spacing: they overlap well
+    const Panorama& first = panoramas[0];
+    const EquirectSize size = first.size();
+    const float golden = kPi * (3.f - std::sqrt(5.f)), far = kBehind * sky_distance(panoramas), n = static_cast<float>(count);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < count; ++i) {   // along a spiral, evenly spread
+        const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / n, r = std::sqrt(1.f - y * y), a = golden * static_cast<float>(i);
+        const Vec3f d{r * std::cos(a), y, r * std::sin(a)};
+        const Vec2f at = pixel_of_direction(d, size);
+        const Vec3f color = first.color.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+        points.push_back({d * far, -d, srgb8_from_linear(color), kWide * far * std::sqrt(4 * kPi / n)});
     }
     return points;
 }

@@ -16,6 +16,7 @@ struct ViewsParams {
     int size = 640;             // width and height of a view
     float fov_deg = 90;
     int points = 200000;        // starting points
+    int backdrop = 0;           // … and so many of a sphere behind everything
     std::string sfm = "known";  // who says where the cameras are
     int weight_carried = 200;   // of 255: painted at an earlier viewpoint
     int weight_invented = 110;  // of 255: painted at this one
@@ -26,6 +27,7 @@ void visit_fields(ViewsParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
     v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
     v("points", p.points, Bounds{1, 1e7}, "Starting points taken from the range maps.");
+    v("backdrop", p.backdrop, Bounds{0, 1e6}, "Starting points of a far sphere besides, so that no gap is left transparent; 0: none.");
     v("sfm", p.sfm, Choices{{"known", "colmap", "triangulate"}},
       "Cameras: known by construction; found by COLMAP as the paper has it; or known, with points of COLMAP's.");
     v("weight-carried", p.weight_carried, Bounds{0, 255}, "How much a pixel painted at an earlier viewpoint counts, of 255.");

@@ -106,6 +106,38 @@ TEST(Points, LieOnTheSurfacesTheyName) {
     EXPECT_LT(area, 140);
 }
 
+// What two panoramas see gives points once: together they cover no more than the room, and each bit comes from the one that is nearer.
+TEST(Points, OfOverlappingPanoramasComeFromTheFinestView) {
+    const Vec3f aside{1.2f, 0, -1.f};
+    const std::vector<Panorama> both{render_synthetic(room(), {}, kSize, 1), render_synthetic(room(), aside, kSize, 1)};
+    const auto area = [](const ViewSet& set) {
+        double sum = 0;
+        for (const SurfacePoint& p : set.points) sum += static_cast<double>(p.radius_m * p.radius_m);
+        return sum;
+    };
+    const double one = area(project_views({both[0]}, small_params(), {})), two = area(project_views(both, small_params(), {}));
+    EXPECT_GT(two, 0.98 * one);
+    EXPECT_LT(two, 1.35 * one) << "what only one of them sees comes on top";
+}
+
+TEST(Points, ABackdropClosesTheSphereBehindEverything) {
+    ViewsParams params = small_params();
+    params.backdrop = 500;
+    const ViewSet set = project_views({render_synthetic(room(), {}, kSize, 1)}, params, {});
+    const ViewSet without = project_views({render_synthetic(room(), {}, kSize, 1)}, small_params(), {});
+    ASSERT_EQ(set.points.size(), without.points.size() + 500);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3f d = direction_of_pixel(i * 37 % 64, i * 11 % 32, {64, 32});
+        float nearest = -1;
+        for (std::size_t k = without.points.size(); k < set.points.size(); ++k) {
+            const SurfacePoint& p = set.points[k];
+            EXPECT_GT(length(p.position_m), 300.f);
+            nearest = std::max(nearest, dot(normalize(p.position_m), d));
+        }
+        EXPECT_GT(nearest, std::cos(0.16f)) << "a gap in the backdrop";
+    }
+}
+
 int of_color(const ViewSet& set, Rgb8 color) {
     return static_cast<int>(std::count_if(set.points.begin(), set.points.end(), [&](const SurfacePoint& p) { return p.color == color; }));
 }

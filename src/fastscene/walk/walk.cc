@@ -190,8 +190,16 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
 
 }  // namespace
 
-Json walk_through(const Panorama& given, const WalkParams& params, const Run& run, const TakePanorama& take, const WalkAdvice& advice,
+WalkParams resolved(WalkParams params, bool known_room) {
+    if (params.kind == "auto") params.kind = known_room && params.inpainter == "auto" ? kRoomWalk : "ours";
+    if (params.inpainter == "auto") params.inpainter = "aotgan";
+    return params;
+}
+
+Json walk_through(const Panorama& given, const WalkParams& asked, const Run& run, const TakePanorama& take, const WalkAdvice& advice,
                   const std::vector<Panorama>& more) {
+    const WalkParams params = resolved(asked, false);
+    if (params.kind == kRoomWalk) throw UsageError("--walk {}: expected a room that is known, found a panorama alone", kRoomWalk);
     if (params.inpainter == kLookIntoRoom && (params.kind != "ours" || !advice.room))
         throw UsageError("--walk-inpainter {}: expected {}", kLookIntoRoom,
                          params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind) : "a room that is known, found none");

@@ -15,38 +15,54 @@
 namespace fastscene {
 
 struct WalkParams {
-    std::string kind = "ours";    // what follows holds for "ours", or for the published kinds, as its sentence says
+    std::string kind = "auto";
+    // "room": panoramas of a known room.
+    int standpoints = 24;         // most, besides panorama 0
+    int width = 0;                // of a standpoint's panorama; 0: of panorama 0
+    int pixel_samples = 16;       // camera rays a pixel; the splats average over views
+    // "ours": panoramas around the first one, holes inpainted.
     int viewpoints = 14;          // new ones, besides panorama 0
     float reach_m = 0.7f;         // farthest viewpoint from panorama 0
     float clearance = 0.5f;       // never farther than this share of the free distance
+    // The published kinds.
     float step = 0.02f;           // of the greatest range
     int steps = 6;
-    std::string inpainter = "aotgan";
+    std::string inpainter = "auto";
     std::string inpaint_weights;
 };
+// The room behind a prompt is looked at from standpoints all over it: nothing is painted (room_walk.h).
+inline constexpr const char* kRoomWalk = "room";
 // Not painted at all: where panorama 0's room is known, what it hid is looked at.
 inline constexpr const char* kLookIntoRoom = "room";
 inline std::vector<std::string> hole_fillers() {
     std::vector<std::string> names = inpainters();
     names.push_back(kLookIntoRoom);
+    names.push_back("auto");
     return names;
 }
-inline std::vector<std::string> walk_kinds() { return {"ours", "paper", "paper-direct", "paper-far"}; }
+inline std::vector<std::string> walk_kinds() { return {"auto", kRoomWalk, "ours", "paper", "paper-direct", "paper-far"}; }
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
     v("kind", p.kind, Choices{walk_kinds()},
-      "How to walk: ours; or as published: eight directions step by step, holes painted on cube faces (paper), on the panorama itself "
-      "(paper-direct), or in one large step (paper-far).");
+      "How to walk: room, panoramas of the room behind a prompt from standpoints all over it; ours, around the first panorama with holes "
+      "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama itself (paper-direct), "
+      "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else ours.");
+    v("standpoints", p.standpoints, Bounds{0, 400}, "Room: most standpoints besides the first panorama; fewer where fewer see all.");
+    v("width", p.width, Bounds{0, 8192}, "Room: width of a standpoint's panorama in pixels; 0 = as the first panorama.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a standpoint's panorama.");
     v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
     v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
     v("clearance", p.clearance, Bounds{0.05, 0.95}, "Ours: greatest step as a share of the free distance in that direction.");
     v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
     v("inpainter", p.inpainter, Choices{hole_fillers()},
-      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the panorama, which is looked at again.");
+      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the panorama, which is looked at "
+      "again. auto: aotgan, where the walk has holes.");
     v("inpaint-weights", p.inpaint_weights,
       "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
 }
+// With "auto" resolved. `known_room`: a room stands behind the panorama, and its range is exact.
+WalkParams resolved(WalkParams params, bool known_room);
 
 // Positions (world, metres) in the order in which they are visited: each close to the ones before it, spread over
 // the free space around panorama 0, up and down too.
@@ -64,7 +80,7 @@ struct RoomSight {
     ImageF range;
 };
 using RoomLook = std::function<RoomSight(const Rigid& world_from_pano, const ImageMask& asked, const Run& run)>;
-// Whom a walk may ask; those that it needs not may be empty.
+// What a walk may ask; what it does not need may be empty.
 struct WalkAdvice {
     RangeEstimator range;
     RoomLook room;   // for the inpainter "room"

@@ -1,0 +1,109 @@
+#include "fastscene/trace/standable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fastscene/scene/box.h"
+#include "fastscene/trace/test_room.h"
+
+namespace fastscene {
+namespace {
+
+// 4 x 5 m, the floor at y = 1.5; the world's origin is its middle.
+Room plain_room() {
+    Room room;
+    room.min_corner = kLow;
+    room.max_corner = kHigh;
+    room.materials = {diffuse({0.7f, 0.7f, 0.7f})};
+    room.meshes = {box_mesh(kLow, kHigh, 0, -1, true)};
+    return room;
+}
+void put(Room& room, Vec3f low, Vec3f high) { room.meshes.push_back(box_mesh(low, high, 0)); }
+
+bool stands_at(const StandableFloor& floor, float x, float z) {
+    const auto cell = [&](float v, float corner) { return static_cast<int>(std::floor((v - corner) / floor.cell_m)); };
+    return floor.at(cell(x, floor.corner_m.x), cell(z, floor.corner_m.y));
+}
+
+TEST(Standable, AnEmptyRoomButForABodysWidthAlongItsWalls) {
+    const StandableFloor floor = standable_floor(TracedRoom(plain_room()));
+    EXPECT_NEAR(floor.floor_y, 1.5f, 1e-6);
+    EXPECT_NEAR(standable_area_m2(floor), 3.5 * 4.5, 0.9);
+    EXPECT_TRUE(stands_at(floor, 1.65f, 2.15f));
+    EXPECT_FALSE(stands_at(floor, 1.85f, 0.f));
+    EXPECT_FALSE(stands_at(floor, 2.5f, 0.f)) << "outside the walls there is no floor";
+}
+
+TEST(Standable, RugsAreSteppedOnTablesAreNotAndLampsAboveTheHeadDoNotCount) {
+    Room room = plain_room();
+    put(room, {-1.5f, 1.47f, -2.f}, {-0.5f, 1.5f, -1.f});     // a rug, 3 cm
+    put(room, {0.5f, 0.75f, -2.f}, {1.5f, 0.8f, -1.f});       // a table's top
+    put(room, {-1.5f, -1.1f, 1.f}, {-0.5f, -0.5f, 2.f});      // a lamp: 2 m above the floor
+    put(room, {0.6f, -0.1f, 1.1f}, {1.4f, 0.f, 1.9f});        // a shelf at 1.5 m: not below its front
+    const StandableFloor floor = standable_floor(TracedRoom(room));
+    EXPECT_TRUE(stands_at(floor, -1.f, -1.5f));
+    EXPECT_FALSE(stands_at(floor, 1.f, -1.5f));
+    EXPECT_TRUE(stands_at(floor, -1.f, 1.5f));
+    EXPECT_FALSE(stands_at(floor, 1.f, 1.5f));
+}
+
+// A wall across the room with a gap of 0.48 m: one gets through, and nobody stands in the gap itself.
+TEST(Standable, WhatCanBeReachedThroughAGap) {
+    const auto with_gap = [](float half_m) {
+        Room room = plain_room();
+        put(room, {-2.f, -1.1f, 0.9f}, {-half_m, 1.5f, 1.f});
+        put(room, {half_m, -1.1f, 0.9f}, {2.f, 1.5f, 1.f});
+        return TracedRoom(std::move(room));
+    };
+    const StandableFloor wide = standable_floor(with_gap(0.24f)), narrow = standable_floor(with_gap(0.1f));
+    EXPECT_TRUE(stands_at(wide, 0.05f, 2.f));
+    EXPECT_FALSE(stands_at(wide, 0.05f, 0.95f));
+    EXPECT_TRUE(stands_at(passable_floor(with_gap(0.24f)), 0.05f, 0.95f));
+    EXPECT_FALSE(stands_at(narrow, 0.05f, 2.f));
+    EXPECT_TRUE(stands_at(narrow, 0.05f, -1.f));
+}
+
+TEST(Standable, BedsFromWallToWallLeaveNothing) {
+    Room room = plain_room();
+    put(room, {-2.f, 1.f, -2.5f}, {2.f, 1.5f, 2.5f});
+    EXPECT_TRUE(standable_cells(standable_floor(TracedRoom(room))).empty());
+}
+
+TEST(Trace, SeesThroughNothingButAirAndGlass) {
+    Room room = plain_room();
+    put(room, {-0.5f, -0.5f, 1.f}, {0.5f, 0.5f, 1.1f});
+    const TracedRoom traced(std::move(room));
+    EXPECT_TRUE(traced.sees({}, {0, 0, 0.9f}));
+    EXPECT_TRUE(traced.sees({}, {0, 0, 1.f})) << "a point on a surface";
+    EXPECT_FALSE(traced.sees({}, {0, 0, 1.05f}));
+    EXPECT_FALSE(traced.sees({}, {0, 0, 2.f}));
+    const TracedRoom::Surface met = traced.surface({0, 0, 2}, {0, 0, -1});
+    EXPECT_NEAR(met.distance, 0.9f, 1e-5);
+    EXPECT_NEAR(met.normal.z, 1.f, 1e-5) << "turned towards who looks";
+}
+
+// Frugal pictures are as bright as others in the mean.
+TEST(Trace, FrugalReflectionsHaveTheSameMean) {
+    Room room = plain_room();
+    room.materials[0].specular = 0.04f;
+    room.materials[0].roughness = 0.4f;
+    Material lamp = diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9});
+    room.materials.push_back(lamp);
+    room.meshes.push_back(box_mesh({-0.4f, -1.09f, -0.4f}, {0.4f, -1.05f, 0.4f}, 1));
+    TracedRoom traced(std::move(room));
+    traced.gather_light({.cell_m = 0.2f, .cell_samples = 32}, {});
+    const auto mean = [&](bool frugal) {
+        const ImageColor color = traced.panorama({}, {128, 64}, {.pixel_samples = 64, .radiance = true, .frugal = frugal}, {}).color;
+        double sum = 0;
+        for (int y = 20; y < 64; ++y)   // below the lamp
+            for (int x = 0; x < 128; ++x) sum += static_cast<double>(luminance(color.at(x, y)));
+        return sum;
+    };
+    const double all = mean(false), few = mean(true);
+    EXPECT_NEAR(few / all, 1.0, 0.003);
+    EXPECT_NE(few, all);
+}
+
+}  // namespace
+}  // namespace fastscene

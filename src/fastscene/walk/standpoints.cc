@@ -1,0 +1,184 @@
+#include "fastscene/walk/standpoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
+
+namespace fastscene {
+namespace {
+
+// Eyes of visitors, metres above the floor: a child to a tall adult, and some who crouch.
+constexpr float kEyeLow_m = 1.2f, kEyeHigh_m = 1.8f, kCrouch_m = 0.7f, kCrouchShare = 0.15f;
+// Heights at which a panorama may be taken.
+constexpr std::array<float, 4> kHeights_m{0.65f, 1.15f, 1.5f, 1.85f};
+constexpr float kEyeAir_m = 0.15f;          // nobody looks from nearer to a surface
+constexpr float kLean_m = 0.6f;             // as far one leans in over a counter or a bed
+constexpr int kMostCandidates = 420;
+constexpr int kVisitors = 640, kRaysAVisitor = 20;
+constexpr float kCloseUp_m = 0.6f;          // nearer a visitor wants no finer picture
+constexpr float kSecondView = 0.35f;        // what a second view of a surface is worth, of a first one
+constexpr float kImage_m = 0.03f;           // a mirror's image is at least so far behind it, and known so well
+constexpr float kSlant = 0.08f;             // cosine: surfaces seen more obliquely than this give no texture
+
+// What a visitor sees.
+struct Sample {
+    enum class Kind : unsigned char {
+        surface,
+        image,     // behind a flat mirror: seen from where the mirror shows it
+        outside,   // in a direction
+    } kind;
+    Vec3f position;    // of a surface or an image; outside: a unit direction
+    Vec3f normal;      // of a surface
+    float demand = 0;  // pixels an area: cosine over squared distance
+};
+
+Vec3f uniform_direction(Random& random) {
+    const float y = random.uniform(-1, 1), r = std::sqrt(std::max(0.f, 1 - y * y)), a = random.uniform(-kPi, kPi);
+    return {r * std::cos(a), y, r * std::sin(a)};
+}
+
+std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloor& floor, const Run& run) {
+    const std::vector<FloorCell> cells = standable_cells(floor);
+    std::vector<std::vector<Sample>> by_visitor(kVisitors);
+    parallel_for(kVisitors, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (auto v = static_cast<std::size_t>(begin); v < static_cast<std::size_t>(end); ++v) {
+            Random random(run.seed, "walk.visitors", v);
+            const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
+            const Vec2f at = floor.center(cell.column, cell.row);
+            const float height = random.chance(kCrouchShare) ? random.uniform(kCrouch_m, kEyeLow_m) : random.uniform(kEyeLow_m, kEyeHigh_m);
+            const Vec3f eye{at.x, floor.floor_y - height, at.y};
+            if (!has_air(room, eye, kEyeAir_m)) continue;
+            for (int k = 0; k < kRaysAVisitor; ++k) {
+                const Vec3f d = uniform_direction(random);
+                const TracedRoom::Surface met = room.surface(eye, d);
+                if (!std::isfinite(met.distance)) {
+                    by_visitor[v].push_back({Sample::Kind::outside, d, {}, 1.f});
+                    continue;
+                }
+                if (const float image = room.distance_through_mirrors(eye, d); image > met.distance + kImage_m) {
+                    if (std::isfinite(image)) by_visitor[v].push_back({Sample::Kind::image, eye + d * image, {}, 1 / (image * image)});
+                    continue;
+                }
+                const float far = std::max(kCloseUp_m, met.distance), cosine = std::max(kSlant, -dot(met.normal, d));
+                by_visitor[v].push_back({Sample::Kind::surface, eye + d * met.distance, met.normal, cosine / (far * far)});
+            }
+        }
+    });
+    std::vector<Sample> samples;
+    for (const auto& some : by_visitor) samples.insert(samples.end(), some.begin(), some.end());
+    return samples;
+}
+
+// Places from which a panorama can be taken: over standable floor, and over what one can lean in over.
+std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floor) {
+    const double area = standable_area_m2(floor) + 1;
+    // As dense as their number allows; not denser than a step.
+    const float apart = std::max(0.3f, static_cast<float>(std::sqrt(1.6 * area * kHeights_m.size() / kMostCandidates)));
+    const int stride = std::max(1, static_cast<int>(apart / floor.cell_m));
+    const int lean = static_cast<int>(kLean_m / floor.cell_m);
+    std::vector<Vec3f> found;
+    for (int row = stride / 2; row < floor.rows; row += stride)
+        for (int column = stride / 2; column < floor.columns; column += stride) {
+            // The nearest cell where one can stand; leaning, from the heights of those who stand.
+            int nearest = floor.at(column, row) ? 0 : lean + 1;
+            FloorCell foot{column, row};
+            for (int dz = -lean; dz <= lean && nearest > 0; ++dz)
+                for (int dx = -lean; dx <= lean; ++dx)
+                    if (const int far = static_cast<int>(std::ceil(std::hypot(dx, dz))); far < nearest && floor.at(column + dx, row + dz))
+                        nearest = far, foot = {column + dx, row + dz};
+            if (nearest > lean) continue;
+            const Vec2f at = floor.center(column, row), from = floor.center(foot.column, foot.row);
+            for (const float height : kHeights_m) {
+                const Vec3f eye{at.x, floor.floor_y - height, at.y};
+                if (nearest > 0 && (height < kEyeLow_m || !room.sees({from.x, eye.y, from.y}, eye))) continue;
+                if (has_air(room, eye, kEyeAir_m)) found.push_back(eye);
+            }
+        }
+    return found;
+}
+
+// How well a sample is seen from an eye: 1 as finely as by its visitor, 0 not at all.
+float sight(const TracedRoom& room, Vec3f eye, const Sample& sample) {
+    if (sample.kind == Sample::Kind::outside) return std::isfinite(room.surface(eye, sample.position).distance) ? 0.f : 1.f;
+    const Vec3f way = sample.position - eye;
+    const float far = length(way);
+    if (sample.kind == Sample::Kind::image) {
+        const float shown = room.distance_through_mirrors(eye, way / far);
+        return std::fabs(shown - far) < kImage_m ? std::min(1.f, 1 / (far * std::sqrt(sample.demand))) : 0.f;
+    }
+    const float cosine = -dot(sample.normal, way) / std::max(1e-6f, far);
+    if (!(cosine > kSlant) || far < 1e-3f) return 0;
+    if (!room.sees(eye, sample.position)) return 0;
+    return std::min(1.f, std::sqrt(cosine / (far * far) / sample.demand));
+}
+
+// What the standpoints chosen so far make of every sample.
+struct Coverage {
+    std::vector<float> best, second;
+    std::vector<int> views;
+
+    explicit Coverage(std::size_t n) : best(n), second(n), views(n) {}
+    // What one more sight of sample i adds.
+    double gain(std::size_t i, float s) const {
+        if (s <= second[i]) return 0;
+        if (s <= best[i]) return kSecondView * static_cast<double>(s - second[i]);
+        return static_cast<double>(s - best[i]) + kSecondView * static_cast<double>(best[i] - second[i]);
+    }
+    void add(std::size_t i, float s) {
+        if (s > 0) ++views[i];
+        if (s > best[i]) second[i] = best[i], best[i] = s;
+        else if (s > second[i]) second[i] = s;
+    }
+};
+
+}  // namespace
+
+Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& floor, const StandpointParams& params, const Run& run) {
+    Standpoints chosen;
+    if (standable_cells(floor).empty()) return chosen;
+    const std::vector<Sample> samples = seen_by_visitors(room, floor, run);
+    const std::vector<Vec3f> eyes = candidates(room, floor);
+    const std::size_t n = samples.size();
+    chosen.samples = n;
+    if (n == 0) return chosen;
+    // Row by row: how well each candidate sees each sample; panorama 0 last.
+    std::vector<float> sights((eyes.size() + 1) * n);
+    parallel_for(static_cast<std::int64_t>(eyes.size() + 1), 4, [&](std::int64_t begin, std::int64_t end) {
+        run.check_stop();
+        for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+            for (std::size_t i = 0; i < n; ++i) sights[c * n + i] = sight(room, c < eyes.size() ? eyes[c] : Vec3f{}, samples[i]);
+    });
+    Coverage coverage(n);
+    const auto take = [&](std::size_t c) {
+        for (std::size_t i = 0; i < n; ++i) coverage.add(i, sights[c * n + i]);
+    };
+    take(eyes.size());
+    const double all = static_cast<double>(n) * (1 + static_cast<double>(kSecondView));
+    std::vector<double> gains(eyes.size());
+    while (static_cast<int>(chosen.positions_m.size()) < params.most && !eyes.empty()) {
+        parallel_for(static_cast<std::int64_t>(eyes.size()), 4, [&](std::int64_t begin, std::int64_t end) {
+            for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
+                gains[c] = 0;
+                for (std::size_t i = 0; i < n; ++i) gains[c] += coverage.gain(i, sights[c * n + i]);
+            }
+        });
+        const auto next = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
+        if (gains[next] < static_cast<double>(params.least_gain) * all) break;
+        take(next);
+        chosen.positions_m.push_back(eyes[next]);
+    }
+    std::size_t unseen = 0, coarse = 0, one_sided = 0;
+    constexpr float kHalf = 0.5f;
+    for (std::size_t i = 0; i < n; ++i) {
+        unseen += coverage.views[i] == 0;
+        coarse += coverage.views[i] > 0 && coverage.best[i] < kHalf;
+        one_sided += coverage.views[i] == 1;
+    }
+    const auto share = [n](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n); };
+    chosen.unseen_share = share(unseen), chosen.coarse_share = share(coarse), chosen.one_sided_share = share(one_sided);
+    return chosen;
+}
+
+}  // namespace fastscene
