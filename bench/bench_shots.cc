@@ -73,8 +73,7 @@ int main(int argc, char** argv) {
     });
     const Rigid pose{{}, points.positions_m.empty() ? Vec3f{} : points.positions_m[0]};
     const EquirectSize size{width, width / 2};
-    const bool all = only.empty();
-    const ImageRgb8 best = !all ? ImageRgb8(size.width, size.height) : timed("best (final, 128)", [&] { return srgb8_from_linear(room->panorama(pose, size, final_parts(), run).color); });
+    const ImageRgb8 best = timed("best (final, 128)", [&] { return srgb8_from_linear(room->panorama(pose, size, final_parts(), run).color); });
     struct Kind {
         const char* name;
         ShotParts parts;

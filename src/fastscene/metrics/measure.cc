@@ -30,7 +30,9 @@ bool is_kept(const fs::path& path, const std::string& key) {
 Splats trained_once(const fs::path& ply, const std::function<std::vector<Panorama>()>& panoramas, const TruthInputs& inputs, const Run& run) {
     if (is_kept(ply, inputs.key)) return load_splat_ply(ply);
     const ViewSet views = project_views(panoramas(), inputs.views, run);
-    const Splats splats = fit_splats(views, inputs.splat, run).splats;
+    SplatParams sized = inputs.splat;
+    sized.count = count_for(views.points, sized);
+    const Splats splats = fit_splats(views, sized, run).splats;
     save_splat_ply(ply, splats);
     write_file(key_file_of(ply), inputs.key);
     return splats;

@@ -142,7 +142,8 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     stream.stage("walk", fields_json(params.walk),
                  [&](const fs::path& out, const Run& r) { make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r); });
     stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
-    stream.stage("splat", fields_json(params.splat), [&](const fs::path& out, const Run& r) { make_splat(folder, params.splat, out, r); });
+    const SplatParams splat = splat_of(source, params.depth, params.walk, params.splat);
+    stream.stage("splat", fields_json(splat), [&](const fs::path& out, const Run& r) { make_splat(folder, splat, out, r); });
 
     const std::vector<StageRecord>& done = stream.done();
     if (done.back().name == "splat" && !is_shared(folder, done.back())) {

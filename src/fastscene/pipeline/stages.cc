@@ -258,6 +258,12 @@ WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const Wa
     return resolved(params, source.has_room() && depth_backend(source, depth) == "exact");
 }
 
+SplatParams splat_of(const SceneSource& source, const DepthParams& depth, const WalkParams& walk, SplatParams params) {
+    constexpr int kReflections = 2;
+    if (params.sh_degree == kAutomaticShDegree) params.sh_degree = walk_of(source, depth, walk).kind == kRoomWalk ? kReflections : 0;
+    return params;
+}
+
 bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || walk.inpainter == kLookIntoRoom; }
 
 void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& asked) {

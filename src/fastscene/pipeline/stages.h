@@ -41,6 +41,9 @@ inline constexpr float kLeastCameraHeight = 0.2f;
 DepthParams depth_of_further(DepthParams params, const Vec3f& position);
 // The walk's settings with "auto" resolved: whether a room stands behind the panorama.
 WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
+// The trainer's settings with "automatic" resolved: reflections are worth harmonics where views of a known room show them as they are; what was
+// warped or painted knows nothing of them.
+SplatParams splat_of(const SceneSource& source, const DepthParams& depth, const WalkParams& walk, SplatParams params);
 // Whether that walk looks into the room.
 bool looks_into_room(const WalkParams& resolved);
 // Throws UsageError where --walk room or --walk-inpainter room has no room to look into.

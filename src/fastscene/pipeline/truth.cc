@@ -90,7 +90,7 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     };
     inputs.splats = splats.empty() ? load_splat_ply(folder.scene_ply()) : load_splats(splats).splats;
     inputs.views = settings.views;
-    inputs.splat = settings.splat;
+    inputs.splat = splat_of(impl_->recorded.request.source, settings.depth, settings.walk, settings.splat);
     inputs.shot = panorama_parts(panorama_of_run(impl_->recorded, params.samples).trace);
     inputs.key = stage_key("metrics", json_of_params(settings), {impl_->walk.result}, impl_->recorded.seed);
     const Json truth = measure_truth(inputs, params, to, impl_->run);

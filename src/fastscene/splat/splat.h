@@ -16,6 +16,8 @@
 
 namespace fastscene {
 
+inline constexpr int kAutomaticShDegree = -1;
+
 struct SplatParams {
     std::string backend = "cpu";
     int count = 200000;                // Gaussians, at most; fixed: memory is known in advance
@@ -28,7 +30,7 @@ struct SplatParams {
     float learning_rate_logit = 0.03f;
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
     std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
-    int sh_degree = 0;                 // generated rooms carry no view dependence
+    int sh_degree = 0;                 // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
     float opacity_pull = 0, scale_pull = 0;
     float depth = 0;                   // of the regularizer of depth
     float opaque = 0;                  // of the loss of what is left transparent
@@ -55,7 +57,8 @@ void visit_fields(SplatParams& p, V&& v) {
     v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
     v("strategy", p.strategy, Choices{{"mcmc", "classic", "none"}},
       "mcmc: the dead move to where the error is, missing ones grow there; classic: clone, split, prune and reset opacities; none: all stay.");
-    v("sh-degree", p.sh_degree, Bounds{0, 3}, "Degree of the spherical harmonics: color that depends on the direction of view.");
+    v("sh-degree", p.sh_degree, Bounds{-1, 3},
+      "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a room's reflections, else 0.");
     v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
     v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
     v("depth", p.depth, Bounds{0, 10}, "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");

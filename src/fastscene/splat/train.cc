@@ -80,6 +80,7 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     Hash hash;
     params.until = 0, params.checkpoint.clear(), params.checkpoint_every = 500, params.patience = 0;
     if (params.eval_every > 0) params.eval_every = 1;
+    params.sh_degree = std::max(0, params.sh_degree);
     hash.add(fields_json(params).dump()).add(seed).add(set.points.size());
     for (const View& v : set.views) {
         hash.add(v.name)
@@ -94,7 +95,7 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
 
 // Parameters with two moments each, what density control remembers, a record with its key and tiles for the picture in progress; and the splat at the end.
 std::int64_t memory_of_one(const SplatParams& params) {
-    const auto rest = static_cast<std::int64_t>(3 * rest_functions(params.sh_degree));
+    const auto rest = static_cast<std::int64_t>(3 * rest_functions(std::max(0, params.sh_degree)));
     return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record) + sizeof(std::uint64_t) + sizeof(TileBox));
 }
 
@@ -298,8 +299,10 @@ class Training {
 
 }  // namespace
 
-FittedSplats fit(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run) {
+FittedSplats fit(const ViewSet& set, const SplatParams& asked, const TrainTuning& tuning, const Run& run) {
     check_views(set);
+    SplatParams params = asked;
+    params.sh_degree = std::max(0, params.sh_degree);
     return Training(set, params, tuning, run).go();
 }
 

@@ -51,7 +51,7 @@ struct ShotParts {
     const ImageMask* only = nullptr;   // of the picture's size: the pixels that are asked for (nonzero); what the others hold means nothing
 };
 
-// For pictures of final quality, and for truth: as many camera rays as each pixel needs, `samples` at most; an even wall is exact at once, an
+// For pictures of final quality: as many camera rays as each pixel needs, `samples` at most; an even wall is exact at once, an
 // outline is not.
 inline ShotParts final_parts(int samples = 128) {
     return {.color = true, .range = true, .pixel_samples = samples, .contacts = true, .denoise = true, .noise = 0.006f};
