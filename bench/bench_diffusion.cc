@@ -1,6 +1,7 @@
-// What painting a panorama costs, with random weights of Stable Diffusion 1.5's sizes: CPU seconds and memory of its parts, the denoiser by
-// kinds of layers against the machine's matrix product, and the seam over many small models. --write makes a folder of such weights, so that
-// the program's own commands can be timed at the published sizes where the official files are not at hand.
+// What painting a panorama costs, with random weights of Stable Diffusion 1.5's sizes: CPU seconds and memory of its
+// parts, the denoiser by kinds of layers against the machine's matrix product, and the seam over many small models.
+// --write makes a folder of such weights, so that the program's own commands can be timed at the published sizes where
+// the official files are not at hand.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <fmt/format.h>
@@ -52,12 +53,21 @@ double peak_gib() {
     return 0;
 }
 
-const Json kUnet = {{"block_out_channels", {320, 640, 1280, 1280}}, {"layers_per_block", 2}, {"attention_head_dim", 8}, {"cross_attention_dim", 768},
-                    {"down_block_types", {"CrossAttnDownBlock2D", "CrossAttnDownBlock2D", "CrossAttnDownBlock2D", "DownBlock2D"}},
-                    {"up_block_types", {"UpBlock2D", "CrossAttnUpBlock2D", "CrossAttnUpBlock2D", "CrossAttnUpBlock2D"}}};
-const Json kVae = {{"block_out_channels", {128, 256, 512, 512}}, {"layers_per_block", 2}, {"latent_channels", 4}, {"norm_num_groups", 32}, {"sample_size", 512},
-                   {"down_block_types", {"DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D"}},
-                   {"up_block_types", {"UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D"}}};
+const Json kUnet = {
+    {"block_out_channels", {320, 640, 1280, 1280}},
+    {"layers_per_block", 2},
+    {"attention_head_dim", 8},
+    {"cross_attention_dim", 768},
+    {"down_block_types", {"CrossAttnDownBlock2D", "CrossAttnDownBlock2D", "CrossAttnDownBlock2D", "DownBlock2D"}},
+    {"up_block_types", {"UpBlock2D", "CrossAttnUpBlock2D", "CrossAttnUpBlock2D", "CrossAttnUpBlock2D"}}};
+const Json kVae = {
+    {"block_out_channels", {128, 256, 512, 512}},
+    {"layers_per_block", 2},
+    {"latent_channels", 4},
+    {"norm_num_groups", 32},
+    {"sample_size", 512},
+    {"down_block_types", {"DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D", "DownEncoderBlock2D"}},
+    {"up_block_types", {"UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D", "UpDecoderBlock2D"}}};
 
 void save_half(const HashedWeights& weights, const std::filesystem::path& file, const std::string& inside = "") {
     make_directories(file.parent_path());
@@ -66,8 +76,8 @@ void save_half(const HashedWeights& weights, const std::filesystem::path& file, 
     save_safetensors(file, out);
 }
 
-// A folder as Diffusion360's are: sd-base/, sr-base/ (a link to it), sr-control/, RealESRGAN_x2plus.pth. Each network is asked for its weights
-// by one small look; its words are the tests' own, since CLIP's are not ours to give.
+// A folder as Diffusion360's are: sd-base/, sr-base/ (a link to it), sr-control/, RealESRGAN_x2plus.pth. Each network
+// is asked for its weights by one small look; its words are the tests' own, since CLIP's are not ours to give.
 void write_models(const std::filesystem::path& folder) {
     constexpr const char* kModel = "diffusion_pytorch_model.safetensors";
     const auto base = folder / "sd-base";
@@ -93,17 +103,27 @@ void write_models(const std::filesystem::path& folder) {
     {
         HashedWeights weights;
         const Json config = configured(base / "text_encoder",
-                                       {{"hidden_size", 768}, {"intermediate_size", 3072}, {"num_hidden_layers", 12}, {"num_attention_heads", 12}, {"hidden_act", "quick_gelu"}},
+                                       {{"hidden_size", 768},
+                                        {"intermediate_size", 3072},
+                                        {"num_hidden_layers", 12},
+                                        {"num_attention_heads", 12},
+                                        {"hidden_act", "quick_gelu"}},
                                        "CLIPTextModel");
-        nn::clip_text(Scope(weights), nn::clip_text_tower(config, "text"), at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
+        nn::clip_text(Scope(weights), nn::clip_text_tower(config, "text"),
+                      at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
         save_half(weights, base / "text_encoder/model.safetensors");
     }
     make_directories(base / "tokenizer");
     write_tiny_tokenizer(base / "tokenizer");
     make_directories(base / "scheduler");
-    write_json(base / "scheduler/scheduler_config.json",
-               {{"_class_name", "PNDMScheduler"}, {"beta_start", 0.00085}, {"beta_end", 0.012}, {"beta_schedule", "scaled_linear"}, {"num_train_timesteps", 1000},
-                {"set_alpha_to_one", false}, {"steps_offset", 1}, {"prediction_type", "epsilon"}});
+    write_json(base / "scheduler/scheduler_config.json", {{"_class_name", "PNDMScheduler"},
+                                                          {"beta_start", 0.00085},
+                                                          {"beta_end", 0.012},
+                                                          {"beta_schedule", "scaled_linear"},
+                                                          {"num_train_timesteps", 1000},
+                                                          {"set_alpha_to_one", false},
+                                                          {"steps_offset", 1},
+                                                          {"prediction_type", "epsilon"}});
     std::filesystem::create_directory_symlink("sd-base", folder / "sr-base");
     {
         HashedWeights weights;
@@ -112,7 +132,8 @@ void write_models(const std::filesystem::path& folder) {
         how["conditioning_channels"] = 3;
         how["conditioning_embedding_out_channels"] = {16, 32, 96, 256};
         const Json config = configured(folder / "sr-control", how, "ControlNetModel");
-        nn::controlnet(Scope(weights), nn::controlnet_config(config, "control"), at::zeros({1, 4, 8, 8}), 1, at::zeros({1, 2, 768}), at::zeros({1, 3, 64, 64}));
+        nn::controlnet(Scope(weights), nn::controlnet_config(config, "control"), at::zeros({1, 4, 8, 8}), 1,
+                       at::zeros({1, 2, 768}), at::zeros({1, 3, 64, 64}));
         save_half(weights, folder / "sr-control" / kModel);
     }
     HashedWeights weights;
@@ -120,7 +141,8 @@ void write_models(const std::filesystem::path& folder) {
     save_half(weights, folder / "RealESRGAN_x2plus.pth", "params_ema.");
 }
 
-// Time since the last output of any layer goes to the kind of the layer that speaks now; work too, where its shapes tell it.
+// Time since the last output of any layer goes to the kind of the layer that speaks now; work too, where its shapes
+// tell it.
 class Kinds {
   public:
     explicit Kinds(const HashedWeights& weights) : weights_(weights) {}
@@ -149,7 +171,10 @@ class Kinds {
         Json out = Json::object();
         for (const auto& [kind, seconds] : seconds_) {
             const double gflops = flops_.at(kind) / 1e9;
-            out[kind] = {{"cpu_s", seconds}, {"gflop", gflops}, {"gflop_per_cpu_s", gflops / seconds}, {"times_peak", gflops > 0 ? Json(peak / (gflops / seconds)) : Json()}};
+            out[kind] = {{"cpu_s", seconds},
+                         {"gflop", gflops},
+                         {"gflop_per_cpu_s", gflops / seconds},
+                         {"times_peak", gflops > 0 ? Json(peak / (gflops / seconds)) : Json()}};
         }
         return out;
     }
@@ -193,7 +218,11 @@ Json cost(int width, int steps, at::ScalarType type) {
         nn::unet(denoiser, config, x, 500, text);
         seconds.push_back(cpu_seconds() - begin);
     }
-    Json out = {{"width", width}, {"type", type == at::kFloat ? "float" : "bf16"}, {"matrix_gflop_per_cpu_s", peak}, {"step_cpu_s", seconds}, {"denoiser_gib", peak_gib()},
+    Json out = {{"width", width},
+                {"type", type == at::kFloat ? "float" : "bf16"},
+                {"matrix_gflop_per_cpu_s", peak},
+                {"step_cpu_s", seconds},
+                {"denoiser_gib", peak_gib()},
                 {"kinds", kinds.json(peak)}};
     HashedWeights decoder;
     nn::vae_decode(Scope(decoder), pictures, at::zeros({1, 4, 1, 1}));
@@ -223,11 +252,22 @@ Json cost(int width, int steps, at::ScalarType type) {
 
 // The mean difference of the two ends, against those of all columns beside each other: 1 = the greatest of them.
 Json seam(int runs) {
-    const nn::VaeConfig pictures = nn::vae_config({{"block_out_channels", {8, 8, 16, 16}}, {"layers_per_block", 1}, {"latent_channels", 4}, {"norm_num_groups", 4},
-                                                   {"sample_size", 64}, {"down_block_types", kVae["down_block_types"]}, {"up_block_types", kVae["up_block_types"]}}, "vae");
-    const nn::UNetConfig config = nn::unet_config({{"norm_num_groups", 8}, {"block_out_channels", {16, 32}}, {"layers_per_block", 1}, {"attention_head_dim", 4},
-                                                   {"cross_attention_dim", 32}, {"down_block_types", {"CrossAttnDownBlock2D", "DownBlock2D"}},
-                                                   {"up_block_types", {"UpBlock2D", "CrossAttnUpBlock2D"}}}, "unet");
+    const nn::VaeConfig pictures = nn::vae_config({{"block_out_channels", {8, 8, 16, 16}},
+                                                   {"layers_per_block", 1},
+                                                   {"latent_channels", 4},
+                                                   {"norm_num_groups", 4},
+                                                   {"sample_size", 64},
+                                                   {"down_block_types", kVae["down_block_types"]},
+                                                   {"up_block_types", kVae["up_block_types"]}},
+                                                  "vae");
+    const nn::UNetConfig config = nn::unet_config({{"norm_num_groups", 8},
+                                                   {"block_out_channels", {16, 32}},
+                                                   {"layers_per_block", 1},
+                                                   {"attention_head_dim", 4},
+                                                   {"cross_attention_dim", 32},
+                                                   {"down_block_types", {"CrossAttnDownBlock2D", "DownBlock2D"}},
+                                                   {"up_block_types", {"UpBlock2D", "CrossAttnUpBlock2D"}}},
+                                                  "unet");
     Json out = Json::object();
     for (const nn::Seam kind : {nn::Seam::closed, nn::Seam::published}) {
         std::vector<double> against_most, against_middle;
@@ -240,9 +280,13 @@ Json seam(int runs) {
             how.seam = kind;
             how.blend_columns = 1;
             how.noise = [](int, const Tensor& like) { return at::randn_like(like); };
-            const Tensor latents = nn::text_to_panorama(Scope(unet), config, *sampler, at::randn({1, 4, 16, 32}), at::randn({2, 77, 32}), how);
-            const Tensor picture = nn::circular_decode(Scope(vae), pictures, latents / pictures.scale, 8, kind == nn::Seam::closed);
-            const Tensor steps = (picture - at::roll(picture, {1}, {3})).abs().mean(at::IntArrayRef{0, 1, 2});  // [W]: column x against x - 1
+            const Tensor latents = nn::text_to_panorama(Scope(unet), config, *sampler, at::randn({1, 4, 16, 32}),
+                                                        at::randn({2, 77, 32}), how);
+            const Tensor picture = nn::circular_decode(Scope(vae), pictures, latents / pictures.scale, 8,
+                                                       kind == nn::Seam::closed);
+            const Tensor steps = (picture - at::roll(picture, {1}, {3}))
+                                     .abs()
+                                     .mean(at::IntArrayRef{0, 1, 2});  // [W]: column x against x - 1
             const Tensor inside = steps.narrow(0, 1, steps.size(0) - 1);
             against_most.push_back((steps[0] / inside.max()).item<double>());
             against_middle.push_back((steps[0] / inside.median()).item<double>());
@@ -271,7 +315,8 @@ int main(int argc, char** argv) try {
     app.add_option("--steps", steps, "Steps that are timed")->check(CLI::Range(1, 100));
     app.add_option("--threads", threads, "Worker threads")->check(CLI::Range(1, 1024));
     app.add_option("--type", type, "float or bf16")->check(CLI::IsMember({"float", "bf16"}));
-    app.add_option("--seam", runs, "Instead: measure the seam over so many small random models")->check(CLI::Range(1, 10000));
+    app.add_option("--seam", runs, "Instead: measure the seam over so many small random models")
+        ->check(CLI::Range(1, 10000));
     app.add_option("--write", folder, "Instead: a new folder of random weights of the published sizes, for --weights");
     CLI11_PARSE(app, argc, argv);
     set_threads(threads);

@@ -1,5 +1,5 @@
-// What moving pictures of the sphere costs: picture -> cube, cube -> picture, and the warps, against memcpy on buffers of the same
-// size and, where OpenCV was found, its remap on the same maps. One line of JSON an operation.
+// What moving pictures of the sphere costs: picture -> cube, cube -> picture, and the warps, against memcpy on buffers
+// of the same size and, where OpenCV was found, its remap on the same maps. One line of JSON an operation.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstring>
@@ -49,8 +49,9 @@ double memcpy_rate(std::size_t bytes, int rounds) {
     const double seconds = least_seconds(rounds, [&] {
         parallel_for(pieces, 1, [&](std::int64_t begin, std::int64_t) {
             const std::int64_t at = begin * piece;
-            std::memcpy(to.data() + at, from.data() + at,
-                        static_cast<std::size_t>(std::min<std::int64_t>(piece, static_cast<std::int64_t>(from.size()) - at)));
+            std::memcpy(
+                to.data() + at, from.data() + at,
+                static_cast<std::size_t>(std::min<std::int64_t>(piece, static_cast<std::int64_t>(from.size()) - at)));
         });
     });
     return static_cast<double>(bytes) / seconds;
@@ -58,15 +59,20 @@ double memcpy_rate(std::size_t bytes, int rounds) {
 
 void report(const char* name, std::size_t bytes, double seconds, int rounds, Json more = Json::object()) {
     const double rate = static_cast<double>(bytes) / seconds, copy = memcpy_rate(bytes, rounds);
-    Json json{{"what", name}, {"ms", 1e3 * seconds}, {"gb_per_s", 1e-9 * rate}, {"memcpy_gb_per_s", 1e-9 * copy}, {"share_of_memcpy", rate / copy}, {"threads", thread_count()}};
+    Json json{{"what", name},
+              {"ms", 1e3 * seconds},
+              {"gb_per_s", 1e-9 * rate},
+              {"memcpy_gb_per_s", 1e-9 * copy},
+              {"share_of_memcpy", rate / copy},
+              {"threads", thread_count()}};
     json.update(more);
     std::cout << json.dump() << std::endl;
 }
 
 std::size_t bytes_of(const ImageColor& image) { return image.size() * sizeof(Vec3f); }
 
-void bench_plan(const char* name, const SpherePicture& source, const SpherePicture& target, const ImageColor& picture, int rounds,
-                Filter filter = Filter::point) {
+void bench_plan(const char* name, const SpherePicture& source, const SpherePicture& target, const ImageColor& picture,
+                int rounds, Filter filter = Filter::point) {
     const auto begin = Clock::now();
     const ResamplePlan plan(source, target, filter);
     Json more{{"plan_ms", 1e3 * std::chrono::duration<double>(Clock::now() - begin).count()}};
@@ -75,7 +81,8 @@ void bench_plan(const char* name, const SpherePicture& source, const SpherePictu
 #ifdef FASTSCENE_BENCH_OPENCV
     // The same places; where ours has several pixels (seams, poles), the rival gets the nearest of one.
     cv::setNumThreads(thread_count());
-    cv::Mat mx(target.height, target.width, CV_32F), my(target.height, target.width, CV_32F), out_cv(target.height, target.width, CV_32FC3);
+    cv::Mat mx(target.height, target.width, CV_32F), my(target.height, target.width, CV_32F),
+        out_cv(target.height, target.width, CV_32FC3);
     for (int y = 0; y < target.height; ++y)
         for (int x = 0; x < target.width; ++x) {
             const Vec2f at = plan.place(x, y);
@@ -86,8 +93,12 @@ void bench_plan(const char* name, const SpherePicture& source, const SpherePictu
     cv::Mat fixed, fractions;
     cv::convertMaps(mx, my, fixed, fractions, CV_16SC2);
     const double floats = least_seconds(rounds, [&] { cv::remap(in, out_cv, mx, my, cv::INTER_LINEAR); });
-    const double fixed_point = least_seconds(rounds, [&] { cv::remap(in, out_cv, fixed, fractions, cv::INTER_LINEAR); });
-    more.update({{"opencv_ms", 1e3 * floats}, {"opencv_fixed_ms", 1e3 * fixed_point}, {"times_opencv", floats / seconds}, {"times_opencv_fixed", fixed_point / seconds}});
+    const double fixed_point = least_seconds(rounds,
+                                             [&] { cv::remap(in, out_cv, fixed, fractions, cv::INTER_LINEAR); });
+    more.update({{"opencv_ms", 1e3 * floats},
+                 {"opencv_fixed_ms", 1e3 * fixed_point},
+                 {"times_opencv", floats / seconds},
+                 {"times_opencv_fixed", fixed_point / seconds}});
 #endif
     report(name, bytes_of(picture) + bytes_of(out), seconds, rounds, more);
 }
@@ -103,7 +114,12 @@ void bench_warps(int width, int rounds) {
     Image<double> range(first.range.width, first.range.height);
     std::copy(first.range.pixels.begin(), first.range.pixels.end(), range.pixels.begin());
     const std::size_t published = color.size() * (3 + 8) * 2;
-    report("warp, as published", published, least_seconds(rounds, [&] { published_warp(color, range, {0.1, 0.02, 0.05}); }), rounds);
+    report("warp, as published", published,
+           least_seconds(rounds,
+                         [&] {
+                             published_warp(color, range, {0.1, 0.02, 0.05});
+                         }),
+           rounds);
 }
 
 int run(int argc, char** argv) {
@@ -116,13 +132,16 @@ int run(int argc, char** argv) {
     set_threads(threads);
     const SpherePicture pano = equirect_picture({width, width / 2}), cube = cube_picture(width / 4);
     ImageColor picture(width, width / 2), faces(cube.width, cube.height);
-    for (std::size_t i = 0; i < picture.size(); ++i) picture.pixels[i] = Vec3f{0.1f, 0.2f, 0.3f} * static_cast<float>(i % 97);
-    for (std::size_t i = 0; i < faces.size(); ++i) faces.pixels[i] = Vec3f{0.1f, 0.2f, 0.3f} * static_cast<float>(i % 89);
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        picture.pixels[i] = Vec3f{0.1f, 0.2f, 0.3f} * static_cast<float>(i % 97);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        faces.pixels[i] = Vec3f{0.1f, 0.2f, 0.3f} * static_cast<float>(i % 89);
     bench_plan("E2C", pano, cube, picture, rounds);
     bench_plan("C2E", cube, pano, faces, rounds);
     bench_plan("E2C, antialiased", pano, cube, picture, rounds, Filter::bilinear);
     bench_plan("C2E, antialiased", cube, pano, faces, rounds, Filter::bilinear);
-    bench_plan("equirect, turned", pano, equirect_picture({width, width / 2}, rotation_about(normalize(Vec3f{1, 2, 3}), 0.7f)), picture, rounds);
+    bench_plan("equirect, turned", pano,
+               equirect_picture({width, width / 2}, rotation_about(normalize(Vec3f{1, 2, 3}), 0.7f)), picture, rounds);
     bench_warps(width, std::max(1, rounds / 5));
     return 0;
 }

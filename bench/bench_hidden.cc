@@ -1,6 +1,7 @@
-// What panorama 0 did not see, as the walk paints it, against the traced room (its albedo: no light, no noise). One line of JSON a room: PSNR of the walked
-// panoramas in all and where panorama 0 saw nothing, which things the error lies on and what the warp had there. The traced pictures are kept in --keep, so that
-// another program walks through the very same room at once.
+// What panorama 0 did not see, as the walk paints it, against the traced room (its albedo: no light, no noise). One
+// line of JSON a room: PSNR of the walked panoramas in all and where panorama 0 saw nothing, which things the error
+// lies on and what the warp had there. The traced pictures are kept in --keep, so that another program walks through
+// the very same room at once.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -23,13 +24,14 @@ namespace {
 struct TrueView {
     ImageRgb8 color;
     ImageF range;
-    Image<std::int32_t> object;   // index into the names kept, -1 = shell, -2 = outside
+    Image<std::int32_t> object;  // index into the names kept, -1 = shell, -2 = outside
 };
 TrueView load_view(const std::filesystem::path& stem) {
     TrueView view{load_rgb8(stem.string() + ".png"), load_float(stem.string() + ".exr"), {}};
     const ImageF object = load_float(stem.string() + "-object.exr");
     view.object = Image<std::int32_t>(object.width, object.height);
-    for (std::size_t i = 0; i < object.size(); ++i) view.object.pixels[i] = static_cast<std::int32_t>(std::lround(object.pixels[i]));
+    for (std::size_t i = 0; i < object.size(); ++i)
+        view.object.pixels[i] = static_cast<std::int32_t>(std::lround(object.pixels[i]));
     return view;
 }
 void save_view(const std::filesystem::path& stem, const Shot& shot) {
@@ -43,11 +45,12 @@ Panorama panorama_of(const TrueView& view) { return {linear_from_srgb8(view.colo
 
 struct Kept {
     TrueView first;
-    std::vector<TrueView> views;          // at the viewpoints, in their order
+    std::vector<TrueView> views;  // at the viewpoints, in their order
     std::vector<std::string> objects;
 };
 // Traced unless it was.
-Kept true_views(const std::filesystem::path& folder, const std::string& text, const PanoramaParams& params, const WalkParams& walk, const Run& run) {
+Kept true_views(const std::filesystem::path& folder, const std::string& text, const PanoramaParams& params,
+                const WalkParams& walk, const Run& run) {
     const auto name = [&](std::size_t k) { return folder / fmt::format("{:03}", k); };
     if (!std::filesystem::exists(folder / "objects.json")) {
         make_directories(folder);
@@ -57,13 +60,15 @@ Kept true_views(const std::filesystem::path& folder, const std::string& text, co
         const ShotParts parts{.color = false, .range = true, .albedo = true, .object = true, .pixel_samples = 4};
         save_view(name(0), room->panorama({}, size, parts, run));
         const std::vector<Vec3f> positions = choose_viewpoints(panorama_of(load_view(name(0))), walk);
-        for (std::size_t k = 0; k < positions.size(); ++k) save_view(name(k + 1), room->panorama({{}, positions[k]}, size, parts, run));
+        for (std::size_t k = 0; k < positions.size(); ++k)
+            save_view(name(k + 1), room->panorama({{}, positions[k]}, size, parts, run));
         Json objects = Json::array();
         for (const RoomObject& o : room->room().objects) objects.push_back(o.name.empty() ? o.klass : o.name);
         write_json(folder / "objects.json", objects);
     }
     Kept kept{load_view(name(0)), {}, read_json(folder / "objects.json").get<std::vector<std::string>>()};
-    for (std::size_t k = 1; std::filesystem::exists(name(k).string() + ".png"); ++k) kept.views.push_back(load_view(name(k)));
+    for (std::size_t k = 1; std::filesystem::exists(name(k).string() + ".png"); ++k)
+        kept.views.push_back(load_view(name(k)));
     return kept;
 }
 
@@ -76,7 +81,7 @@ ImageMask unseen_part(const ImageF& range, Vec3f position, const ImageF& first) 
             if (!std::isfinite(range.at(x, y))) continue;
             const Vec3f p = position + direction_of_pixel(x, y, size) * range.at(x, y);
             const Vec2f at = pixel_of_direction(p, size);
-            float farthest = 0;   // of the pixels about it, so that silhouettes count as seen
+            float farthest = 0;  // of the pixels about it, so that silhouettes count as seen
             for (int j = -1; j <= 1; ++j)
                 for (int i = -1; i <= 1; ++i)
                     farthest = std::max(farthest, first.at(wrap_column(static_cast<int>(at.x) + i, size.width),
@@ -108,13 +113,16 @@ int plane_at(Vec3f p, const std::vector<ScenePlane>& planes, Vec3f from) {
 }
 
 // What the walk looks hidden surfaces up in, head on.
-void save_plane_pictures(const std::filesystem::path& folder, const Panorama& first, const std::vector<ScenePlane>& planes, const WalkParams& walk, const Run& run) {
+void save_plane_pictures(const std::filesystem::path& folder, const Panorama& first,
+                         const std::vector<ScenePlane>& planes, const WalkParams& walk, const Run& run) {
     const Image<std::int16_t> label = label_planes(first.range, planes);
     const WarpSource source = make_warp_source(first.color, first.range, label, {}, {});
     const auto inpainter = make_inpainter(walk.inpainter, walk.inpaint_weights);
-    const std::vector<PlanePicture> pictures = paint_planes(source.color, first.range, label, source.cuts, planes, *inpainter, run);
+    const std::vector<PlanePicture> pictures = paint_planes(source.color, first.range, label, source.cuts, planes,
+                                                            *inpainter, run);
     for (std::size_t i = 0; i < pictures.size(); ++i)
-        if (!pictures[i].empty()) save_png(folder / fmt::format("plane-{:02}.png", i), srgb8_from_linear(pictures[i].color));
+        if (!pictures[i].empty())
+            save_png(folder / fmt::format("plane-{:02}.png", i), srgb8_from_linear(pictures[i].color));
 }
 
 // What the warp of panorama 0 has at a pixel, before anything is completed.
@@ -133,14 +141,17 @@ Json sorted_shares(const std::map<std::string, double>& errors, double all) {
     for (const auto& [what, error] : errors) most.push_back({error / all, what});
     std::sort(most.rbegin(), most.rend());
     Json shares = Json::array();
-    for (std::size_t i = 0; i < std::min<std::size_t>(8, most.size()); ++i) shares.push_back({most[i].second, std::round(most[i].first * 1000) / 1000});
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, most.size()); ++i)
+        shares.push_back({most[i].second, std::round(most[i].first * 1000) / 1000});
     return shares;
 }
 
 double cpu_seconds() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
-    const auto seconds = [](timeval t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](timeval t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(use.ru_utime) + seconds(use.ru_stime);
 }
 
@@ -152,12 +163,14 @@ int run(int argc, char** argv) {
     bool show_planes = false;
     PanoramaParams panorama;
     panorama.width = 1024;
-    panorama.trace = {.cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1};   // asked for, though no picture here is lit
+    panorama.trace = {
+        .cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1};  // asked for, though no picture here is lit
     WalkParams walk;
     walk.viewpoints = 8;
     app.add_option("prompt", text, "The room.")->required();
     app.add_option("--keep", keep, "Folder of the traced pictures.")->required();
-    app.add_option("--pictures", pictures, "Folder for the walked panoramas, where and how far they are wrong, and the planes' pictures.");
+    app.add_option("--pictures", pictures,
+                   "Folder for the walked panoramas, where and how far they are wrong, and the planes' pictures.");
     app.add_option("--seed", seed, "")->capture_default_str();
     app.add_option("--viewpoints", walk.viewpoints, "")->capture_default_str();
     app.add_option("--inpainter", walk.inpainter, "")->capture_default_str();
@@ -175,10 +188,12 @@ int run(int argc, char** argv) {
     const double before = cpu_seconds();
     const std::vector<Panorama> walked = walked_through(panorama_of(kept.first), walk, how).panoramas;
     const double seconds = cpu_seconds() - before;
-    if (walked.size() != kept.views.size() + 1) throw Error("{}: expected {} views, found {}", keep, walked.size() - 1, kept.views.size());
+    if (walked.size() != kept.views.size() + 1)
+        throw Error("{}: expected {} views, found {}", keep, walked.size() - 1, kept.views.size());
     Mean all, unseen;
     std::map<std::string, double> errors, covers, pairs;
-    const std::vector<WarpSource> first{make_warp_source(linear_from_srgb8(kept.first.color), kept.first.range, label_planes(kept.first.range, planes), {}, {})};
+    const std::vector<WarpSource> first{make_warp_source(linear_from_srgb8(kept.first.color), kept.first.range,
+                                                         label_planes(kept.first.range, planes), {}, {})};
     for (std::size_t k = 1; k < walked.size(); ++k) {
         const TrueView& truth = kept.views[k - 1];
         const ImageRgb8 ours = srgb8_from_linear(walked[k].color);
@@ -192,12 +207,15 @@ int run(int argc, char** argv) {
                 all.add(error, angle);
                 const int shown = std::min(255, static_cast<int>(std::sqrt(error) * 510));
                 const auto level = static_cast<std::uint8_t>(shown);
-                wrong.at(x, y) = hidden.at(x, y) ? Rgb8{level, std::uint8_t(60), std::uint8_t(60)} : Rgb8{level, level, level};
+                wrong.at(x, y) = hidden.at(x, y) ? Rgb8{level, std::uint8_t(60), std::uint8_t(60)}
+                                                 : Rgb8{level, level, level};
                 if (!hidden.at(x, y)) continue;
                 unseen.add(error, angle);
                 covers[name_of(cover.at(x, y))] += error * angle;
                 const int object = truth.object.at(x, y);
-                errors[object >= 0 ? kept.objects[static_cast<std::size_t>(object)] : object == -1 ? "shell" : "outside"] += error * angle;
+                errors[object >= 0    ? kept.objects[static_cast<std::size_t>(object)]
+                       : object == -1 ? "shell"
+                                      : "outside"] += error * angle;
             }
         if (show_planes)
             for (int y = 0; y < ours.height; ++y)
@@ -207,29 +225,44 @@ int run(int argc, char** argv) {
                     const float r = walked[k].range.at(x, y), t = truth.range.at(x, y);
                     const char* how_far = std::fabs(r - t) < 0.02f + 0.03f * t ? "there" : r < t ? "near" : "far";
                     const int object = truth.object.at(x, y);
-                    const std::string on = object >= 0 ? kept.objects[static_cast<std::size_t>(object)] : object == -1 ? "shell" : "outside";
-                    pairs[fmt::format("{:2} for {:2} ({:5}) {} {}", plane_at(from + d * r, planes, from), plane_at(from + d * t, planes, from), how_far,
+                    const std::string on = object >= 0    ? kept.objects[static_cast<std::size_t>(object)]
+                                           : object == -1 ? "shell"
+                                                          : "outside";
+                    pairs[fmt::format("{:2} for {:2} ({:5}) {} {}", plane_at(from + d * r, planes, from),
+                                      plane_at(from + d * t, planes, from), how_far,
                                       walked[k].known.at(x, y) == Known::original ? "seen" : "made", on)] +=
                         square(ours.at(x, y), truth.color.at(x, y)) * pixel_solid_angle(y, size);
                 }
         if (pictures.empty()) continue;
-        const auto name = [&](const char* what) { return std::filesystem::path(pictures) / fmt::format("{:03}-{}.png", k, what); };
+        const auto name = [&](const char* what) {
+            return std::filesystem::path(pictures) / fmt::format("{:03}-{}.png", k, what);
+        };
         save_png(name("walked"), ours);
         save_png(name("wrong"), wrong);
     }
     if (show_planes) {
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const ScenePlane& p = planes[i];
-            std::cerr << fmt::format("{:2} {:5} n {:6.3f} {:6.3f} {:6.3f} offset {:.3f} low {:.2f} {:.2f} high {:.2f} {:.2f}\n", i, p.hull ? "hull" : "", p.normal.x,
-                                     p.normal.y, p.normal.z, p.offset, p.low.x, p.low.y, p.high.x, p.high.y);
+            std::cerr << fmt::format(
+                "{:2} {:5} n {:6.3f} {:6.3f} {:6.3f} offset {:.3f} low {:.2f} {:.2f} high {:.2f} {:.2f}\n", i,
+                p.hull ? "hull" : "", p.normal.x, p.normal.y, p.normal.z, p.offset, p.low.x, p.low.y, p.high.x,
+                p.high.y);
         }
         std::vector<std::pair<double, std::string>> all_pairs;
         for (const auto& [what, error] : pairs) all_pairs.push_back({error / unseen.sum, what});
         std::sort(all_pairs.rbegin(), all_pairs.rend());
-        for (std::size_t i = 0; i < std::min<std::size_t>(30, all_pairs.size()); ++i) std::cerr << fmt::format("{:6.1f} % {}\n", 100 * all_pairs[i].first, all_pairs[i].second);
+        for (std::size_t i = 0; i < std::min<std::size_t>(30, all_pairs.size()); ++i)
+            std::cerr << fmt::format("{:6.1f} % {}\n", 100 * all_pairs[i].first, all_pairs[i].second);
     }
-    std::cout << Json{{"prompt", text}, {"seed", seed}, {"walk_cpu_s", seconds}, {"all_db", all.db()}, {"unseen_db", unseen.db()},
-                      {"unseen_share", unseen.weight / all.weight}, {"unseen_error_share", unseen.sum / all.sum}, {"on", sorted_shares(errors, unseen.sum)}, {"warped_as", sorted_shares(covers, unseen.sum)}}
+    std::cout << Json{{"prompt", text},
+                      {"seed", seed},
+                      {"walk_cpu_s", seconds},
+                      {"all_db", all.db()},
+                      {"unseen_db", unseen.db()},
+                      {"unseen_share", unseen.weight / all.weight},
+                      {"unseen_error_share", unseen.sum / all.sum},
+                      {"on", sorted_shares(errors, unseen.sum)},
+                      {"warped_as", sorted_shares(covers, unseen.sum)}}
                      .dump()
               << std::endl;
     return 0;

@@ -1,6 +1,7 @@
-// Inpainting: how near to the truth holes are painted, and what a face costs: our inpainters, and OpenCV's where it is there.
-// Prints a line a method; with --sheet, a picture: holes, each method, the truth. With --speed: what a whole face costs the shipped network
-// and the official one (its size; weights do not matter), beside the machine's own matrix product.
+// Inpainting: how near to the truth holes are painted, and what a face costs: our inpainters, and OpenCV's where it is
+// there. Prints a line a method; with --sheet, a picture: holes, each method, the truth. With --speed: what a whole
+// face costs the shipped network and the official one (its size; weights do not matter), beside the machine's own
+// matrix product.
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/mm.h>
 #include <ATen/ops/rand.h>
@@ -41,8 +42,9 @@ using Method = std::function<ImageRgb8(const ImageRgb8& torn, const ImageMask& h
 
 Method ours(const std::string& name, const std::string& weights) {
     std::shared_ptr<Inpainter> inpainter = make_inpainter(name, weights);
-    return
-        [inpainter](const ImageRgb8& torn, const ImageMask& hole) { return srgb8_from_linear(inpainter->fill(linear_from_srgb8(torn), hole, {})); };
+    return [inpainter](const ImageRgb8& torn, const ImageMask& hole) {
+        return srgb8_from_linear(inpainter->fill(linear_from_srgb8(torn), hole, {}));
+    };
 }
 
 #ifdef FASTSCENE_BENCH_OPENCV
@@ -59,30 +61,34 @@ Method of_opencv(int flag, double radius) {
 }
 #endif
 
-float gray(const Rgb8& c) { return 0.299f * static_cast<float>(c.r) + 0.587f * static_cast<float>(c.g) + 0.114f * static_cast<float>(c.b); }
+float gray(const Rgb8& c) {
+    return 0.299f * static_cast<float>(c.r) + 0.587f * static_cast<float>(c.g) + 0.114f * static_cast<float>(c.b);
+}
 
 double psnr_in_holes(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& hole) {
     double squares = 0, count = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (!hole.pixels[i]) continue;
-        for (const double d : {double(a.pixels[i].r) - b.pixels[i].r, double(a.pixels[i].g) - b.pixels[i].g, double(a.pixels[i].b) - b.pixels[i].b})
+        for (const double d : {double(a.pixels[i].r) - b.pixels[i].r, double(a.pixels[i].g) - b.pixels[i].g,
+                               double(a.pixels[i].b) - b.pixels[i].b})
             squares += d * d;
         count += 3;
     }
     return 10 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-3));
 }
 
-// Gradient magnitude similarity deviation (Xue et al. 2014), at half size as published: how differently edges are drawn. 0 = equal.
+// Gradient magnitude similarity deviation (Xue et al. 2014), at half size as published: how differently edges are
+// drawn. 0 = equal.
 double gmsd(const ImageRgb8& a, const ImageRgb8& b) {
     const auto half = [](const ImageRgb8& image) {
         ImageF out(image.width / 2, image.height / 2);
         for (int y = 0; y < out.height; ++y)
             for (int x = 0; x < out.width; ++x)
-                out.at(x, y) = 0.25f * (gray(image.at(2 * x, 2 * y)) + gray(image.at(2 * x + 1, 2 * y)) + gray(image.at(2 * x, 2 * y + 1)) +
-                                        gray(image.at(2 * x + 1, 2 * y + 1)));
+                out.at(x, y) = 0.25f * (gray(image.at(2 * x, 2 * y)) + gray(image.at(2 * x + 1, 2 * y)) +
+                                        gray(image.at(2 * x, 2 * y + 1)) + gray(image.at(2 * x + 1, 2 * y + 1)));
         return out;
     };
-    const auto slope = [](const ImageF& image, int x, int y) {   // Prewitt
+    const auto slope = [](const ImageF& image, int x, int y) {  // Prewitt
         float across = 0, down = 0;
         for (int k = -1; k <= 1; ++k) {
             across += image.at(x + 1, y + k) - image.at(x - 1, y + k);
@@ -121,7 +127,8 @@ struct Sheet {
 double generator_gflop(double width, double blocks, double side) {
     const double whole = side * side, half = whole / 4, quarter = whole / 16, w = width;
     const double encoder = whole * 49 * 4 * w + half * 16 * w * 2 * w + quarter * 16 * 2 * w * 4 * w;
-    const double block = quarter * 9 * (4 * w) * (4 * w) * 3;   // four branches of a quarter of the channels each, fuse, gate
+    const double block = quarter * 9 * (4 * w) * (4 * w) *
+                         3;  // four branches of a quarter of the channels each, fuse, gate
     const double decoder = half * 9 * 4 * w * 2 * w + whole * 9 * 2 * w * w + whole * 9 * w * 3;
     return 2e-9 * (encoder + blocks * block + decoder);
 }
@@ -148,8 +155,10 @@ void print_speed(int side) {
         return seconds;
     };
     if (is_shipped("aotgan-rooms")) print("aotgan-rooms", Aotgan::of(shipped_weights("aotgan-rooms")));
-    const double work = generator_gflop(64, 8, side), full = print("width 64, eight blocks", Aotgan::of(hashed_aotgan(64, 8)));
-    fmt::print("{:.0f} GFLOP of convolutions, {:.0f} a CPU second: {:.0f} % of the product's\n", work, work / full, 100 * work / full / peak);
+    const double work = generator_gflop(64, 8, side),
+                 full = print("width 64, eight blocks", Aotgan::of(hashed_aotgan(64, 8)));
+    fmt::print("{:.0f} GFLOP of convolutions, {:.0f} a CPU second: {:.0f} % of the product's\n", work, work / full,
+               100 * work / full / peak);
 }
 
 }  // namespace
@@ -171,7 +180,8 @@ int main(int argc, char** argv) {
     set_threads(threads);
     if (speed) return print_speed(size), 0;
     if (data.empty()) return app.exit(CLI::RequiredError("data or --speed"));
-    std::vector<std::pair<std::string, Method>> methods{{"harmonic", ours("harmonic", "")}, {"aotgan", ours("aotgan", weights)}};
+    std::vector<std::pair<std::string, Method>> methods{{"harmonic", ours("harmonic", "")},
+                                                        {"aotgan", ours("aotgan", weights)}};
 #ifdef FASTSCENE_BENCH_OPENCV
     cv::setNumThreads(threads);
     for (const double radius : {3.0, 5.0}) {
@@ -191,7 +201,8 @@ int main(int argc, char** argv) {
         const InpaintExample example = draw_example(set, params, true, dice, broken);
         ImageRgb8 torn = example.truth;
         for (std::size_t k = 0; k < torn.size(); ++k)
-            if (example.hole.pixels[k]) torn.pixels[k] = {255, 255, 255}, open += 1.0 / static_cast<double>(torn.size());
+            if (example.hole.pixels[k])
+                torn.pixels[k] = {255, 255, 255}, open += 1.0 / static_cast<double>(torn.size());
         std::vector<ImageRgb8> row{torn};
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const double begin = cpu_s();
@@ -205,8 +216,8 @@ int main(int argc, char** argv) {
     }
     fmt::print("{} faces of {}, {:.1f} % holes\n", count, size, 100 * open / count);
     for (std::size_t m = 0; m < methods.size(); ++m)
-        fmt::print("{:<32} PSNR {:.2f} dB  GMSD {:.4f}  {:.3f} CPU s a face\n", methods[m].first, psnr[m] / count, edges[m] / count,
-                   seconds[m] / count);
+        fmt::print("{:<32} PSNR {:.2f} dB  GMSD {:.4f}  {:.3f} CPU s a face\n", methods[m].first, psnr[m] / count,
+                   edges[m] / count, seconds[m] / count);
     if (!sheet_path.empty()) save_png(sheet_path, sheet.all);
     return 0;
 }

@@ -31,7 +31,8 @@ double held_out_psnr(const Splats& splats, const std::vector<View>& views) {
         double squares = 0;
         for (std::size_t i = 0; i < view.color.size(); ++i)
             for (std::size_t c = 0; c < 3; ++c) {
-                const float d = std::clamp(picture.color.pixels[i][c], 0.f, 1.f) - unit_from_srgb8(view.color.pixels[i])[c];
+                const float d = std::clamp(picture.color.pixels[i][c], 0.f, 1.f) -
+                                unit_from_srgb8(view.color.pixels[i])[c];
                 squares += static_cast<double>(d) * d;
             }
         sum += -10 * std::log10(squares / (3.0 * static_cast<double>(view.color.size())));
@@ -54,7 +55,8 @@ int main(int argc, char** argv) try {
     int size = 512, count = 50000, positions = 3, held_out = 8, samples = 2;
     double target = 0;
     std::string folder, file;
-    std::vector<int> steps{20, 30, 40, 50, 60, 80, 100, 115, 130, 145, 160, 180, 200, 230, 260, 300, 350, 400, 450, 500, 550, 600, 700, 850, 1000};
+    std::vector<int> steps{20,  30,  40,  50,  60,  80,  100, 115, 130, 145, 160, 180, 200,
+                           230, 260, 300, 350, 400, 450, 500, 550, 600, 700, 850, 1000};
     CLI::App app{"One side of a comparison between trainers"};
     app.require_subcommand(1);
     app.add_option("--size", size, "Width and height of the views")->check(CLI::Range(16, 4096));
@@ -73,10 +75,11 @@ int main(int argc, char** argv) try {
     CLI11_PARSE(app, argc, argv);
 
     set_threads(1);
-    const bench::RoomSet set =
-        orbit ? bench::orbit_set(size, 14 * positions, count, held_out, samples) : bench::room_set(size, positions, count, held_out, samples);
+    const bench::RoomSet set = orbit ? bench::orbit_set(size, 14 * positions, count, held_out, samples)
+                                     : bench::room_set(size, positions, count, held_out, samples);
     if (*write) save_views(folder, without_normals(set.train));
-    if (*eval) fmt::print("{}\n", Json{{"held_out_psnr", held_out_psnr(load_splats(file).splats, set.held_out)}}.dump());
+    if (*eval)
+        fmt::print("{}\n", Json{{"held_out_psnr", held_out_psnr(load_splats(file).splats, set.held_out)}}.dump());
     if (*train) {
         const ViewSet views = without_normals(set.train);
         SplatParams params;

@@ -55,15 +55,18 @@ int main(int argc, char** argv) {
             for (int column = 0; column < floor.columns; ++column) {
                 const Vec2f c = floor.center(column, row);
                 const bool here = std::fabs(c.x) < 0.051f && std::fabs(c.y) < 0.051f;
-                fmt::print("{}", here ? '@' : floor.at(column, row) ? 'o' : room->clearance({c.x, floor.floor_y - 0.3f, c.y}, 0.25f) >= 0.25f ? '.' : ' ');
+                fmt::print("{}", here                                                                ? '@'
+                                 : floor.at(column, row)                                             ? 'o'
+                                 : room->clearance({c.x, floor.floor_y - 0.3f, c.y}, 0.25f) >= 0.25f ? '.'
+                                                                                                     : ' ');
             }
             fmt::print("\n");
         }
         return 0;
     }
     const auto points = timed("standpoints", [&] { return choose_standpoints(*room, floor, {}, run); });
-    fmt::print("{} standpoints, unseen {:.4f} coarse {:.4f} one-sided {:.4f}\n", points.positions_m.size(), points.unseen_share, points.coarse_share,
-               points.one_sided_share);
+    fmt::print("{} standpoints, unseen {:.4f} coarse {:.4f} one-sided {:.4f}\n", points.positions_m.size(),
+               points.unseen_share, points.coarse_share, points.one_sided_share);
     for (const Vec3f p : points.positions_m) fmt::print("  {:.2f} {:.2f} {:.2f}\n", p.x, floor.floor_y - p.y, p.z);
     timed("light", [&] {
         std::vector<Vec3f> eyes{Vec3f{}};
@@ -73,27 +76,32 @@ int main(int argc, char** argv) {
     });
     const Rigid pose{{}, points.positions_m.empty() ? Vec3f{} : points.positions_m[0]};
     const EquirectSize size{width, width / 2};
-    const ImageRgb8 best = timed("best (final, 128)", [&] { return srgb8_from_linear(room->panorama(pose, size, final_parts(), run).color); });
+    const ImageRgb8 best = timed(
+        "best (final, 128)", [&] { return srgb8_from_linear(room->panorama(pose, size, final_parts(), run).color); });
     struct Kind {
         const char* name;
         ShotParts parts;
     };
-    const Kind kinds[] = {{"panorama 0 (64)", panorama_parts(params.trace)},
-                          {"denoise 64, no contacts", {.pixel_samples = 64, .contacts = false, .denoise = true, .noise = 0.012f}},
-                          {"denoise 16, contacts", {.pixel_samples = 16, .contacts = true, .denoise = true, .noise = 0.012f}},
-                          {"denoise 16, no contacts", {.pixel_samples = 16, .contacts = false, .denoise = true, .noise = 0.012f}},
-                          {"truth frugal 128", {.pixel_samples = 128, .contacts = true, .frugal = true, .denoise = true, .noise = 0.006f}},
-                          {"truth frugal 64", {.pixel_samples = 64, .contacts = true, .frugal = true, .denoise = true, .noise = 0.009f}},
-                          {"plain 4, contacts", {.pixel_samples = 4, .contacts = true}},
-                          {"plain 4, no contacts", {.pixel_samples = 4, .contacts = false}},
-                          {"plain 8, contacts", {.pixel_samples = 8, .contacts = true}},
-                          {"plain 1, no contacts", {.pixel_samples = 1, .contacts = false}},
-                          {"frugal 1", {.pixel_samples = 1, .frugal = true}},
-                          {"frugal 4", {.pixel_samples = 4, .frugal = true}},
-                          {"frugal 16", {.pixel_samples = 16, .frugal = true}}};
+    const Kind kinds[] = {
+        {"panorama 0 (64)", panorama_parts(params.trace)},
+        {"denoise 64, no contacts", {.pixel_samples = 64, .contacts = false, .denoise = true, .noise = 0.012f}},
+        {"denoise 16, contacts", {.pixel_samples = 16, .contacts = true, .denoise = true, .noise = 0.012f}},
+        {"denoise 16, no contacts", {.pixel_samples = 16, .contacts = false, .denoise = true, .noise = 0.012f}},
+        {"truth frugal 128",
+         {.pixel_samples = 128, .contacts = true, .frugal = true, .denoise = true, .noise = 0.006f}},
+        {"truth frugal 64", {.pixel_samples = 64, .contacts = true, .frugal = true, .denoise = true, .noise = 0.009f}},
+        {"plain 4, contacts", {.pixel_samples = 4, .contacts = true}},
+        {"plain 4, no contacts", {.pixel_samples = 4, .contacts = false}},
+        {"plain 8, contacts", {.pixel_samples = 8, .contacts = true}},
+        {"plain 1, no contacts", {.pixel_samples = 1, .contacts = false}},
+        {"frugal 1", {.pixel_samples = 1, .frugal = true}},
+        {"frugal 4", {.pixel_samples = 4, .frugal = true}},
+        {"frugal 16", {.pixel_samples = 16, .frugal = true}}};
     for (const Kind& kind : kinds) {
         if (!std::string_view(kind.name).starts_with(only)) continue;
-        const ImageRgb8 picture = timed(kind.name, [&] { return srgb8_from_linear(room->panorama(pose, size, kind.parts, Run{seed + 1, nullptr, {}}).color); });
+        const ImageRgb8 picture = timed(kind.name, [&] {
+            return srgb8_from_linear(room->panorama(pose, size, kind.parts, Run{seed + 1, nullptr, {}}).color);
+        });
         fmt::print("    {:.2f} dB\n", psnr(picture, best));
     }
 }

@@ -20,30 +20,31 @@ double cpu_ms() {
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
 }
-double wall_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double wall_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 double median(std::vector<double> v) {
     std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
     return v[v.size() / 2];
 }
 
-// What this core does at best, now, beside whatever shares it: independent multiply-adds in the registers of the instruction set that the
-// measured kernel was compiled for, whatever this file is compiled for. Twelve chains hide the latency and leave registers for the factors; they
-// differ, or the compiler would make one of them.
-// (A macro, because GCC inlines no template into a function of fewer instructions.)
-#define FASTSCENE_PEAK(name, instructions, floats)                                        \
-    instructions [[gnu::noinline]] double name() {                                        \
-        typedef float Vector __attribute__((vector_size(4 * (floats))));                  \
-        constexpr int kChains = 12, kRounds = 2000000;                                    \
-        Vector sum[kChains], a, b;                                                        \
-        for (int i = 0; i < (floats); ++i) a[i] = 0.999f, b[i] = 1e-3f;                   \
-        for (int i = 0; i < kChains; ++i) sum[i] = b * static_cast<float>(i);             \
-        const double before = cpu_ms();                                                   \
-        for (int round = 0; round < kRounds; ++round)                                     \
-            _Pragma("GCC unroll 12") for (Vector & s : sum) s = s * a + b;                \
-        const double ms = cpu_ms() - before;                                              \
-        float kept = 0;                                                                   \
-        for (const Vector& s : sum) kept += s[0];                                         \
-        return kept > 0 ? 2.0 * (floats) * kChains * kRounds / ms * 1e-6 : 0;             \
+// What this core does at best, now, beside whatever shares it: independent multiply-adds in the registers of the
+// instruction set that the measured kernel was compiled for, whatever this file is compiled for. Twelve chains hide the
+// latency and leave registers for the factors; they differ, or the compiler would make one of them. (A macro, because
+// GCC inlines no template into a function of fewer instructions.)
+#define FASTSCENE_PEAK(name, instructions, floats)                                                                   \
+    instructions [[gnu::noinline]] double name() {                                                                   \
+        typedef float Vector __attribute__((vector_size(4 * (floats))));                                             \
+        constexpr int kChains = 12, kRounds = 2000000;                                                               \
+        Vector sum[kChains], a, b;                                                                                   \
+        for (int i = 0; i < (floats); ++i) a[i] = 0.999f, b[i] = 1e-3f;                                              \
+        for (int i = 0; i < kChains; ++i) sum[i] = b * static_cast<float>(i);                                        \
+        const double before = cpu_ms();                                                                              \
+        for (int round = 0; round < kRounds; ++round) _Pragma("GCC unroll 12") for (Vector & s : sum) s = s * a + b; \
+        const double ms = cpu_ms() - before;                                                                         \
+        float kept = 0;                                                                                              \
+        for (const Vector& s : sum) kept += s[0];                                                                    \
+        return kept > 0 ? 2.0 * (floats)*kChains * kRounds / ms * 1e-6 : 0;                                          \
     }
 #if defined(__x86_64__)
 FASTSCENE_PEAK(avx512_gflops, [[gnu::target("arch=x86-64-v4")]], 16)
@@ -63,7 +64,8 @@ double peak_gflops(std::string_view kernel) {
 // Operations of a step, counted in the source: a multiply-add is two. Blending visits 16 pixels at once.
 double step_gflop(int size, double visits, double visible, double count, double functions) {
     constexpr double kForward = 31, kBackward = 54, kLossValue = 350, kSplat = 1200, kAdam = 12;
-    return 1e-9 * (visits * 16 * (kForward + kBackward) + 3.0 * size * size * kLossValue + visible * kSplat + count * functions * kAdam);
+    return 1e-9 * (visits * 16 * (kForward + kBackward) + 3.0 * size * size * kLossValue + visible * kSplat +
+                   count * functions * kAdam);
 }
 
 }  // namespace
@@ -105,14 +107,31 @@ int main(int argc, char** argv) try {
     }
     const double n = steps;
     const splat::StepTimes& t = engine.times;
-    const double gflop = step_gflop(size, static_cast<double>(visits) / n, static_cast<double>(visible) / n, count, splat::kParameters);
+    const double gflop = step_gflop(size, static_cast<double>(visits) / n, static_cast<double>(visible) / n, count,
+                                    splat::kParameters);
     const double peak = std::max(peak_gflops(chosen.name), peak_gflops(chosen.name));
-    Json out = {{"size", size}, {"count", count}, {"threads", threads}, {"steps", steps},
-                {"kernel", chosen.name}, {"cpu_ms_per_step", median(cpu)}, {"wall_ms_per_step", median(wall)},
-                {"cpu_ms", {{"project", t.project / n}, {"sort", t.sort / n}, {"bin", t.bin / n}, {"forward", t.forward / n},
-                             {"loss", t.loss / n}, {"backward", t.backward / n}, {"update", t.update / n}}},
-                {"visible", visible / steps}, {"tile_entries", entries / steps}, {"block_visits", visits / steps}, {"loss", loss / n},
-                {"gflop_per_step", gflop}, {"peak_gflops", peak}, {"share_of_peak", gflop / median(cpu) * 1e3 / peak}};
+    Json out = {{"size", size},
+                {"count", count},
+                {"threads", threads},
+                {"steps", steps},
+                {"kernel", chosen.name},
+                {"cpu_ms_per_step", median(cpu)},
+                {"wall_ms_per_step", median(wall)},
+                {"cpu_ms",
+                 {{"project", t.project / n},
+                  {"sort", t.sort / n},
+                  {"bin", t.bin / n},
+                  {"forward", t.forward / n},
+                  {"loss", t.loss / n},
+                  {"backward", t.backward / n},
+                  {"update", t.update / n}}},
+                {"visible", visible / steps},
+                {"tile_entries", entries / steps},
+                {"block_visits", visits / steps},
+                {"loss", loss / n},
+                {"gflop_per_step", gflop},
+                {"peak_gflops", peak},
+                {"share_of_peak", gflop / median(cpu) * 1e3 / peak}};
     fmt::print("{}\n", json ? out.dump() : out.dump(2));
     return 0;
 } catch (const std::exception& e) {

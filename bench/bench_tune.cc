@@ -1,4 +1,5 @@
-// Trains the splats of a finished run again with other settings and judges them by the truth that `metrics --truth --where room` has kept.
+// Trains the splats of a finished run again with other settings and judges them by the truth that `metrics --truth
+// --where room` has kept.
 //   bench_tune out/bedroom --steps 1500 --count 250000
 #include <CLI/CLI.hpp>
 #include <ctime>
@@ -60,25 +61,27 @@ int main(int argc, char** argv) {
     const TruthSet truth = load_truth_set(dir + "/metrics/kept/room");
     const Splats trained = splats;
     for (const double k : {1.0}) {
-    splats = trained;
-    for (float& l : splats.opacity_logit) {
-        const double a = 1 - std::pow(1 - 1 / (1 + std::exp(-static_cast<double>(l))), k);
-        l = static_cast<float>(std::min(8.0, std::log(a / std::max(1e-9, 1 - a))));
-    }
-    std::vector<double> psnrs;
-    double ssim = 0, open = 0;
-    for (std::size_t i = 0; i < truth.poses.size(); ++i) {
-        const SplatSight sight = splat_sight(splats, truth.poses[i], truth.pictures[i].color.width);
-        const Likeness l = compare(sight.color, truth.pictures[i]);
-        psnrs.push_back(l.psnr), ssim += l.ssim, open += sight.low_alpha_share;
-    }
-    std::sort(psnrs.begin(), psnrs.end());
-    const double n = static_cast<double>(psnrs.size());
-    double mean = 0, worst = 0;
-    for (const double p : psnrs) mean += p / n;
-    const std::size_t few = (psnrs.size() + 19) / 20;
-    for (std::size_t i = 0; i < few; ++i) worst += psnrs[i] / static_cast<double>(few);
-    fmt::print("{:6} views {:7} splats {:5} steps {:7.1f} CPU s | {:.2f} dB worst5 {:.2f} worst {:.2f} ssim {:.4f} open {:.4f} %\n", views.views.size(),
-               splats.size(), params.steps, cpu, mean, worst, psnrs[0], ssim / n, 100 * open / n);
+        splats = trained;
+        for (float& l : splats.opacity_logit) {
+            const double a = 1 - std::pow(1 - 1 / (1 + std::exp(-static_cast<double>(l))), k);
+            l = static_cast<float>(std::min(8.0, std::log(a / std::max(1e-9, 1 - a))));
+        }
+        std::vector<double> psnrs;
+        double ssim = 0, open = 0;
+        for (std::size_t i = 0; i < truth.poses.size(); ++i) {
+            const SplatSight sight = splat_sight(splats, truth.poses[i], truth.pictures[i].color.width);
+            const Likeness l = compare(sight.color, truth.pictures[i]);
+            psnrs.push_back(l.psnr), ssim += l.ssim, open += sight.low_alpha_share;
+        }
+        std::sort(psnrs.begin(), psnrs.end());
+        const double n = static_cast<double>(psnrs.size());
+        double mean = 0, worst = 0;
+        for (const double p : psnrs) mean += p / n;
+        const std::size_t few = (psnrs.size() + 19) / 20;
+        for (std::size_t i = 0; i < few; ++i) worst += psnrs[i] / static_cast<double>(few);
+        fmt::print(
+            "{:6} views {:7} splats {:5} steps {:7.1f} CPU s | {:.2f} dB worst5 {:.2f} worst {:.2f} ssim {:.4f} open "
+            "{:.4f} %\n",
+            views.views.size(), splats.size(), params.steps, cpu, mean, worst, psnrs[0], ssim / n, 100 * open / n);
     }
 }

@@ -1,5 +1,6 @@
-// The walk against the traced room, light and noise left out: panorama 0 is the room's albedo with exact range. One line of JSON a room:
-// walked panoramas against true ones on the pixels carried over from panorama 0, holes against true disocclusions, CPU seconds.
+// The walk against the traced room, light and noise left out: panorama 0 is the room's albedo with exact range. One
+// line of JSON a room: walked panoramas against true ones on the pixels carried over from panorama 0, holes against
+// true disocclusions, CPU seconds.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -18,12 +19,14 @@
 namespace fastscene {
 namespace {
 
-constexpr int kSilhouette = 2;   // pixels beside a range edge that count as silhouette
+constexpr int kSilhouette = 2;  // pixels beside a range edge that count as silhouette
 
 double cpu_seconds() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
-    const auto seconds = [](timeval t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](timeval t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(use.ru_utime) + seconds(use.ru_stime);
 }
 
@@ -56,11 +59,13 @@ struct Squares {
     double db() const { return -10 * std::log10(sum / count + 1e-12); }
 };
 
-Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int samples, bool with_holes, const WalkParams& params) {
+Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int samples, bool with_holes,
+             const WalkParams& params) {
     const Run run{seed, nullptr, {}};
     PromptSpec prompt = understand_prompt(prompt_text, false);
     TracedRoom room(make_room(prompt, run));
-    room.gather_light({.cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1}, run);   // asked for, though no picture here is lit
+    room.gather_light({.cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1},
+                      run);  // asked for, though no picture here is lit
     const EquirectSize size{width, width / 2};
     const Panorama first = albedo_panorama(room, {}, size, samples, run);
 
@@ -71,9 +76,10 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
     for (std::size_t k = 1; k < walked.size(); ++k) {
         const Panorama truth = albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, run);
         const ImageRgb8 a = srgb8_from_linear(walked[k].color), b = srgb8_from_linear(truth.color);
-        if (k == 1) {   // two sets of camera rays of one panorama: what no walk can pass
-            const ImageRgb8 other =
-                srgb8_from_linear(albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, {seed + 1, nullptr, {}}).color);
+        if (k == 1) {  // two sets of camera rays of one panorama: what no walk can pass
+            const ImageRgb8 other = srgb8_from_linear(
+                albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, {seed + 1, nullptr, {}})
+                    .color);
             for (std::size_t i = 0; i < b.size(); ++i) floor.add(b.pixels[i], other.pixels[i]);
         }
         const ImageMask edge = near_edges(truth.range), own_edge = near_edges(walked[k].range);
@@ -104,18 +110,32 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
             if (!(room.distance({}, normalize(to)) > 1.1f * length(to))) continue;
             const ImageMask ours = our_holes(source, size, to);
             const HoleTruth t = hole_truth(source, to, distance);
-            ours_ratio += static_cast<double>(std::count_if(ours.pixels.begin(), ours.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+            ours_ratio += static_cast<double>(std::count_if(ours.pixels.begin(), ours.pixels.end(),
+                                                            [](std::uint8_t v) { return v != 0; })) /
                           static_cast<double>(ours.size());
             published += published_warp(ImageRgb8(width, width / 2), range, axis * share).hole_ratio();
-            mean = {mean.ratio + t.ratio, mean.precision + t.precision, mean.recall + t.recall, mean.precision_near + t.precision_near,
-                    mean.recall_near + t.recall_near};
+            mean = {mean.ratio + t.ratio, mean.precision + t.precision, mean.recall + t.recall,
+                    mean.precision_near + t.precision_near, mean.recall_near + t.recall_near};
             ++n;
         }
         if (n > 0)
-            holes.push_back({{"share", share}, {"published", published / n}, {"ours", ours_ratio / n}, {"true", mean.ratio / n}, {"precision", mean.precision / n},
-                             {"recall", mean.recall / n}, {"precision_near", mean.precision_near / n}, {"recall_near", mean.recall_near / n}});
+            holes.push_back({{"share", share},
+                             {"published", published / n},
+                             {"ours", ours_ratio / n},
+                             {"true", mean.ratio / n},
+                             {"precision", mean.precision / n},
+                             {"recall", mean.recall / n},
+                             {"precision_near", mean.precision_near / n},
+                             {"recall_near", mean.recall_near / n}});
     }
-    return {{"prompt", prompt_text}, {"seed", seed}, {"width", width}, {"walk_cpu_s", seconds}, {"floor_db", floor.db()}, {"known_db", all.db()}, {"known_away_from_silhouettes_db", smooth.db()}, {"holes", holes}};
+    return {{"prompt", prompt_text},
+            {"seed", seed},
+            {"width", width},
+            {"walk_cpu_s", seconds},
+            {"floor_db", floor.db()},
+            {"known_db", all.db()},
+            {"known_away_from_silhouettes_db", smooth.db()},
+            {"holes", holes}};
 }
 
 int run(int argc, char** argv) {

@@ -1,10 +1,9 @@
 // Noise: how far our pictures of a room are from the light's true average.
-//   bench_noise measure …   the cached pictures as users get them, and plain path tracing at equal CPU time, against many paths
-//   bench_noise reference … pixels of a large picture, drawn by lot, by many paths each
-//   bench_noise standard …  the picture as users get it against them, and two seeds of it against each other
-//   bench_noise export …    the room as plain triangles for another renderer (bench/peers/cycles.sh)
-//   bench_noise paths …     a path traced picture of radiances, raw floats
-//   bench_noise compare …   raw pictures against a reference
+//   bench_noise measure …   the cached pictures as users get them, and plain path tracing at equal CPU time, against
+//   many paths bench_noise reference … pixels of a large picture, drawn by lot, by many paths each bench_noise standard
+//   …  the picture as users get it against them, and two seeds of it against each other bench_noise export …    the
+//   room as plain triangles for another renderer (bench/peers/cycles.sh) bench_noise paths …     a path traced picture
+//   of radiances, raw floats bench_noise compare …   raw pictures against a reference
 // One JSON line on stdout.
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -35,7 +34,7 @@ struct Flags {
     int height = 64, samples = 16, reference_samples = 1024, threads = 1, count = 2000;
     std::uint64_t second_seed = 0;
     bool plain = false, list_all = false;
-    TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};   // as `standard` has them
+    TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};  // as `standard` has them
 };
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -56,7 +55,8 @@ void make_plain(Room& room) {
         flat.material = mesh.material;
         flat.object = mesh.object;
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-            const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]], c = mesh.positions[mesh.triangles[t + 2]];
+            const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]],
+                        c = mesh.positions[mesh.triangles[t + 2]];
             const Vec3f across = cross(b - a, c - a);
             if (!(length(across) > 1e-12f)) continue;
             for (const Vec3f p : {a, b, c}) {
@@ -75,13 +75,14 @@ Room room_of(const Flags& flags) {
     fastscene::Run run;
     run.seed = flags.seed;
     Room room = make_room(spec, run);
-    room.sky.sun_limit = room.sky.ground_least = 0;   // light itself is measured: references know no exposure
+    room.sky.sun_limit = room.sky.ground_least = 0;  // light itself is measured: references know no exposure
     if (flags.plain) make_plain(room);
     return room;
 }
 
 void save_raw(const std::string& path, const ImageColor& image) {
-    write_file(path, std::string_view(reinterpret_cast<const char*>(image.pixels.data()), image.size() * sizeof(Vec3f)));
+    write_file(path,
+               std::string_view(reinterpret_cast<const char*>(image.pixels.data()), image.size() * sizeof(Vec3f)));
 }
 ImageColor load_raw(const std::string& path, int height) {
     const std::string bytes = read_file(path);
@@ -121,11 +122,13 @@ Json measure(const Flags& flags) {
     // The same exposure for both, or PSNR would measure that.
     TracedRoom second = std::move(other);
     const ImageColor again = second.panorama({}, size, panorama_parts(flags.trace), b).color;
-    ShotParts paths{.color = true, .range = false, .pixel_samples = std::max(1, flags.reference_samples / 16), .paths = true};
+    ShotParts paths{
+        .color = true, .range = false, .pixel_samples = std::max(1, flags.reference_samples / 16), .paths = true};
     const double before = cpu_seconds();
     const ImageColor reference = quarter(room.panorama({}, fine, paths, a).color);
     const double reference_cost = cpu_seconds() - before;
-    // Raw paths for the picture's share of the time that the cached picture took; the cache serves all views of the room.
+    // Raw paths for the picture's share of the time that the cached picture took; the cache serves all views of the
+    // room.
     paths.pixel_samples = std::max(1, static_cast<int>(flags.reference_samples * (shot - start) / reference_cost));
     const ImageColor raw = room.panorama({}, size, paths, b).color;
     const auto bytes = [](const ImageColor& c) { return srgb8_from_linear(c); };
@@ -135,14 +138,22 @@ Json measure(const Flags& flags) {
         save_png(flags.out + ".raw.png", bytes(raw));
     }
     const double level = summed_luminance(reference), bias = summed_luminance(cached) - level;
-    return {{"prompt", flags.prompt}, {"cached_db", psnr(bytes(cached), bytes(reference))}, {"two_seeds_db", psnr(bytes(cached), bytes(again))},
-            {"raw_db", psnr(bytes(raw), bytes(reference))}, {"raw_samples", paths.pixel_samples}, {"mean_bias_percent", 100 * bias / level},
-            {"gather_cpu_s", gathered - start}, {"picture_cpu_s", shot - gathered}, {"reference_cpu_s", reference_cost}};
+    return {{"prompt", flags.prompt},
+            {"cached_db", psnr(bytes(cached), bytes(reference))},
+            {"two_seeds_db", psnr(bytes(cached), bytes(again))},
+            {"raw_db", psnr(bytes(raw), bytes(reference))},
+            {"raw_samples", paths.pixel_samples},
+            {"mean_bias_percent", 100 * bias / level},
+            {"gather_cpu_s", gathered - start},
+            {"picture_cpu_s", shot - gathered},
+            {"reference_cpu_s", reference_cost}};
 }
 
 bench::Lot lot_of(const Flags& flags) { return {flags.seed, flags.height, flags.count, flags.reference_samples}; }
 
-Json reference(const Flags& flags) { return bench::trace_reference(TracedRoom(room_of(flags)), lot_of(flags), flags.reference); }
+Json reference(const Flags& flags) {
+    return bench::trace_reference(TracedRoom(room_of(flags)), lot_of(flags), flags.reference);
+}
 
 Json standard(const Flags& flags) {
     const auto shot_of = [&](TracedRoom& room, std::uint64_t seed, Json& cost) {
@@ -178,8 +189,10 @@ Json export_room(const Flags& flags) {
     Json meshes = Json::array();
     for (const Mesh& mesh : room.meshes) {
         const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
-        meshes.push_back({{"first", corners.size() / 9}, {"triangles", mesh.triangles.size() / 3},
-                          {"albedo", {m.color_a.x, m.color_a.y, m.color_a.z}}, {"emission", {m.emission.x, m.emission.y, m.emission.z}}});
+        meshes.push_back({{"first", corners.size() / 9},
+                          {"triangles", mesh.triangles.size() / 3},
+                          {"albedo", {m.color_a.x, m.color_a.y, m.color_a.z}},
+                          {"emission", {m.emission.x, m.emission.y, m.emission.z}}});
         for (const std::uint32_t i : mesh.triangles) {
             const Vec3f p = blender_from_world(mesh.positions[i]);
             corners.insert(corners.end(), {p.x, p.y, p.z});
@@ -188,7 +201,7 @@ Json export_room(const Flags& flags) {
     // The sky as Cycles maps it: u against the azimuth, v up from the nadir.
     constexpr int kSkyHeight = 1024;
     std::vector<float> sky;
-        for (int y = 0; y < kSkyHeight; ++y)
+    for (int y = 0; y < kSkyHeight; ++y)
         for (int x = 0; x < 2 * kSkyHeight; ++x) {
             const float a = -((static_cast<float>(x) + 0.5f) / (2 * kSkyHeight) - 0.5f) * 2 * kPi;
             const float t = ((static_cast<float>(y) + 0.5f) / kSkyHeight - 0.5f) * kPi;
@@ -199,13 +212,18 @@ Json export_room(const Flags& flags) {
     Json portals = Json::array();
     const auto vec = [](Vec3f v) { return Json{v.x, v.y, v.z}; };
     for (const Portal& p : room.portals)
-        portals.push_back({{"corner", vec(blender_from_world(p.corner))}, {"u", vec(blender_from_world(p.edge_u))},
+        portals.push_back({{"corner", vec(blender_from_world(p.corner))},
+                           {"u", vec(blender_from_world(p.edge_u))},
                            {"v", vec(blender_from_world(p.edge_v))}});
     make_directories(flags.out);
-    const auto raw = [](const std::vector<float>& v) { return std::string_view(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(float)); };
+    const auto raw = [](const std::vector<float>& v) {
+        return std::string_view(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(float));
+    };
     write_file(flags.out + "/triangles.f32", raw(corners));
     write_file(flags.out + "/sky.f32", raw(sky));
-    write_json(flags.out + "/room.json", {{"meshes", meshes}, {"portals", portals}, {"sky_height", kSkyHeight},
+    write_json(flags.out + "/room.json", {{"meshes", meshes},
+                                          {"portals", portals},
+                                          {"sky_height", kSkyHeight},
                                           {"sun_direction", vec(blender_from_world(room.sky.sun_dir))},
                                           {"sun_irradiance", vec(room.sky.sun_irradiance)}});
     return {{"triangles", corners.size() / 9}};
@@ -216,7 +234,8 @@ Json paths(const Flags& flags) {
     fastscene::Run run;
     run.seed = flags.seed + 100;
     const double start = cpu_seconds();
-    const ShotParts parts{.color = true, .range = false, .pixel_samples = flags.samples, .paths = true, .radiance = true};
+    const ShotParts parts{
+        .color = true, .range = false, .pixel_samples = flags.samples, .paths = true, .radiance = true};
     save_raw(flags.out, room.panorama({}, {2 * flags.height, flags.height}, parts, run).color);
     return {{"samples", flags.samples}, {"cpu_s", cpu_seconds() - start}};
 }
@@ -236,7 +255,9 @@ Json compare(const Flags& flags) {
     for (const std::string& path : flags.pictures) {
         const ImageColor picture = load_raw(path, flags.height);
         const double mse = mean_squared_error(shown(picture), shown(reference));
-        out.push_back({{"picture", path}, {"mse", mse}, {"psnr", psnr_of_mse(mse)},
+        out.push_back({{"picture", path},
+                       {"mse", mse},
+                       {"psnr", psnr_of_mse(mse)},
                        {"mean_ratio", summed_luminance(picture) / summed_luminance(reference)}});
         save_png(path + ".png", shown(picture));
     }
@@ -250,7 +271,9 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     Flags flags;
     std::vector<std::pair<CLI::App*, Json (*)(const Flags&)>> verbs;
-    const auto add = [&](const char* name, Json (*act)(const Flags&)) { verbs.push_back({app.add_subcommand(name), act}); };
+    const auto add = [&](const char* name, Json (*act)(const Flags&)) {
+        verbs.push_back({app.add_subcommand(name), act});
+    };
     add("measure", measure);
     add("reference", reference);
     add("standard", standard);

@@ -33,7 +33,8 @@ Pinhole camera_of(Pixel pixel, int height, Mat3f& world_from_camera) {
     const Vec3f forward = direction_of_pixel(pixel.x, pixel.y, size);
     const Vec3f right = normalize(cross(Vec3f{0, 1, 0}, forward)), down = cross(forward, right);
     world_from_camera = Mat3f::from_columns(right, down, forward);
-    const float angle = kPi / static_cast<float>(height), across = angle * std::sqrt(std::max(1e-8f, 1 - forward.y * forward.y));
+    const float angle = kPi / static_cast<float>(height),
+                across = angle * std::sqrt(std::max(1e-8f, 1 - forward.y * forward.y));
     return {kSide, kSide, kSide / across, kSide / angle, 0.5f * kSide, 0.5f * kSide};
 }
 
@@ -50,7 +51,10 @@ struct Group {
     Json json(double all) const {
         if (count == 0) return nullptr;
         const double db = psnr_of_mse(squares / count);
-        return {{"pixels", count}, {"psnr_db", db}, {"share_of_error", squares / all}, {"bias_percent", 100 * bias / level}};
+        return {{"pixels", count},
+                {"psnr_db", db},
+                {"share_of_error", squares / all},
+                {"bias_percent", 100 * bias / level}};
     }
 };
 
@@ -70,7 +74,11 @@ Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& 
     const std::clock_t start = std::clock();
     std::vector<Vec3f> radiances;
     fastscene::Run run;
-    const ShotParts parts{.color = true, .range = false, .pixel_samples = std::max(1, lot.samples / kParts), .paths = true, .radiance = true};
+    const ShotParts parts{.color = true,
+                          .range = false,
+                          .pixel_samples = std::max(1, lot.samples / kParts),
+                          .paths = true,
+                          .radiance = true};
     for (const Pixel pixel : drawn(lot)) {
         Mat3f turn;
         const Pinhole camera = camera_of(pixel, lot.height, turn);
@@ -78,11 +86,15 @@ Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& 
         const ImageColor part = room.perspective({turn, {}}, camera, parts, run).color;
         radiances.insert(radiances.end(), part.pixels.begin(), part.pixels.end());
     }
-    write_file(path, std::string_view(reinterpret_cast<const char*>(radiances.data()), radiances.size() * sizeof(Vec3f)));
-    return {{"pixels", lot.count}, {"samples", lot.samples}, {"cpu_s", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC}};
+    write_file(path,
+               std::string_view(reinterpret_cast<const char*>(radiances.data()), radiances.size() * sizeof(Vec3f)));
+    return {{"pixels", lot.count},
+            {"samples", lot.samples},
+            {"cpu_s", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC}};
 }
 
-Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path, bool list_all) {
+Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path,
+                            bool list_all) {
     const std::string bytes = read_file(path);
     std::vector<Vec3f> radiances(static_cast<std::size_t>(lot.count * kParts));
     if (bytes.size() != radiances.size() * sizeof(Vec3f))
@@ -99,8 +111,12 @@ Json compare_with_reference(const TracedRoom& room, const Shot& picture, const L
         const int object = picture.object.at(pixel.x, pixel.y);
         (object == -2 ? outside : object == -1 ? shell : things).add(ours, wanted, square);
         all.add(ours, wanted, square);
-        worst.push_back({square, {{"x", pixel.x}, {"y", pixel.y}, {"object", object}, {"ours", {ours.x, ours.y, ours.z}},
-                                  {"wanted", {wanted.x, wanted.y, wanted.z}}}});
+        worst.push_back({square,
+                         {{"x", pixel.x},
+                          {"y", pixel.y},
+                          {"object", object},
+                          {"ours", {ours.x, ours.y, ours.z}},
+                          {"wanted", {wanted.x, wanted.y, wanted.z}}}});
     }
     std::stable_sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     double top = 0;
@@ -110,8 +126,12 @@ Json compare_with_reference(const TracedRoom& room, const Shot& picture, const L
         if (is_worst) top += worst[i].first;
         if (is_worst || list_all) list.push_back(worst[i].second);
     }
-    return {{"all", all.json(all.squares)}, {"outside", outside.json(all.squares)}, {"shell", shell.json(all.squares)},
-            {"things", things.json(all.squares)}, {"share_of_worst_percent", top / all.squares}, {"worst", list}};
+    return {{"all", all.json(all.squares)},
+            {"outside", outside.json(all.squares)},
+            {"shell", shell.json(all.squares)},
+            {"things", things.json(all.squares)},
+            {"share_of_worst_percent", top / all.squares},
+            {"worst", list}};
 }
 
 }  // namespace fastscene::bench

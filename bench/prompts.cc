@@ -1,4 +1,5 @@
-// Prompts: of the sentences in a file, how many words are understood, and how much of what they ask for stands in the room and is seen.
+// Prompts: of the sentences in a file, how many words are understood, and how much of what they ask for stands in the
+// room and is seen.
 //   bench_prompts tests/data/prompts_held_back.txt
 // One JSON document on stdout: the figures, and what went wrong with each sentence.
 #include <CLI/CLI.hpp>
@@ -24,7 +25,8 @@ struct Figures {
     int wishes = 0, there = 0, reported = 0, seen = 0, faults = 0;
 };
 
-Json read_one(const std::string& text, std::uint64_t seed, const std::shared_ptr<const FurniturePack>& pack, Figures& sum) {
+Json read_one(const std::string& text, std::uint64_t seed, const std::shared_ptr<const FurniturePack>& pack,
+              Figures& sum) {
     Run run;
     run.seed = seed;
     PromptSpec spec = understand_prompt(text, false, pack);
@@ -55,8 +57,9 @@ Json read_one(const std::string& text, std::uint64_t seed, const std::shared_ptr
     for (const PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
         ++sum.wishes;
-        sum.reported += wish.placed > 0 || std::any_of(spec.not_placed.begin(), spec.not_placed.end(),
-                                                       [&](const std::string& line) { return line.starts_with(wish.words + ": "); });
+        sum.reported += wish.placed > 0 ||
+                        std::any_of(spec.not_placed.begin(), spec.not_placed.end(),
+                                    [&](const std::string& line) { return line.starts_with(wish.words + ": "); });
     }
     return out;
 }
@@ -80,8 +83,18 @@ int main(int argc, char** argv) {
         for (std::string line; std::getline(lines, line);)
             if (!line.empty() && line[0] != '#') prompts.push_back(read_one(line, seed, pack, sum));
         std::cout << Json{{"figures",
-                           {{"prompts", sum.prompts}, {"words", sum.words}, {"understood", sum.understood}, {"approximated", sum.approximated}, {"not_placed", sum.not_placed}, {"not_understood", sum.not_understood},
-                            {"wishes", sum.wishes}, {"wishes_there_or_reported", sum.reported}, {"objects_there", sum.there}, {"objects_seen", sum.seen}, {"layout_faults", sum.faults}, {"pack", pack != nullptr}}},
+                           {{"prompts", sum.prompts},
+                            {"words", sum.words},
+                            {"understood", sum.understood},
+                            {"approximated", sum.approximated},
+                            {"not_placed", sum.not_placed},
+                            {"not_understood", sum.not_understood},
+                            {"wishes", sum.wishes},
+                            {"wishes_there_or_reported", sum.reported},
+                            {"objects_there", sum.there},
+                            {"objects_seen", sum.seen},
+                            {"layout_faults", sum.faults},
+                            {"pack", pack != nullptr}}},
                           {"prompts", prompts}}
                          .dump(1)
                   << std::endl;

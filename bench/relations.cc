@@ -1,4 +1,5 @@
-// Relations: of sentences that say where things stand, how many rooms keep it. Judged from room.json by tests/prompts/judge.h.
+// Relations: of sentences that say where things stand, how many rooms keep it. Judged from room.json by
+// tests/prompts/judge.h.
 //   bench_relations tests/data/relations.txt --seeds 3
 // One JSON document on stdout: the shares, and what each sentence lacks.
 #include <CLI/CLI.hpp>
@@ -24,7 +25,8 @@ Json anneal_rooms(int count, const AnnealParams& annealing) {
     int better = 0, faults = 0;
     for (int i = 0; i < count; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        PromptSpec spec = understand_prompt("a " + all[(n + n / 60) % all.size()] + " " + room_title(types[n % types.size()]), false);
+        PromptSpec spec = understand_prompt(
+            "a " + all[(n + n / 60) % all.size()] + " " + room_title(types[n % types.size()]), false);
         const FurnishedRoom room = furnish_room(spec, {n, nullptr, {}}, annealing);
         before += room.annealed.before, after += room.annealed.after, seconds += room.annealed.seconds;
         longest = std::max(longest, room.annealed.seconds);
@@ -46,7 +48,9 @@ int main(int argc, char** argv) {
     app.add_option("file", file, "Lines 'prompt | demands'; # begins a comment.")->required()->check(CLI::ExistingFile);
     app.add_option("--seeds", seeds, "Rooms a sentence.")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--assets", assets)->capture_default_str();
-    app.add_option("--rooms", rooms, "So many rooms without wishes too: the annealer's cost and time, and the validator.")->capture_default_str();
+    app.add_option("--rooms", rooms,
+                   "So many rooms without wishes too: the annealer's cost and time, and the validator.")
+        ->capture_default_str();
     app.add_option("--steps", steps, "Of the annealer; 0: pieces stay in their slots.")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try {
@@ -72,12 +76,15 @@ int main(int argc, char** argv) {
                     ++asked, ++by_relation[demand.relation].second;
                     if (complaint.empty()) ++kept, ++by_relation[demand.relation].first;
                     else
-                        missing.push_back(
-                            {{"prompt", sentence.text}, {"seed", seed}, {"complaint", complaint}, {"report", to_json(spec)["approximated"]}});
+                        missing.push_back({{"prompt", sentence.text},
+                                           {"seed", seed},
+                                           {"complaint", complaint},
+                                           {"report", to_json(spec)["approximated"]}});
                 }
             }
         Json relations;
-        for (const auto& [name, share] : by_relation) relations[name] = std::to_string(share.first) + " of " + std::to_string(share.second);
+        for (const auto& [name, share] : by_relation)
+            relations[name] = std::to_string(share.first) + " of " + std::to_string(share.second);
         std::cout << Json{{"annealing", anneal_rooms(rooms, annealing)},
                           {"figures",
                            {{"relations", asked},

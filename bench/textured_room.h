@@ -1,5 +1,5 @@
-// A closed room with boxes in it, and the same boxes on a stage before nothing, textured by formulas: views, points and truth in a
-// second, without files.
+// A closed room with boxes in it, and the same boxes on a stage before nothing, textured by formulas: views, points and
+// truth in a second, without files.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,18 @@ struct RoomHit {
     explicit operator bool() const { return surface >= 0; }
 };
 
-// The room is seen from inside, the boxes from outside. Of a stage only a slab of the room's floor is left, and around it is black.
+// The room is seen from inside, the boxes from outside. Of a stage only a slab of the room's floor is left, and around
+// it is black.
 class TexturedRoom {
   public:
     explicit TexturedRoom(bool stage = false)
-        : stage_(stage), boxes_{{{-2.5f, -1.4f, -2.f}, {2.5f, 1.2f, 2.f}},   {{-2.5f, 0.3f, -1.f}, {-1.7f, 1.2f, 1.f}},
-                 {{0.7f, 0.5f, 1.1f}, {1.9f, 1.2f, 2.f}},      {{1.8f, -0.8f, -2.f}, {2.5f, 1.2f, -1.1f}},
-                 {{-0.4f, 0.85f, -1.9f}, {0.5f, 1.2f, -1.2f}}, {{-1.3f, 0.75f, 1.3f}, {-0.6f, 0.8f, 1.9f}},
-                 {{1.2f, 0.1f, 1.3f}, {1.4f, 0.5f, 1.5f}}} {
+        : stage_(stage), boxes_{{{-2.5f, -1.4f, -2.f}, {2.5f, 1.2f, 2.f}},
+                                {{-2.5f, 0.3f, -1.f}, {-1.7f, 1.2f, 1.f}},
+                                {{0.7f, 0.5f, 1.1f}, {1.9f, 1.2f, 2.f}},
+                                {{1.8f, -0.8f, -2.f}, {2.5f, 1.2f, -1.1f}},
+                                {{-0.4f, 0.85f, -1.9f}, {0.5f, 1.2f, -1.2f}},
+                                {{-1.3f, 0.75f, 1.3f}, {-0.6f, 0.8f, 1.9f}},
+                                {{1.2f, 0.1f, 1.3f}, {1.4f, 0.5f, 1.5f}}} {
         if (stage) boxes_[0].low.y = boxes_[0].high.y, boxes_[0].high.y += 0.1f;
     }
 
@@ -88,8 +92,10 @@ class TexturedRoom {
                 for (int x = 0; x < camera.width; ++x) {
                     Vec3f sum;
                     for (int s = 0; s < samples * samples; ++s) {
-                        const Vec2f at{static_cast<float>(x) + (static_cast<float>(s % samples) + 0.5f) / static_cast<float>(samples),
-                                       static_cast<float>(y) + (static_cast<float>(s / samples) + 0.5f) / static_cast<float>(samples)};
+                        const Vec2f at{static_cast<float>(x) +
+                                           (static_cast<float>(s % samples) + 0.5f) / static_cast<float>(samples),
+                                       static_cast<float>(y) +
+                                           (static_cast<float>(s / samples) + 0.5f) / static_cast<float>(samples)};
                         const Vec3f d = world_from_camera.rotation * normalize(camera.direction_at(at));
                         const RoomHit h = hit(world_from_camera.translation, d);
                         sum += color(world_from_camera.translation + d * h.range, h);
@@ -136,7 +142,8 @@ inline std::vector<Mat3f> fourteen_cuts() {
     std::vector<Mat3f> out;
     for (int i = 0; i < 8; ++i) out.push_back(looking(45.f * static_cast<float>(i), 0));
     for (int i = 0; i < 3; ++i)
-        out.push_back(looking(120.f * static_cast<float>(i), 60)), out.push_back(looking(120.f * static_cast<float>(i) + 60, -60));
+        out.push_back(looking(120.f * static_cast<float>(i), 60)),
+            out.push_back(looking(120.f * static_cast<float>(i) + 60, -60));
     return out;
 }
 
@@ -148,7 +155,7 @@ struct RoomSet {
 inline RoomSet orbit_set(int size, int views, int points, int held_out, int samples) {
     const TexturedRoom stage(true);
     const Pinhole camera = Pinhole::with_fov(size, size, 50);
-    constexpr float kRadius = 5.5f, kHeight = -2.6f;   // y points down
+    constexpr float kRadius = 5.5f, kHeight = -2.6f;  // y points down
     const auto pose = [&](float yaw_deg, float lift) {
         const float yaw = yaw_deg * 0.01745329f, down = std::atan2(-kHeight + 0.5f + lift, kRadius) * 57.29578f;
         return Rigid{looking(yaw_deg + 180, -down), {kRadius * std::sin(yaw), kHeight - lift, kRadius * std::cos(yaw)}};
@@ -156,7 +163,9 @@ inline RoomSet orbit_set(int size, int views, int points, int held_out, int samp
     RoomSet out;
     std::vector<Vec3f> origins;
     for (int i = 0; i < views; ++i) {
-        const Rigid at = pose(360.f * static_cast<float>(i) / static_cast<float>(views), i % 3 == 0 ? 0.f : i % 3 == 1 ? 0.8f : 1.6f);
+        const Rigid at = pose(360.f * static_cast<float>(i) / static_cast<float>(views), i % 3 == 0   ? 0.f
+                                                                                         : i % 3 == 1 ? 0.8f
+                                                                                                      : 1.6f);
         out.train.views.push_back(stage.view(camera, at, samples));
         out.train.views.back().name = std::to_string(i + 1) + ".png";
         origins.push_back(at.translation);

@@ -1,5 +1,5 @@
-// make_tiny_models DIR: DIR/weights as the official folder lies, of small random networks; DIR/side.jpg, a photo that lies on its side as EXIF says,
-// and DIR/upright.png, the same pixels as they are meant to be seen.
+// make_tiny_models DIR: DIR/weights as the official folder lies, of small random networks; DIR/side.jpg, a photo that
+// lies on its side as EXIF says, and DIR/upright.png, the same pixels as they are meant to be seen.
 #include <cstdio>
 #include <exception>
 
@@ -28,9 +28,13 @@ void write_photos(const fs::path& folder) {
     constexpr int orientation = 6;  // the stored top is the right side
     ImageRgb8 stored(48, 64);
     for (int y = 0; y < stored.height; ++y)
-        for (int x = 0; x < stored.width; ++x) stored.at(x, y) = {static_cast<std::uint8_t>(5 * x), static_cast<std::uint8_t>(3 * y), 90};
+        for (int x = 0; x < stored.width; ++x)
+            stored.at(x, y) = {static_cast<std::uint8_t>(5 * x), static_cast<std::uint8_t>(3 * y), 90};
     const std::string jpeg = encode_jpeg(stored);
-    const std::string exif("\xff\xe1\x00\x22" "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", 36);
+    const std::string exif(
+        "\xff\xe1\x00\x22"
+        "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+        36);
     write_file(folder / "side.jpg", jpeg.substr(0, 2) + exif + jpeg.substr(2));
     save_png(folder / "upright.png", upright(decode_rgb8(jpeg, "side.jpg"), orientation));
 }

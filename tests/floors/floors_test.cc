@@ -62,7 +62,8 @@ std::map<std::string, BuildRoom> build_rooms() {
         std::smatch match;
         if (!std::regex_search(rest, match, uses)) continue;
         const std::string names = match[1];
-        for (std::sregex_iterator name(names.begin(), names.end(), word); name != end; ++name) room.uses.insert(name->str());
+        for (std::sregex_iterator name(names.begin(), names.end(), word); name != end; ++name)
+            room.uses.insert(name->str());
     }
     return rooms;
 }
@@ -119,7 +120,8 @@ TEST(Floors, EveryFolderIsARoom) {
 TEST(Floors, TheBuildLinksOnlyWhatTheDrawingAllows) {
     const Drawing drawn = drawing();
     for (const auto& [name, room] : build_rooms())
-        for (const std::string& other : room.uses) EXPECT_TRUE(drawing_allows(drawn, name, other)) << name << " uses " << other;
+        for (const std::string& other : room.uses)
+            EXPECT_TRUE(drawing_allows(drawn, name, other)) << name << " uses " << other;
 }
 
 TEST(Floors, SourcesIncludeDownwardAndThroughFrontDoors) {
@@ -136,7 +138,8 @@ TEST(Floors, SourcesIncludeDownwardAndThroughFrontDoors) {
         if (to == include.room) continue;
         ++checked;
         EXPECT_TRUE(drawing_allows(drawn, include.room, to)) << text << ": not downward";
-        EXPECT_TRUE(include.room == "cli" || rooms.at(include.room).uses.contains(to)) << text << ": not among its USES";
+        EXPECT_TRUE(include.room == "cli" || rooms.at(include.room).uses.contains(to))
+            << text << ": not among its USES";
         if (drawn.floor.at(include.room) == 5 && drawn.floor.at(to) == 5) {
             EXPECT_EQ(target, fs::path(to) / (to + ".h")) << text << ": stages meet at front headers only";
         }
@@ -147,14 +150,17 @@ TEST(Floors, SourcesIncludeDownwardAndThroughFrontDoors) {
 // Libraries that only some rooms know: first the beginning of the include, then where it may stand.
 TEST(Floors, ForeignLibrariesStayInTheirRooms) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> rules{
-        {"embree", {"trace"}},  {"httplib", {"cli"}},     {"CLI/", {"cli"}},      {"png", {"io"}},       {"jpeglib", {"io"}},
-        {"Imf", {"io"}},        {"OpenEXR", {"io"}},      {"zlib", {"io"}},     {"zstd", {"io"}},       {"tbb/", {"base"}},    {"nlohmann", {"base"}}, {"toml++", {"evaluate"}},
-        {"torch", {"nn"}}, {"ATen", {"nn"}}, {"c10", {"nn"}}, {"unicode/", {"nn"}},      {"curl/", {"models"}}, {"openssl/", {"models"}}, {"iostream", {"cli"}},    {"cstdio", {"io", "base"}},
+        {"embree", {"trace"}}, {"httplib", {"cli"}},     {"CLI/", {"cli"}},      {"png", {"io"}},
+        {"jpeglib", {"io"}},   {"Imf", {"io"}},          {"OpenEXR", {"io"}},    {"zlib", {"io"}},
+        {"zstd", {"io"}},      {"tbb/", {"base"}},       {"nlohmann", {"base"}}, {"toml++", {"evaluate"}},
+        {"torch", {"nn"}},     {"ATen", {"nn"}},         {"c10", {"nn"}},        {"unicode/", {"nn"}},
+        {"curl/", {"models"}}, {"openssl/", {"models"}}, {"iostream", {"cli"}},  {"cstdio", {"io", "base"}},
     };
     for (const Include& include : includes()) {
         if (include.is_test) continue;
         for (const auto& [library, rooms] : rules)
-            EXPECT_TRUE(!include.target.starts_with(library) || std::find(rooms.begin(), rooms.end(), include.room) != rooms.end())
+            EXPECT_TRUE(!include.target.starts_with(library) ||
+                        std::find(rooms.begin(), rooms.end(), include.room) != rooms.end())
                 << include.file << " includes " << include.target;
     }
 }

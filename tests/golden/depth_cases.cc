@@ -45,7 +45,8 @@ void check_tables(Case& c) {
 
 void check_egformer(Case& c) {
     if (!c.json().contains("input")) return check_tables(c);
-    const at::Tensor color = c.input().starts_with("inputs/") ? picture_input(c.network().set(), c.input()) : unit(c.input(), c.shape());
+    const at::Tensor color = c.input().starts_with("inputs/") ? picture_input(c.network().set(), c.input())
+                                                              : unit(c.input(), c.shape());
     const int channels = [&] {
         for (const Json& entry : c.network().json().at("state_dict"))
             if (entry.at(0) == "patch_embed.0.weight") return entry.at(1).at(0).get<int>();

@@ -37,7 +37,8 @@ const ClipTokenizer* tokenizer(const Case& c) {
 
 std::string text_of_hex(const std::string& hex) {
     std::string out;
-    for (std::size_t i = 0; i + 1 < hex.size(); i += 2) out += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+        out += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
     return out;
 }
 
@@ -58,7 +59,8 @@ void encode_prompt(const ClipTokenizer& t, const std::string& text, const Json& 
     }
     if (p.contains("sd15_ids77_pad49407")) ours["sd15_ids77_pad49407"] = t.padded(text, ClipTokenizer::kEnd);
     if (p.contains("sd2_ids77_pad0")) ours["sd2_ids77_pad0"] = t.padded(text, 0);
-    if (p.contains("openai_clip_tokenize77") && p.value("hf_equals_openai", true)) ours["openai_clip_tokenize77"] = t.padded(text, 0);
+    if (p.contains("openai_clip_tokenize77") && p.value("hf_equals_openai", true))
+        ours["openai_clip_tokenize77"] = t.padded(text, 0);
     if (p.contains("parse_prompt_attention")) {
         const WeightedTokens w = weighted_tokens(t, {text}, ClipTokenizer::kEnd)[0];
         ours["padded_tokens"] = w.tokens;
@@ -73,8 +75,8 @@ void encode_prompt(const ClipTokenizer& t, const std::string& text, const Json& 
 }
 
 void check_prompt(Case& c, const std::string& name, const Json& p) {
-    const std::string text =
-        p.contains("prompt_utf8_hex") ? text_of_hex(p["prompt_utf8_hex"]) : p.at("prompt").get<std::string>();
+    const std::string text = p.contains("prompt_utf8_hex") ? text_of_hex(p["prompt_utf8_hex"])
+                                                           : p.at("prompt").get<std::string>();
     const ClipTokenizer* t = tokenizer(c);
     Json ours = p;
     if (p.contains("parse_prompt_attention")) parse_prompt(text, ours);
@@ -84,7 +86,7 @@ void check_prompt(Case& c, const std::string& name, const Json& p) {
 }
 
 void check_tokenizer(Case& c) {
-    if (!tokenizer(c) && c.name() == "prompts") throw Skipped(kVocabulary.relative);   // all of it is words
+    if (!tokenizer(c) && c.name() == "prompts") throw Skipped(kVocabulary.relative);  // all of it is words
     for (const Json& entry : c.json().at("values")) check_prompt(c, entry.at("name"), entry.at("value"));
 }
 
@@ -131,7 +133,9 @@ std::vector<WeightedTokens> prompt_tokens(const Case& c, const std::string& prom
 // ---- samplers ------------------------------------------------------------------------------------------------------
 
 nn::Sampler sampler_of(const std::string& name) {
-    return name.starts_with("euler") ? nn::Sampler::euler_ancestral : name.starts_with("ddim") ? nn::Sampler::ddim : nn::Sampler::unipc;
+    return name.starts_with("euler")  ? nn::Sampler::euler_ancestral
+           : name.starts_with("ddim") ? nn::Sampler::ddim
+                                      : nn::Sampler::unipc;
 }
 
 // "x after step 4", "scale_model_input[1]": compares what the case stores.
@@ -145,7 +149,11 @@ void run_sampler(Case& c, nn::Scheduler& s, int start, bool fresh_each_step) {
         const Tensor output = raw(in + fmt::format("/eps{}", k), c.shape());
         x = fresh_each_step ? s.clone()->step(output, i, x, noise) : s.step(output, i, x, noise);
         c.tensor(fmt::format("x after step {}", k), x);
-        if (fresh_each_step) c.value(fmt::format("state after step {}", k), Json{{"lower_order_nums", 1}, {"this_order", 1}, {"step_index", i + 1}, {"last_sample_is_none", false}});
+        if (fresh_each_step)
+            c.value(
+                fmt::format("state after step {}", k),
+                Json{
+                    {"lower_order_nums", 1}, {"this_order", 1}, {"step_index", i + 1}, {"last_sample_is_none", false}});
     }
 }
 
@@ -183,11 +191,13 @@ Tensor ids_of(const Json& list) {
     return at::tensor(flat, at::kLong).reshape({static_cast<std::int64_t>(list.size()), -1});
 }
 
-// "text_model.encoder.layers.3" -> "hidden_states[4]", "text_model.embeddings" or "vision_model.pre_layrnorm" -> "hidden_states[0]".
+// "text_model.encoder.layers.3" -> "hidden_states[4]", "text_model.embeddings" or "vision_model.pre_layrnorm" ->
+// "hidden_states[0]".
 nn::Listener hidden_states(Case& c, const std::string& tower, const std::string& label) {
     return [&c, tower, label](const std::string& name, const Tensor& output) {
         std::smatch match;
-        if (name == tower + ".embeddings" || name == tower + ".pre_layrnorm") c.tensor(label + "hidden_states[0]", output);
+        if (name == tower + ".embeddings" || name == tower + ".pre_layrnorm")
+            c.tensor(label + "hidden_states[0]", output);
         if (std::regex_match(name, match, std::regex(tower + R"(\.encoder\.layers\.(\d+))")))
             c.tensor(fmt::format("{}hidden_states[{}]", label, std::stoi(match[1]) + 1), output);
     };
@@ -203,7 +213,8 @@ void check_clip_text(Case& c) {
         c.tensor("pooler_output(argmax of ids)", out.pooled);
         return;
     }
-    // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the exact GELU), else the end.
+    // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the
+    // exact GELU), else the end.
     const int pad = c.network().json().at("config").at("hidden_act") == "gelu" ? 0 : ClipTokenizer::kEnd;
     const auto tokens = prompt_tokens(c, c.json().at("prompt"), c.json().at("negative"), pad);
     const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]),
@@ -215,8 +226,11 @@ void check_clip_text(Case& c) {
 }
 
 Tensor normalized(const ImageRgb8& image) {
-    const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
-    return (bytes_of(image).permute({2, 0, 1}).to(at::kFloat) / 255 - row(.48145466, .4578275, .40821073)) / row(.26862954, .26130258, .27577711);
+    const auto row = [](double r, double g, double b) {
+        return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1});
+    };
+    return (bytes_of(image).permute({2, 0, 1}).to(at::kFloat) / 255 - row(.48145466, .4578275, .40821073)) /
+           row(.26862954, .26130258, .27577711);
 }
 
 ImageRgb8 cropped(const ImageRgb8& image, int left, int top, int right, int bottom) {
@@ -230,8 +244,11 @@ std::filesystem::path picture_of(const Case& c, std::string name) {
     if (const std::size_t star = name.find('*'); star != std::string::npos) {
         const std::string one = name.substr(0, star) + c.name() + name.substr(star + 1);
         if (std::filesystem::exists(c.network().set() / one)) return c.network().set() / one;
-        for (const auto& entry : std::filesystem::directory_iterator(c.network().set() / std::filesystem::path(name).parent_path()))
-            if (entry.path().filename().string().starts_with(std::filesystem::path(name.substr(0, star)).filename().string())) return entry.path();
+        for (const auto& entry :
+             std::filesystem::directory_iterator(c.network().set() / std::filesystem::path(name).parent_path()))
+            if (entry.path().filename().string().starts_with(
+                    std::filesystem::path(name.substr(0, star)).filename().string()))
+                return entry.path();
     }
     return needed_input(c.network().set(), name);
 }
@@ -239,18 +256,21 @@ std::filesystem::path picture_of(const Case& c, std::string name) {
 void check_clip(Case& c) {
     HashedWeights weights;
     const Json& config = c.network().json().at("config");
-    const nn::ClipTower vision = nn::clip_vision_tower(config.at("v"), "v"), text = nn::clip_text_tower(config.at("t"), "t");
+    const nn::ClipTower vision = nn::clip_vision_tower(config.at("v"), "v"),
+                        text = nn::clip_text_tower(config.at("t"), "t");
     const auto dimension = config.at("p").get<std::int64_t>();
     if (c.json().contains("input")) {
         c.tensor("image_features",
-                 nn::clip_image_features(Scope(weights), vision, raw(c.input(), {1, 3, vision.image_size, vision.image_size}), dimension));
+                 nn::clip_image_features(Scope(weights), vision,
+                                         raw(c.input(), {1, 3, vision.image_size, vision.image_size}), dimension));
         return;
     }
     const ImageRgb8 whole = load_rgb8(picture_of(c, c.json().at("image")));
     std::vector<Tensor> pixels;
     for (const Json& crop : c.json().at("crops")) {
         const Json& box = crop.at("box_left_upper_right_lower");
-        const ImageRgb8 image = clip_crop(cropped(whole, box[0], box[1], box[2], box[3]), static_cast<int>(vision.image_size));
+        const ImageRgb8 image = clip_crop(cropped(whole, box[0], box[1], box[2], box[3]),
+                                          static_cast<int>(vision.image_size));
         const std::string name = crop.at("name");
         pixels.push_back(normalized(image));
         c.tensor("pixel_values " + name, pixels.back());
@@ -271,7 +291,8 @@ void check_clip(Case& c) {
     c.tensor("logits_per_image", cosine.t() / 0.07);  // exp(logit_scale), which is ln(1 / 0.07) when fresh
 }
 
-// ---- U-Net, ControlNet, VAE ------------------------------------------------------------------------------------------
+// ---- U-Net, ControlNet, VAE
+// ------------------------------------------------------------------------------------------
 
 void check_unet(Case& c, HashedWeights& weights) {
     const nn::UNetConfig config = nn::unet_config(c.network().json().at("config"), c.network().name());
@@ -283,14 +304,16 @@ void check_unet(Case& c, HashedWeights& weights) {
 void check_controlnet(Case& c, HashedWeights& weights) {
     const nn::UNetConfig config = nn::controlnet_config(c.network().json().at("config"), c.network().name());
     const std::vector<std::int64_t> shape = c.shape("sample");
-    const std::vector<std::int64_t> text_shape =
-        c.json().contains("ctx") ? c.shape("ctx") : std::vector<std::int64_t>{shape[0], 77, config.text_width};
+    const std::vector<std::int64_t> text_shape = c.json().contains("ctx")
+                                                     ? c.shape("ctx")
+                                                     : std::vector<std::int64_t>{shape[0], 77, config.text_width};
     const Tensor sample = raw(c.input() + "/sample", shape), text = raw(c.input() + "/ctx", text_shape);
     const Tensor picture = unit(c.input() + "/cond", {shape[0], config.picture_channels, 8 * shape[2], 8 * shape[3]});
     const double t = c.json().at("timestep").get<double>();
     const nn::Listener listener = c.listener();
     const nn::Residuals out = nn::controlnet(Scope(weights, "", &listener), config, sample, t, text, picture);
-    for (std::size_t i = 0; i < out.down.size(); ++i) c.tensor(fmt::format("down_block_res_samples[{}]", i), out.down[i]);
+    for (std::size_t i = 0; i < out.down.size(); ++i)
+        c.tensor(fmt::format("down_block_res_samples[{}]", i), out.down[i]);
     c.tensor("mid_block_res_sample", out.middle);
     for (const std::string& name : c.tensor_names()) {
         if (!name.ends_with("(sample,t,ctx,+residuals).sample")) continue;
@@ -335,19 +358,24 @@ struct Tiny {
     explicit Tiny(const Case& c) {
         const Json& models = c.network().json().at("tiny_models");
         unet_config = nn::unet_config(models.at("unet"), "unet");
-        control_config = models.contains("controlnet") ? nn::controlnet_config(models["controlnet"], "controlnet") : unet_config;
+        control_config = models.contains("controlnet") ? nn::controlnet_config(models["controlnet"], "controlnet")
+                                                       : unet_config;
         vae_config = nn::vae_config(models.at("vae"), "vae");
         tower = nn::clip_text_tower(models.at("text_encoder"), "text_encoder");
     }
     Tensor prompts(const Case& c, const std::string& prompt, const std::string& negative) {
         const auto tokens = prompt_tokens(c, prompt, negative, ClipTokenizer::kEnd);
-        return at::cat({nn::embed_prompt(Scope(text), tower, tokens[1]).states, nn::embed_prompt(Scope(text), tower, tokens[0]).states}, 0);
+        return at::cat({nn::embed_prompt(Scope(text), tower, tokens[1]).states,
+                        nn::embed_prompt(Scope(text), tower, tokens[0]).states},
+                       0);
     }
 };
 
 // As scheduler_config.json of Stable Diffusion 1.5 has it.
-const Json kSchedule = {{"_class_name", "PNDMScheduler"}, {"beta_end", 0.012}, {"beta_schedule", "scaled_linear"}, {"beta_start", 0.00085}, {"num_train_timesteps", 1000},
-                        {"set_alpha_to_one", false}, {"skip_prk_steps", true}, {"steps_offset", 1}};
+const Json kSchedule = {{"_class_name", "PNDMScheduler"},   {"beta_end", 0.012},
+                        {"beta_schedule", "scaled_linear"}, {"beta_start", 0.00085},
+                        {"num_train_timesteps", 1000},      {"set_alpha_to_one", false},
+                        {"skip_prk_steps", true},           {"steps_offset", 1}};
 
 void check_blend(Case& c) {
     const auto count = c.json().at("blend_extent").get<std::int64_t>();
@@ -362,31 +390,37 @@ void check_tiled(Case& c) {
     Tiny tiny(c);
     std::smatch match;
     const std::string how = c.json().at("how");
-    if (!std::regex_search(how, match, std::regex(R"(tile_latent_min_size (\d+))"))) throw Error("the case does not name its tile_latent_min_size");
+    if (!std::regex_search(how, match, std::regex(R"(tile_latent_min_size (\d+))")))
+        throw Error("the case does not name its tile_latent_min_size");
     const Tensor z = raw(c.input(), c.shape());
     c.tensor("sample", nn::circular_decode(Scope(tiny.vae), tiny.vae_config, z, std::stoi(match[1])));
-    if (c.wants("plain decode for comparison")) c.tensor("plain decode for comparison", nn::vae_decode(Scope(tiny.vae), tiny.vae_config, z));
+    if (c.wants("plain decode for comparison"))
+        c.tensor("plain decode for comparison", nn::vae_decode(Scope(tiny.vae), tiny.vae_config, z));
 }
 
 void check_text_to_panorama(Case& c) {
     Tiny tiny(c);
     const Json& j = c.json();
     const auto height = j.at("height").get<std::int64_t>(), width = j.at("width").get<std::int64_t>();
-    const auto scheduler =
-        nn::make_scheduler(nn::Sampler::euler_ancestral, nn::schedule_config(kSchedule, "", nn::Sampler::euler_ancestral), j.at("steps"));
+    const auto scheduler = nn::make_scheduler(
+        nn::Sampler::euler_ancestral, nn::schedule_config(kSchedule, "", nn::Sampler::euler_ancestral), j.at("steps"));
     nn::TextToPanorama how;
     how.guidance = j.at("guidance_scale");
     how.seam = nn::Seam::published;
     how.blend_columns = width / 8 / 32;
     how.noise = [&](int i, const Tensor& like) { return raw(c.input() + fmt::format("/noise{}", i), like.sizes()); };
-    how.listener = [&](int i, double t, const Tensor& x) { c.tensor(fmt::format("latents after scheduler step {} (before blend_h), t={}", i, std::lround(t)), x); };
+    how.listener = [&](int i, double t, const Tensor& x) {
+        c.tensor(fmt::format("latents after scheduler step {} (before blend_h), t={}", i, std::lround(t)), x);
+    };
     const Tensor text = tiny.prompts(c, j.at("prompt"), j.at("negative"));
-    const Tensor latents =
-        nn::text_to_panorama(Scope(tiny.unet), tiny.unet_config, *scheduler, raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), text, how);
+    const Tensor latents = nn::text_to_panorama(Scope(tiny.unet), tiny.unet_config, *scheduler,
+                                                raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), text, how);
     c.value("blend_extend", static_cast<double>(how.blend_columns));
     c.tensor("final latents (blended, cropped)", latents);
     const std::int64_t tile = tiny.vae_config.sample_size / tiny.vae_config.factor();
-    c.value("vae tiling", Json{{"tile_latent_min_size", tile}, {"tile_sample_min_size", tiny.vae_config.sample_size}, {"tile_overlap_factor", 0.25}});
+    c.value("vae tiling", Json{{"tile_latent_min_size", tile},
+                               {"tile_sample_min_size", tiny.vae_config.sample_size},
+                               {"tile_overlap_factor", 0.25}});
     const Tensor picture = nn::circular_decode(Scope(tiny.vae), tiny.vae_config, latents / tiny.vae_config.scale, tile);
     c.tensor("vae.decode(final/0.18215) tiled+circular", picture);
     c.tensor("image in [0,1]", at::clamp(picture / 2 + 0.5, 0, 1).permute({0, 2, 3, 1}));
@@ -407,7 +441,8 @@ void check_refine(Case& c) {
     };
     const int steps = static_cast<int>(number_after(R"((\d+) steps)", 7));
     const double strength = number_after(R"(strength ([\d.]*\d))", 0.8);
-    const auto scheduler = nn::make_scheduler(nn::Sampler::unipc, nn::schedule_config(kSchedule, "", nn::Sampler::unipc), steps);
+    const auto scheduler = nn::make_scheduler(nn::Sampler::unipc,
+                                              nn::schedule_config(kSchedule, "", nn::Sampler::unipc), steps);
     nn::RefinePanorama how;
     how.guidance = number_after(R"(guidance ([\d.]*\d))", 15);
     how.control = j.value("controlnet_conditioning_scale", 1.0);  // as the published program calls it
@@ -418,13 +453,15 @@ void check_refine(Case& c) {
     how.listener = [&](int i, double t, const Tensor& x) {
         last = i;
         for (const std::string& name : c.tensor_names())
-            if (name.starts_with("latents after") && name.ends_with(fmt::format("t={}", std::lround(t)))) c.tensor(name, x);
+            if (name.starts_with("latents after") && name.ends_with(fmt::format("t={}", std::lround(t))))
+                c.tensor(name, x);
     };
     const Tensor bytes = at::floor(unit(c.input() + "/img", {height, width, 3}) * 256);
     const Tensor picture = (bytes / 255).permute({2, 0, 1}).unsqueeze(0).contiguous();
     const Tensor text = tiny.prompts(c, text_after("prompt '([^']*)'", ""), text_after("negative '([^']*)'", ""));
-    const Tensor latents = nn::refine_panorama(Scope(tiny.unet), tiny.unet_config, Scope(tiny.control), tiny.control_config, *scheduler,
-                                               raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), picture, text, how);
+    const Tensor latents = nn::refine_panorama(
+        Scope(tiny.unet), tiny.unet_config, Scope(tiny.control), tiny.control_config, *scheduler,
+        raw(c.input() + "/latents", {1, 4, height / 8, width / 8}), picture, text, how);
     c.tensor("final latents", latents);
     c.value("last sigma / state", Json{{"lower_order_nums", 1}, {"step_index", last + 1}});
 }
@@ -438,7 +475,9 @@ void check_diffusion360(Case& c) {
 
 // ---- LPIPS, RRDBNet ------------------------------------------------------------------------------------------------
 
-Tensor signed_picture(const ImageRgb8& image) { return (bytes_of(image).permute({2, 0, 1}).to(at::kFloat) / 127.5 - 1).unsqueeze(0).contiguous(); }
+Tensor signed_picture(const ImageRgb8& image) {
+    return (bytes_of(image).permute({2, 0, 1}).to(at::kFloat) / 127.5 - 1).unsqueeze(0).contiguous();
+}
 
 void check_lpips(Case& c) {
     const Network& network = c.network();
@@ -451,7 +490,9 @@ void check_lpips(Case& c) {
     }
     const Json& cases = network.json()["cases"];
     const bool identical = c.name() == "identical";
-    const Json& how = identical && !c.json().contains("image") && !c.json().contains("input") ? cases.at("pano_crop_shift") : c.json();
+    const Json& how = identical && !c.json().contains("image") && !c.json().contains("input")
+                          ? cases.at("pano_crop_shift")
+                          : c.json();
     Tensor a, b;
     if (how.contains("input")) {
         const std::string in = how["input"];
@@ -461,13 +502,15 @@ void check_lpips(Case& c) {
     } else {
         const ImageRgb8 whole = load_rgb8(picture_of(c, how["image"]));
         const Json& crop = how["crop_xywh"];
-        const int x = crop[0], y = crop[1], w = crop[2], h = crop[3], dx = how["shift_dx_dy"][0], dy = how["shift_dx_dy"][1];
+        const int x = crop[0], y = crop[1], w = crop[2], h = crop[3], dx = how["shift_dx_dy"][0],
+                  dy = how["shift_dx_dy"][1];
         a = signed_picture(cropped(whole, x, y, x + w, y + h));
         b = signed_picture(cropped(whole, x + dx, y + dy, x + dx + w, y + dy + h));
     }
     if (identical) b = a;
-    const nn::Lpips out =
-        nn::lpips(Scope(backbone), Scope(heads), network.name().find("vgg") != std::string::npos ? nn::LpipsNet::vgg : nn::LpipsNet::alex, a, b);
+    const nn::Lpips out = nn::lpips(
+        Scope(backbone), Scope(heads),
+        network.name().find("vgg") != std::string::npos ? nn::LpipsNet::vgg : nn::LpipsNet::alex, a, b);
     c.tensor("lpips", out.distance);
     c.tensor("spatial map", out.map);
     for (std::size_t i = 0; i < out.layers.size(); ++i) {

@@ -18,7 +18,7 @@
 namespace fastscene::golden {
 namespace {
 
-constexpr double kDepthUnit = 60000;   // of the 16-bit depth maps among the inputs
+constexpr double kDepthUnit = 60000;  // of the 16-bit depth maps among the inputs
 constexpr int kFace = 512;
 
 // Many of these tolerances are sentences: "1, <=0.5 % of samples more", "<=0.2 % (step 2: 1 %) of bits differ",
@@ -31,8 +31,8 @@ Sentence sentence_of(const Json& tol, bool second_step) {
     const std::string text = tol.get<std::string>();
     Sentence out;
     std::smatch m;
-    static const std::regex leading(R"(^\s*([0-9.]+(?:e-?[0-9]+)?)(?!\s*%))"), levels(R"(at most ([0-9]+) level)"), percent(R"(([0-9.]+)\s*%)"),
-        step_two(R"(step 2: ([0-9.]+)\s*%)"), mean(R"(([0-9.]+(?:e-?[0-9]+)?) mean)");
+    static const std::regex leading(R"(^\s*([0-9.]+(?:e-?[0-9]+)?)(?!\s*%))"), levels(R"(at most ([0-9]+) level)"),
+        percent(R"(([0-9.]+)\s*%)"), step_two(R"(step 2: ([0-9.]+)\s*%)"), mean(R"(([0-9.]+(?:e-?[0-9]+)?) mean)");
     if (std::regex_search(text, m, levels) || std::regex_search(text, m, leading)) out.each = std::stod(m[1]);
     if (std::regex_search(text, m, percent)) out.share = std::stod(m[1]) / 100;
     if (second_step && std::regex_search(text, m, step_two)) out.share = std::stod(m[1]) / 100;
@@ -47,7 +47,8 @@ void compare(Case& c, const std::string& name, const std::vector<double>& ours) 
         const at::Tensor stored = c.network().stored(t).to(at::kDouble);
         const auto stride = t.at("stride").get<std::size_t>(), count = static_cast<std::size_t>(stored.numel());
         if (ours.size() < (count - 1) * stride + 1) {
-            c.put({name, std::nan(""), std::nan(""), 0, false, fmt::format("expected shape {}, found {} numbers", t.at("shape").dump(), ours.size())});
+            c.put({name, std::nan(""), std::nan(""), 0, false,
+                   fmt::format("expected shape {}, found {} numbers", t.at("shape").dump(), ours.size())});
             continue;
         }
         const bool bits = name.find("pack") != std::string::npos;
@@ -66,7 +67,8 @@ void compare(Case& c, const std::string& name, const std::vector<double>& ours) 
         }
         const double share = beyond / (static_cast<double>(count) * (bits ? 8 : 1));
         const bool good = share <= tol.share && sum / static_cast<double>(count) <= tol.mean;
-        c.put({name, worst, std::sqrt(square / std::max(norm, 1e-30)), each, good, fmt::format("{:.4f} % beyond, {:.4f} % allowed", 100 * share, 100 * tol.share)});
+        c.put({name, worst, std::sqrt(square / std::max(norm, 1e-30)), each, good,
+               fmt::format("{:.4f} % beyond, {:.4f} % allowed", 100 * share, 100 * tol.share)});
     }
 }
 // "1e-3 relative" or a number.
@@ -75,7 +77,8 @@ void compare_value(Case& c, const std::string& name, const std::vector<double>& 
     for (const Json& entry : c.json().at("values")) {
         if (entry.at("name") != name) continue;
         const Json& value = entry.at("value");
-        const auto theirs = value.is_array() ? value.get<std::vector<double>>() : std::vector<double>{value.get<double>()};
+        const auto theirs = value.is_array() ? value.get<std::vector<double>>()
+                                             : std::vector<double>{value.get<double>()};
         double worst = theirs.size() == ours.size() ? 0 : std::nan(""), largest = 0;
         for (std::size_t i = 0; i < std::min(theirs.size(), ours.size()); ++i) {
             worst = std::max(worst, std::abs(theirs[i] - ours[i]));
@@ -86,7 +89,7 @@ void compare_value(Case& c, const std::string& name, const std::vector<double>& 
             const Json& tol = entry.at("tol");
             allowed = tol.is_number() ? tol.get<double>() : std::stod(tol.get<std::string>()) * largest;
         } else if (name == "mean_abs_error_vs_input") {
-            allowed = 1e-4;   // has no tolerance of its own; its tensor has 5e-4
+            allowed = 1e-4;  // has no tolerance of its own; its tensor has 5e-4
         }
         c.put({name, worst, largest > 0 ? worst / largest : worst, allowed, worst <= allowed, ""});
     }
@@ -101,13 +104,13 @@ template <class T>
 std::vector<double> numbers_of(const Image<T>& image) {
     return {image.pixels.begin(), image.pixels.end()};
 }
-std::vector<double> packed(const ImageMask& mask) {   // first pixel in the highest bit
+std::vector<double> packed(const ImageMask& mask) {  // first pixel in the highest bit
     std::vector<double> out((mask.size() + 7) / 8);
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (mask.pixels[i]) out[i / 8] += 128 >> (i % 8);
     return out;
 }
-void append_planes(const ImageColor& image, std::vector<double>& out) {   // channel by channel
+void append_planes(const ImageColor& image, std::vector<double>& out) {  // channel by channel
     for (std::size_t k = 0; k < 3; ++k)
         for (const Vec3f& p : image.pixels) out.push_back(p[k]);
 }
@@ -134,9 +137,10 @@ Input input_of(const Case& c, const std::string& text) {
     for (std::sregex_iterator i(text.begin(), text.end(), file), end; i != end; ++i) files.push_back(i->str());
     if (files.size() != 2) throw Error("expected a picture and a depth map, found \"{}\"", text);
     Input out{load_rgb8(c.network().set() / files[0]), {}};
-    const ImageF depth = load_float(c.network().set() / files[1], 1.f);   // 16-bit numbers are exact as floats
+    const ImageF depth = load_float(c.network().set() / files[1], 1.f);  // 16-bit numbers are exact as floats
     out.range = Image<double>(depth.width, depth.height);
-    for (std::size_t i = 0; i < depth.size(); ++i) out.range.pixels[i] = static_cast<double>(depth.pixels[i]) / kDepthUnit;
+    for (std::size_t i = 0; i < depth.size(); ++i)
+        out.range.pixels[i] = static_cast<double>(depth.pixels[i]) / kDepthUnit;
     return out;
 }
 
@@ -174,8 +178,9 @@ void compare_warp_values(Case& c, const PublishedWarp& warp) {
 
 void check_warp(Case& c) {
     const Input input = input_of(c, c.input());
-    const PublishedWarp warp =
-        published_warp(input.color, published_units(input.range), move_of(c.json().at("dir"), c.json().at("mov"), c.json().value("flag", 1)));
+    const PublishedWarp warp = published_warp(
+        input.color, published_units(input.range),
+        move_of(c.json().at("dir"), c.json().at("mov"), c.json().value("flag", 1)));
     compare(c, "mask_packed_rowmajor_msb_first", packed(holes_of(warp)));
     compare(c, "img", numbers_of(warp.color));
     compare(c, "depth", numbers_of(warp.range));
@@ -193,14 +198,15 @@ void check_small_warp(Case& c) {
     std::copy_n(reinterpret_cast<const Rgb8*>(rgb.data_ptr<std::uint8_t>()), color.size(), color.pixels.data());
     Image<double> range(color.width, color.height);
     for (int y = 0; y < range.height; ++y)
-        for (int x = 0; x < range.width; ++x) range.at(x, y) = blocks.data_ptr<double>()[(y * 4 / range.height) * 8 + x * 8 / range.width];
+        for (int x = 0; x < range.width; ++x)
+            range.at(x, y) = blocks.data_ptr<double>()[(y * 4 / range.height) * 8 + x * 8 / range.width];
     const auto cam = c.json().at("cam").get<std::vector<double>>();
     const Image<double> units = published_units(range);
     PublishedWarp warp = published_warp(color, units, {cam[0], cam[1], cam[2]});
     ImageMask valid(color.width, color.height);
     for (std::size_t i = 0; i < valid.size(); ++i) {
         valid.pixels[i] = warp.source.pixels[i] != kNoSource;
-        if (!valid.pixels[i]) warp.color.pixels[i] = {0, 0, 0};   // white comes later in the official program
+        if (!valid.pixels[i]) warp.color.pixels[i] = {0, 0, 0};  // white comes later in the official program
     }
     compare(c, "img", numbers_of(warp.color));
     compare(c, "depth", numbers_of(warp.range));
@@ -215,7 +221,7 @@ void check_small_warp(Case& c) {
     compare_warp_values(c, warp);
 }
 
-ImageColor hashed_picture(const at::Tensor& planes) {   // [3, h, w]
+ImageColor hashed_picture(const at::Tensor& planes) {  // [3, h, w]
     const at::Tensor p = planes.permute({1, 2, 0}).contiguous();
     ImageColor out(static_cast<int>(p.size(1)), static_cast<int>(p.size(0)));
     std::copy_n(reinterpret_cast<const Vec3f*>(p.data_ptr<float>()), out.size(), out.pixels.data());
@@ -279,27 +285,33 @@ void check_faces(Case& c) {
     static const std::regex call(R"(generate\(([+-])(-?[xyz]+), ([0-9.]+)\))");
     std::smatch m;
     const std::string text = c.input();
-    if (!std::regex_search(text, m, call)) throw Error("expected \"generate(+x, 0.02)\" or the like, found \"{}\"", text);
+    if (!std::regex_search(text, m, call))
+        throw Error("expected \"generate(+x, 0.02)\" or the like, found \"{}\"", text);
     const Input input = input_of_warps(c);
-    const PublishedWarp warp = published_warp(input.color, published_units(input.range), move_of(m[2], std::stod(m[3]), m[1] == "-" ? -1 : 1));
+    const PublishedWarp warp = published_warp(input.color, published_units(input.range),
+                                              move_of(m[2], std::stod(m[3]), m[1] == "-" ? -1 : 1));
     const auto faces = published_faces(warp.color, holes_of(warp), kFace);
     std::array<ImageRgb8, 6> painted;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         compare(c, fmt::format("face_mask_{} packbits", f), packed(faces[f].hole));
         compare(c, fmt::format("face_img_{}", f), numbers_of(faces[f].color));
         const auto masked = std::count(faces[f].hole.pixels.begin(), faces[f].hole.pixels.end(), 255);
-        compare_value(c, fmt::format("face_mask_ratio_{}", f), {static_cast<double>(masked) / static_cast<double>(faces[f].hole.size())});
+        compare_value(c, fmt::format("face_mask_ratio_{}", f),
+                      {static_cast<double>(masked) / static_cast<double>(faces[f].hole.size())});
         painted[f] = faces[f].color;
         for (Rgb8& p : painted[f].pixels)
-            p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g), static_cast<std::uint8_t>(255 - p.b)};
+            p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
+                 static_cast<std::uint8_t>(255 - p.b)};
     }
     compare(c, "merged", numbers_of(published_merge(warp.color, holes_of(warp), painted)));
 }
 
 // The two networks as the official program calls them, with hashed weights.
 ImageRgb8 painted_by_aotgan(const ImageRgb8& color, const ImageMask& hole) {
-    const at::Tensor mask =
-        at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()), {1, 1, hole.height, hole.width}, at::kByte).gt(0).to(at::kFloat);
+    const at::Tensor mask = at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()),
+                                          {1, 1, hole.height, hole.width}, at::kByte)
+                                .gt(0)
+                                .to(at::kFloat);
     const at::Tensor picture = bytes_of(color).to(at::kFloat).div(255).mul(2).sub(1).permute({2, 0, 1}).unsqueeze(0);
     nn::HashedWeights weights;
     const at::Tensor made = nn::aotgan_generator(nn::Scope(weights), {}, picture * (1 - mask) + mask, mask);
@@ -329,7 +341,8 @@ std::vector<double> mean_std_min_max(const Image<double>& image) {
 void check_step(Case& c, std::optional<Input>& last) {
     if (c.input().starts_with("inputs/")) last = input_of(c, c.input());
     if (!last) throw Error("expected the step before this one in the same run, found none");
-    const PublishedWarp warp = published_warp(last->color, published_units(last->range), move_of("x", c.json().at("mov"), 1));
+    const PublishedWarp warp = published_warp(last->color, published_units(last->range),
+                                              move_of("x", c.json().at("mov"), 1));
     const ImageMask holes = holes_of(warp);
     last->color = published_inpaint(warp.color, holes, kFace, painted_by_aotgan);
     last->range = depth_by_egformer(last->color);
@@ -355,7 +368,8 @@ void add_geometry_checkers(Checkers& checkers) {
         else check_round_trip(c);
     });
     checkers.emplace_back("inpaint_faces", check_faces);
-    checkers.emplace_back("pnvi_step", [last = std::make_shared<std::optional<Input>>()](Case& c) { check_step(c, *last); });
+    checkers.emplace_back("pnvi_step",
+                          [last = std::make_shared<std::optional<Input>>()](Case& c) { check_step(c, *last); });
 }
 
 }  // namespace fastscene::golden

@@ -30,8 +30,8 @@ Tolerance tolerance_of(const Json& entry, double relative) {
     return {std::atof(text.c_str()), text.find("relative") != std::string::npos};
 }
 
-Finding compared(const std::string& name, const at::Tensor& reference, const at::Tensor& ours, double largest, const Json& entry,
-                 double relative = 1e-5) {
+Finding compared(const std::string& name, const at::Tensor& reference, const at::Tensor& ours, double largest,
+                 const Json& entry, double relative = 1e-5) {
     const at::Tensor r = reference.to(at::kDouble), o = ours.to(at::kDouble), d = (r - o).abs();
     const Tolerance tol = tolerance_of(entry, relative);
     Finding f{name, 0, 0, tol.relative ? tol.value * largest : tol.value, false, ""};
@@ -62,7 +62,8 @@ Json manifest_of_prompts(const Json& list) {
     for (const char* kind : {"prompts", "weighted"}) {
         Json values = Json::array();
         int number = 0;
-        for (const Json& prompt : list_of(list, kind)) values.push_back({{"name", fmt::format("{:03}", number++)}, {"value", prompt}});
+        for (const Json& prompt : list_of(list, kind))
+            values.push_back({{"name", fmt::format("{:03}", number++)}, {"value", prompt}});
         out["cases"][kind]["values"] = std::move(values);
     }
     return out;
@@ -110,7 +111,8 @@ at::Tensor Network::stored(const Json& t) const {
     if (dtype != "float32" && dtype != "float64" && dtype != "int64" && dtype != "int32" && dtype != "uint8")
         throw Error("{}: dtype {} is not known", name_, dtype);
     const std::size_t bytes = static_cast<std::size_t>(count) * at::elementSize(type);
-    if (offset + bytes > data_.size()) throw Error("{}: tensor {} lies outside of data.bin", name_, t.at("name").dump());
+    if (offset + bytes > data_.size())
+        throw Error("{}: tensor {} lies outside of data.bin", name_, t.at("name").dump());
     return at::from_blob(const_cast<char*>(data_.data()) + offset, {count}, type).clone();
 }
 
@@ -130,11 +132,14 @@ void Case::tensor(const std::string& name, const at::Tensor& ours) {
         if (t.at("name") != name) continue;
         const auto shape = t.at("shape").get<std::vector<std::int64_t>>();
         if (ours.numel() != c10::multiply_integers(shape)) {
-            findings.push_back({name, std::nan(""), std::nan(""), 0, false, fmt::format("expected shape {}, found {} numbers", t.at("shape").dump(), ours.numel())});
+            findings.push_back(
+                {name, std::nan(""), std::nan(""), 0, false,
+                 fmt::format("expected shape {}, found {} numbers", t.at("shape").dump(), ours.numel())});
             continue;
         }
         const auto stride = t.at("stride").get<std::int64_t>();
-        const at::Tensor some = ours.to(at::kCPU).contiguous().flatten().slice(0, 0, std::numeric_limits<std::int64_t>::max(), stride);
+        const at::Tensor some = ours.to(at::kCPU).contiguous().flatten().slice(
+            0, 0, std::numeric_limits<std::int64_t>::max(), stride);
         double largest = std::max(std::abs(t.value("min", 0.0)), std::abs(t.value("max", 0.0)));
         const at::Tensor reference = network_.stored(t);
         if (!t.contains("max")) largest = reference.to(at::kDouble).abs().max().item<double>();
@@ -158,19 +163,23 @@ void Case::value(const std::string& name, double ours, double relative) {
         return;
     }
     const double r = reference.get<double>();
-    found_[name] = {compared(name, at::scalar_tensor(r, at::kDouble), at::scalar_tensor(ours, at::kDouble), std::abs(r), *entry, relative)};
+    found_[name] = {compared(name, at::scalar_tensor(r, at::kDouble), at::scalar_tensor(ours, at::kDouble), std::abs(r),
+                             *entry, relative)};
 }
 
 void Case::value(const std::string& name, const Json& ours) {
     const Json* entry = entry_named(list_of(json_, "values"), name);
     if (!entry) return;
     const Json& reference = entry->at("value");
-    if (reference.is_array() && ours.is_array() && reference.size() == ours.size() && !reference.empty() && reference[0].is_number()) {
+    if (reference.is_array() && ours.is_array() && reference.size() == ours.size() && !reference.empty() &&
+        reference[0].is_number()) {
         const auto numbers = [](const Json& j) { return at::tensor(j.get<std::vector<double>>(), at::kDouble); };
-        found_[name] = {compared(name, numbers(reference), numbers(ours), numbers(reference).abs().max().item<double>(), *entry)};
+        found_[name] = {
+            compared(name, numbers(reference), numbers(ours), numbers(reference).abs().max().item<double>(), *entry)};
         return;
     }
-    found_[name] = {{name, 0, 0, 0, reference == ours, reference == ours ? "" : fmt::format("expected {}, found {}", reference.dump(), ours.dump())}};
+    found_[name] = {{name, 0, 0, 0, reference == ours,
+                     reference == ours ? "" : fmt::format("expected {}, found {}", reference.dump(), ours.dump())}};
 }
 
 void Case::number_text(const std::string& name, const std::string& ours) {
@@ -186,8 +195,7 @@ void Case::number_text(const std::string& name, const std::string& ours) {
     const at::Tensor theirs = numbers(entry->at("value").get<std::string>()), mine = numbers(ours);
     if (theirs.numel() != mine.numel())
         found_[name] = {{name, std::nan(""), std::nan(""), 0, false, "another count of numbers"}};
-    else
-        found_[name] = {compared(name, theirs, mine, 1, {{"tol", 1e-3}})};
+    else found_[name] = {compared(name, theirs, mine, 1, {{"tol", 1e-3}})};
 }
 
 void Case::put(Finding finding) {
@@ -218,10 +226,8 @@ std::vector<Finding> Case::findings() const {
             const std::string name = entry.at("name");
             if (!seen.insert(name).second) continue;
             const auto found = found_.find(name);
-            if (found == found_.end())
-                out.push_back({name, std::nan(""), std::nan(""), 0, false, "not computed"});
-            else
-                out.insert(out.end(), found->second.begin(), found->second.end());
+            if (found == found_.end()) out.push_back({name, std::nan(""), std::nan(""), 0, false, "not computed"});
+            else out.insert(out.end(), found->second.begin(), found->second.end());
         }
     return out;
 }
@@ -231,14 +237,16 @@ at::Tensor unit(const std::string& name, at::IntArrayRef shape) { return (raw(na
 
 at::Tensor bytes_of(const ImageRgb8& image) {
     at::Tensor out = at::empty({image.height, image.width, 3}, at::kByte);
-    std::copy_n(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), 3 * image.size(), out.data_ptr<std::uint8_t>());
+    std::copy_n(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), 3 * image.size(),
+                out.data_ptr<std::uint8_t>());
     return out;
 }
 
 std::optional<fs::path> find_others_file(const fs::path& set, const OthersFile& file) {
     std::vector<fs::path> places{fs::absolute(set).parent_path()};
     if (const char* shared = std::getenv("FASTSCENE_SHARED")) places.emplace_back(shared);
-    for (fs::path source = FASTSCENE_SOURCE_DIR; source.has_relative_path(); source = source.parent_path()) places.push_back(source / "shared");
+    for (fs::path source = FASTSCENE_SOURCE_DIR; source.has_relative_path(); source = source.parent_path())
+        places.push_back(source / "shared");
     for (const fs::path& place : places)
         if (fs::exists(place / file.relative)) return place / file.relative;
     const fs::path pulled = models_root() / model_named(file.model).folder / file.pulled;

@@ -1,5 +1,5 @@
-// Golden outputs: numbers that the official code of a network put out, and what a checker needs to hold ours against them. A set is a
-// folder of <network>/manifest.json + data.bin; its form is told in docs/goldens.md.
+// Golden outputs: numbers that the official code of a network put out, and what a checker needs to hold ours against
+// them. A set is a folder of <network>/manifest.json + data.bin; its form is told in docs/goldens.md.
 #pragma once
 
 #include <ATen/ATen.h>
@@ -53,12 +53,15 @@ class Network {
 // One case. The checker computes and hands in; what it does not hand in fails.
 class Case {
   public:
-    Case(const Network& network, std::string name, const Json& json) : network_(network), name_(std::move(name)), json_(json) {}
+    Case(const Network& network, std::string name, const Json& json)
+        : network_(network), name_(std::move(name)), json_(json) {}
     const Network& network() const { return network_; }
     const std::string& name() const { return name_; }
     const Json& json() const { return json_; }
     std::string input() const { return json_.at("input").get<std::string>(); }
-    std::vector<std::int64_t> shape(const char* key = "shape") const { return json_.at(key).get<std::vector<std::int64_t>>(); }
+    std::vector<std::int64_t> shape(const char* key = "shape") const {
+        return json_.at(key).get<std::vector<std::int64_t>>();
+    }
     bool wants(const std::string& tensor_or_value) const;
     std::vector<std::string> tensor_names() const;
 
@@ -109,7 +112,7 @@ at::Tensor bytes_of(const ImageRgb8& image);
 // (data/metrics/allmodel) in <set>/../data, in the folder of the variable FASTSCENE_SHARED and in <source>/../shared;
 // then among the models that were pulled (`fastscene models pull MODEL`).
 struct OthersFile {
-    std::string relative, model, pulled;   // `pulled`: its name there, "" = the model's folder
+    std::string relative, model, pulled;  // `pulled`: its name there, "" = the model's folder
 };
 std::optional<std::filesystem::path> find_others_file(const std::filesystem::path& set, const OthersFile& file);
 // A file of the set itself; Skipped when there is none.

@@ -1,5 +1,6 @@
-// golden --set DIR [--only NETWORK] [--verbose]: holds this program's networks and measures against the outputs of the official code.
-// A line a case: name, largest difference, relative L2, tolerance, verdict (of the tensor that comes nearest to its tolerance, or beyond).
+// golden --set DIR [--only NETWORK] [--verbose]: holds this program's networks and measures against the outputs of the
+// official code. A line a case: name, largest difference, relative L2, tolerance, verdict (of the tensor that comes
+// nearest to its tolerance, or beyond).
 #include <ATen/Parallel.h>
 #include <ATen/core/grad_mode.h>
 
@@ -31,8 +32,8 @@ double badness(const Finding& f) {
 }
 
 void print(const std::string& name, const Finding& f) {
-    std::cout << fmt::format("{:<52} max {:.3e}  rel-l2 {:.3e}  tol {:.3e}  {}{}", name, f.max_abs, f.relative_l2, f.tolerance, f.good ? "ok" : "FAIL",
-                             f.remark.empty() ? "" : "  (" + f.remark + ")")
+    std::cout << fmt::format("{:<52} max {:.3e}  rel-l2 {:.3e}  tol {:.3e}  {}{}", name, f.max_abs, f.relative_l2,
+                             f.tolerance, f.good ? "ok" : "FAIL", f.remark.empty() ? "" : "  (" + f.remark + ")")
               << std::endl;
 }
 
@@ -77,11 +78,13 @@ void run_case(Case& one, const Checker& checker, bool verbose, Tally& tally) {
     if (verbose)
         for (const Finding& f : findings) print("  " + f.name, f);
     const auto worst = std::max_element(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-        return a.good != b.good ? a.good : badness(a) < badness(b);   // what failed is shown first
+        return a.good != b.good ? a.good : badness(a) < badness(b);  // what failed is shown first
     });
     Finding shown = *worst;
     const auto failed = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
-    if (failed) shown.remark = fmt::format("{} of {}: {}{}", failed, findings.size(), worst->name, worst->remark.empty() ? "" : ": " + worst->remark);
+    if (failed)
+        shown.remark = fmt::format("{} of {}: {}{}", failed, findings.size(), worst->name,
+                                   worst->remark.empty() ? "" : ": " + worst->remark);
     print(name, shown);
     tally.failed += failed ? 1 : 0;
 }

@@ -60,7 +60,8 @@ void check_gradient(Case& c) {
         const Image<double> x = plane_of(a, k), y = plane_of(b, k);
         sum += ssim_of_channel(x, y, 1, false);
         const Image<double> g = ssim_gradient(x, y);
-        gradient[0][k].copy_(at::from_blob(const_cast<double*>(g.pixels.data()), {g.height, g.width}, at::kDouble) / static_cast<double>(channels));
+        gradient[0][k].copy_(at::from_blob(const_cast<double*>(g.pixels.data()), {g.height, g.width}, at::kDouble) /
+                             static_cast<double>(channels));
     }
     c.value("ssim_3dgs", sum / static_cast<double>(channels));
     c.tensor("d ssim_3dgs / d img1", gradient);
@@ -79,7 +80,8 @@ at::Tensor row(const std::vector<double>& v) { return at::tensor(v, at::kDouble)
 constexpr const char *kNiqeLuma = "niqe BasicSR convert_to=y",
                      *kNiqeGray = "niqe BasicSR convert_to=gray (0.299/0.587/0.114, as MATLAB rgb2gray, rounded)";
 
-// BasicSR works in single precision, which is noise in flat areas. How much, its gray tells, of which both precisions were recorded.
+// BasicSR works in single precision, which is noise in flat areas. How much, its gray tells, of which both precisions
+// were recorded.
 void check_luma(Case& c, double ours) {
     const std::string y = kNiqeLuma, gray = kNiqeGray;
     std::map<std::string, double> recorded;
@@ -89,7 +91,8 @@ void check_luma(Case& c, double ours) {
     const double noise = std::abs(recorded.at(gray) - recorded.at("niqe BasicSR niqe() on the same gray in float64")),
                  off = std::abs(ours - recorded.at(y));
     const double tolerance = 0.02 + noise;
-    c.put({y, off, off / recorded.at(y), tolerance, off <= tolerance, "0.02, and what single precision costs the gray"});
+    c.put(
+        {y, off, off / recorded.at(y), tolerance, off <= tolerance, "0.02, and what single precision costs the gray"});
     c.leave_out(gray, "the authors' own values are compared");
 }
 
@@ -160,7 +163,9 @@ void check_natural(Case& c) {
 }  // namespace
 
 void add_metrics_checkers(Checkers& checkers) {
-    checkers.emplace_back("psnr_ssim", [](Case& c) { c.name().find(" vs ") != std::string::npos ? check_pictures(c) : check_gradient(c); });
+    checkers.emplace_back("psnr_ssim", [](Case& c) {
+        c.name().find(" vs ") != std::string::npos ? check_pictures(c) : check_gradient(c);
+    });
     checkers.emplace_back("niqe_brisque", check_natural);
 }
 

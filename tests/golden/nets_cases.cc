@@ -21,7 +21,10 @@ using nn::Scope;
 Tensor mask_of(const Case& c) {
     const auto shape = c.shape();
     const Tensor blocks = raw(c.input() + "/mask", {1, 1, shape[2] / 8, shape[3] / 8});
-    return (blocks > c.json().at("mask_threshold").get<double>()).to(at::kFloat).repeat_interleave(8, 2).repeat_interleave(8, 3);
+    return (blocks > c.json().at("mask_threshold").get<double>())
+        .to(at::kFloat)
+        .repeat_interleave(8, 2)
+        .repeat_interleave(8, 3);
 }
 
 // The shape of parameter `key` as the manifest lists it, side 0; `fallback` when it lists none.
@@ -37,14 +40,16 @@ AotganShape generator_shape(const Json& manifest) {
     AotganShape shape;
     shape.width = first_side(manifest, "encoder.1.weight", 64);
     if (manifest.contains("state_dict"))
-        for (shape.blocks = 0; first_side(manifest, fmt::format("middle.{}.fuse.1.weight", shape.blocks), -1) > 0;) ++shape.blocks;
+        for (shape.blocks = 0; first_side(manifest, fmt::format("middle.{}.fuse.1.weight", shape.blocks), -1) > 0;)
+            ++shape.blocks;
     std::smatch match;
     const std::string call = manifest.value("call", "");
     if (std::regex_search(call, match, std::regex(R"(rates=\[([0-9, ]+)\])"))) {
         shape.rates.clear();
         const std::string list = match[1];
         const std::regex number("[0-9]+");
-        for (std::sregex_iterator it(list.begin(), list.end(), number), end; it != end; ++it) shape.rates.push_back(std::stoi(it->str()));
+        for (std::sregex_iterator it(list.begin(), list.end(), number), end; it != end; ++it)
+            shape.rates.push_back(std::stoi(it->str()));
     }
     return shape;
 }
@@ -53,7 +58,8 @@ void check_generator(Case& c) {
     HashedWeights weights;
     const nn::Listener listener = c.listener();
     const Tensor image = raw(c.input(), c.shape()), mask = mask_of(c);
-    const Tensor out = nn::aotgan_generator(Scope(weights, "", &listener), generator_shape(c.network().json()), image * (1 - mask) + mask, mask);
+    const Tensor out = nn::aotgan_generator(Scope(weights, "", &listener), generator_shape(c.network().json()),
+                                            image * (1 - mask) + mask, mask);
     c.tensor("output", out);
     c.tensor("postprocess_uint8", ((out.clamp(-1, 1) + 1) / 2 * 255).to(at::kByte)[0].permute({1, 2, 0}));
 }
@@ -77,7 +83,9 @@ void want_gradients(HashedWeights& weights) {
     for (const auto& [key, tensor] : weights.seen())
         if (!key.ends_with("weight_u") && !key.ends_with("weight_v")) tensor.set_requires_grad(true);
 }
-Tensor gradient_of(const Tensor& loss, const Tensor& by) { return torch::autograd::grad({loss}, {by}, {}, true, false, true)[0]; }
+Tensor gradient_of(const Tensor& loss, const Tensor& by) {
+    return torch::autograd::grad({loss}, {by}, {}, true, false, true)[0];
+}
 
 void check_losses(Case& c) {
     const at::AutoGradMode gradients(true);
@@ -129,8 +137,9 @@ nn::NamedTensors trained(const HashedWeights& weights) {
     return out;
 }
 
-// A constant added before a gate is taken away again by its normalization, so the exact gradient of that bias is 0, and what both programs
-// have there is rounding. Then it must be small beside the gradient of the gate's kernel (`beside`), and no more can be asked.
+// A constant added before a gate is taken away again by its normalization, so the exact gradient of that bias is 0, and
+// what both programs have there is rounding. Then it must be small beside the gradient of the gate's kernel (`beside`),
+// and no more can be asked.
 void compare_gradient(Case& c, const std::string& name, const Tensor& gradient, const Tensor& beside) {
     if (beside.defined() && gradient.abs().max().item<double>() < 1e-5 * beside.abs().max().item<double>())
         return c.leave_out(name, "exactly 0 but for rounding, in both programs");
@@ -153,19 +162,26 @@ void check_training(Case& c) {
         optimize_d.forget_gradients();
         const Tensor made = nn::aotgan_generator(Scope(g), shape, real * (1 - mask) + mask, mask);
         const nn::Maps a = nn::vgg19_maps(Scope(vgg), made), b = nn::vgg19_maps(Scope(vgg), real);
-        const Adversarial adversarial = nn::soft_mask_loss_as_published(Scope(d), 64, (1 - mask) * real + mask * made, real, mask);
-        const Tensor l1 = at::l1_loss(made, real), style = 250 * nn::style_loss(a, b), perceptual = 0.1 * nn::perceptual_loss(a, b),
-                     advg = 0.01 * adversarial.generator;
+        const Adversarial adversarial = nn::soft_mask_loss_as_published(Scope(d), 64, (1 - mask) * real + mask * made,
+                                                                        real, mask);
+        const Tensor l1 = at::l1_loss(made, real), style = 250 * nn::style_loss(a, b),
+                     perceptual = 0.1 * nn::perceptual_loss(a, b), advg = 0.01 * adversarial.generator;
         (l1 + style + perceptual + advg).backward({}, true);
         adversarial.discriminator.backward();
-        for (const auto& [name, loss] : {std::pair{"L1", l1}, {"Style", style}, {"Perceptual", perceptual}, {"advg", advg}, {"advd", adversarial.discriminator}})
+        for (const auto& [name, loss] : {std::pair{"L1", l1},
+                                         {"Style", style},
+                                         {"Perceptual", perceptual},
+                                         {"advg", advg},
+                                         {"advd", adversarial.discriminator}})
             c.value(fmt::format("iter{} {} (weighted)", i, name), loss.item<double>());
         if (i == 1) {
             for (const auto& [key, tensor] : d.seen())
                 if (tensor.requires_grad()) c.tensor("grad D." + key, tensor.grad());
             for (const auto& [key, tensor] : g.seen())
                 compare_gradient(c, "grad " + key, tensor.grad(),
-                                 key.ends_with("gate.1.bias") ? g.seen().at(key.substr(0, key.size() - 4) + "weight").grad() : Tensor());
+                                 key.ends_with("gate.1.bias")
+                                     ? g.seen().at(key.substr(0, key.size() - 4) + "weight").grad()
+                                     : Tensor());
         }
         optimize_g.step();
         optimize_d.step();

@@ -68,7 +68,9 @@ bool is_above(const Thing& s, const Thing& t) {
 }
 bool is_under(const Thing& s, const Thing& t) {
     const Vec2f q = t.in_its_frame(s.at);
-    if (is_opening(t)) return std::abs(q.x) < t.wide + 0.25f && q.y - s.reach(t.front) < 0.5f && s.low < t.low && s.high < t.low + 0.5f;
+    if (is_opening(t))
+        return std::abs(q.x) < t.wide + 0.25f && q.y - s.reach(t.front) < 0.5f && s.low < t.low &&
+               s.high < t.low + 0.5f;
     return s.low < t.high - 0.1f && s.high < t.high + 0.01f && (t.covers(s.at, 0.f) || s.covers(t.at, 0.f));
 }
 bool is_before(const Thing& s, const Thing& t) {
@@ -99,7 +101,8 @@ bool is_between(const Thing& s, const Thing& a, const Thing& b) {
 }
 
 using Things = std::vector<const Thing*>;
-int holding(const Things& subjects, const Things& places, const std::function<bool(const Thing&, const Thing&)>& relation) {
+int holding(const Things& subjects, const Things& places,
+            const std::function<bool(const Thing&, const Thing&)>& relation) {
     return static_cast<int>(std::count_if(subjects.begin(), subjects.end(), [&](const Thing* s) {
         return std::any_of(places.begin(), places.end(), [&](const Thing* t) { return s != t && relation(*s, *t); });
     }));
@@ -127,7 +130,8 @@ int in_row(const Things& subjects) {
         std::vector<float> along;
         for (const Thing* s : subjects) {
             const Vec2f q = first->in_its_frame(s->at);
-            if (std::abs(q.y) < 0.25f && std::abs(s->low - first->low) < 0.15f && dot(s->front, first->front) > 0.9f) along.push_back(q.x);
+            if (std::abs(q.y) < 0.25f && std::abs(s->low - first->low) < 0.15f && dot(s->front, first->front) > 0.9f)
+                along.push_back(q.x);
         }
         std::sort(along.begin(), along.end());
         int chain = 1;
@@ -161,7 +165,9 @@ struct Walls {
     Vec2f middle, x, z, half;
 };
 Walls walls_of(const Json& room, const std::vector<Thing>& things) {
-    const auto corner = [&](const char* name) { return Vec2f{room["bounds_m"][name][0].get<float>(), room["bounds_m"][name][2].get<float>()}; };
+    const auto corner = [&](const char* name) {
+        return Vec2f{room["bounds_m"][name][0].get<float>(), room["bounds_m"][name][2].get<float>()};
+    };
     const Vec2f low = corner("min"), high = corner("max"), size = high - low;
     Walls w{(low + high) * 0.5f, {1, 0}, {0, 1}, size * 0.5f};
     for (const Thing& t : things)
@@ -181,7 +187,8 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
     if (d.relation == "corner") {
         std::vector<int> taken;
         for (const Thing* s : subjects)
-            if (const int k = corner_of(walls, *s); k >= 0 && std::find(taken.begin(), taken.end(), k) == taken.end()) taken.push_back(k);
+            if (const int k = corner_of(walls, *s); k >= 0 && std::find(taken.begin(), taken.end(), k) == taken.end())
+                taken.push_back(k);
         return static_cast<int>(taken.size());
     }
     if (d.relation == "middle")
@@ -217,15 +224,20 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
     if (d.relation == "opposite") return holding(subjects, at, is_opposite);
     // Of someone who looks at its front: x, y up and z towards him are right-handed, so his right is +x.
     if (d.relation == "left")
-        return holding(subjects, at, [](const Thing& s, const Thing& t) { return t.in_its_frame(s.at).x < -0.8f * t.wide && gap(s, t) < 1.5f; });
+        return holding(subjects, at, [](const Thing& s, const Thing& t) {
+            return t.in_its_frame(s.at).x < -0.8f * t.wide && gap(s, t) < 1.5f;
+        });
     if (d.relation == "right")
-        return holding(subjects, at, [](const Thing& s, const Thing& t) { return t.in_its_frame(s.at).x > 0.8f * t.wide && gap(s, t) < 1.5f; });
+        return holding(subjects, at, [](const Thing& s, const Thing& t) {
+            return t.in_its_frame(s.at).x > 0.8f * t.wide && gap(s, t) < 1.5f;
+        });
     if (d.relation == "foot")
         return holding(subjects, at, [](const Thing& s, const Thing& t) {
             return is_before(s, t) && gap(s, t) < 0.6f && std::abs(t.in_its_frame(s.at).x) < 0.6f * t.wide;
         });
     throw fastscene::Error(
-        "relation '{}': expected on, above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, "
+        "relation '{}': expected on, above, under, before, behind, next, left, right, opposite, facing, around, sides, "
+        "foot, "
         "between, corner, middle, wall or row",
         d.relation);
 }
@@ -266,17 +278,20 @@ std::vector<Sentence> read_sentences(const std::filesystem::path& path) {
         ++number;
         if (line.empty() || line[0] == '#') continue;
         const std::vector<std::string> halves = split(line, '|');
-        if (halves.size() != 2) throw fastscene::Error("{}, line {}: expected 'prompt | demands', found '{}'", path.string(), number, line);
+        if (halves.size() != 2)
+            throw fastscene::Error("{}, line {}: expected 'prompt | demands', found '{}'", path.string(), number, line);
         Sentence s{trimmed(halves[0]), {}};
         for (const std::string& part : split(halves[1], ';')) {
             s.demands.push_back(demand_of(part));
             const Demand& d = s.demands.back();
-            const std::size_t wanted = d.relation == "between"                                                                           ? 2
-                                       : d.relation == "corner" || d.relation == "middle" || d.relation == "wall" || d.relation == "row" ? 0
-                                                                                                                                         : 1;
+            const std::size_t wanted = d.relation == "between" ? 2
+                                       : d.relation == "corner" || d.relation == "middle" || d.relation == "wall" ||
+                                               d.relation == "row"
+                                           ? 0
+                                           : 1;
             if (d.what.empty() || d.places.size() != wanted)
-                throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number, wanted, d.relation,
-                                       d.places.size());
+                throw fastscene::Error("{}, line {}: expected {} place(s) for '{}', found {}", path.string(), number,
+                                       wanted, d.relation, d.places.size());
         }
         out.push_back(std::move(s));
     }
@@ -289,19 +304,23 @@ std::string complaint(const Json& room, const Demand& demand) {
     const auto of_classes = [&](const std::vector<std::string>& classes, bool asked) {
         Things out;
         for (const Thing& t : things)
-            if ((t.asked || !asked) && std::find(classes.begin(), classes.end(), t.klass) != classes.end()) out.push_back(&t);
+            if ((t.asked || !asked) && std::find(classes.begin(), classes.end(), t.klass) != classes.end())
+                out.push_back(&t);
         return out;
     };
     const Things subjects = of_classes(demand.what, true);
     if (static_cast<int>(subjects.size()) < demand.count)
-        return demand.text + ": " + std::to_string(subjects.size()) + " of " + std::to_string(demand.count) + " are there";
+        return demand.text + ": " + std::to_string(subjects.size()) + " of " + std::to_string(demand.count) +
+               " are there";
     std::vector<Things> places;
     for (const auto& classes : demand.places) {
         places.push_back(of_classes(classes, false));
         if (places.back().empty()) return demand.text + ": there is no " + classes.front();
     }
     const int count = met(demand, subjects, places, walls_of(room, things));
-    return count >= demand.count ? "" : demand.text + ": holds for " + std::to_string(count) + " of " + std::to_string(demand.count);
+    return count >= demand.count
+               ? ""
+               : demand.text + ": holds for " + std::to_string(count) + " of " + std::to_string(demand.count);
 }
 
 }  // namespace judge

@@ -1,5 +1,5 @@
-// Judge: whether things stand where a sentence asks for them, from the poses in room.json alone. It shares no code with the
-// layout, so that the layout cannot be its own witness.
+// Judge: whether things stand where a sentence asks for them, from the poses in room.json alone. It shares no code with
+// the layout, so that the layout cannot be its own witness.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,9 @@
 
 namespace judge {
 
-// "lamp 2 on desk": so many of these classes (any of them will do) in this relation to one of those. Relations: on, above, under, before,
-// behind, next, left, right, opposite, facing, around, sides, foot, between (two places), corner, middle.
+// "lamp 2 on desk": so many of these classes (any of them will do) in this relation to one of those. Relations: on,
+// above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, between (two places), corner,
+// middle.
 struct Demand {
     std::vector<std::string> what;
     int count = 1;

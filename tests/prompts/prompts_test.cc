@@ -41,7 +41,8 @@ TEST(Prompts, NineteenOfTwentyWordsAreUnderstoodAndNoneIsLost) {
         for (const PromptWord& word : spec.words) {
             ++all;
             known += word.fate != PromptWord::Fate::not_understood;
-            EXPECT_TRUE(word.fate == PromptWord::Fate::not_understood || !word.meaning.empty()) << text << ": " << word.words;
+            EXPECT_TRUE(word.fate == PromptWord::Fate::not_understood || !word.meaning.empty())
+                << text << ": " << word.words;
         }
     }
     EXPECT_GE(static_cast<double>(known), 0.95 * static_cast<double>(all)) << known << " of " << all;
@@ -50,12 +51,14 @@ TEST(Prompts, NineteenOfTwentyWordsAreUnderstoodAndNoneIsLost) {
 // Words that say nothing by themselves; of quantities, scope and negation only those that others carry.
 bool is_little(const std::string& token) {
     static const std::set<std::string> kLittle{
-        ",",      "a",   "an",     "the",   "and",    "or",     "but",    "of",      "in",    "on",   "at",    "to",    "with", "for",  "from",
-        "by",     "as",  "is",     "are",   "be",     "was",    "it",     "its",     "this",  "that", "these", "there", "here", "i",    "me",
-        "my",     "you", "your",   "our",   "their",  "them",   "her",    "who",     "which", "what", "where", "when",  "if",   "into", "onto",
-        "up",     "out", "off",    "over",  "under",  "about",  "please", "give",    "show",  "want", "would", "like",  "has",  "have", "should",
-        "can",    "any", "some",   "so",    "very",   "too",    "than",   "then",    "also",  "such", "other", "see",   "made", "come", "comes",
-        "coming", "go",  "stands", "hangs", "filled", "though", "nor",    "through", "am",    "m",    "s",     "t"};
+        ",",      "a",     "an",     "the",    "and",    "or",      "but",   "of",     "in",    "on",     "at",
+        "to",     "with",  "for",    "from",   "by",     "as",      "is",    "are",    "be",    "was",    "it",
+        "its",    "this",  "that",   "these",  "there",  "here",    "i",     "me",     "my",    "you",    "your",
+        "our",    "their", "them",   "her",    "who",    "which",   "what",  "where",  "when",  "if",     "into",
+        "onto",   "up",    "out",    "off",    "over",   "under",   "about", "please", "give",  "show",   "want",
+        "would",  "like",  "has",    "have",   "should", "can",     "any",   "some",   "so",    "very",   "too",
+        "than",   "then",  "also",   "such",   "other",  "see",     "made",  "come",   "comes", "coming", "go",
+        "stands", "hangs", "filled", "though", "nor",    "through", "am",    "m",      "s",     "t"};
     return kLittle.contains(token);
 }
 
@@ -95,7 +98,8 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         fastscene::Run run;
         run.seed = 1;
         const FurnishedRoom furnished = furnish_room(spec, run);
-        for (const Fault& fault : room_faults(furnished.plan, furnished.placed, furnished.camera)) ADD_FAILURE() << fault.text;
+        for (const Fault& fault : room_faults(furnished.plan, furnished.placed, furnished.camera))
+            ADD_FAILURE() << fault.text;
         const TracedRoom room(room_of(spec, furnished, run));
         for (const PromptObject& wish : spec.objects)
             EXPECT_TRUE(wish.forbidden || wish.placed > 0 ||
@@ -112,7 +116,8 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         for (const Json& object : objects) {
             if (!object["requested"].get<bool>()) continue;
             ++asked;
-            if (object["visible_pixels"].get<std::int64_t>() < kSeen) ++hidden, list += "\n  " + object["name"].get<std::string>() + ": " + text;
+            if (object["visible_pixels"].get<std::int64_t>() < kSeen)
+                ++hidden, list += "\n  " + object["name"].get<std::string>() + ": " + text;
         }
     }
     EXPECT_GE(asked, 350u);
@@ -120,14 +125,17 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
     EXPECT_LE(hidden, pack(Assets::cc0) ? 0u : 2u) << list;
 }
 
-// Where a class is seen: the mean of its pixels' columns as an angle that grows to the right of the picture; nothing: hardly seen.
-std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& klass, bool requested) {
+// Where a class is seen: the mean of its pixels' columns as an angle that grows to the right of the picture; nothing:
+// hardly seen.
+std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& klass,
+                              bool requested) {
     double x = 0, y = 0;
     int n = 0;
     for (int row = 0; row < object_of_pixel.height; ++row)
         for (int column = 0; column < object_of_pixel.width; ++column) {
             const std::int32_t i = object_of_pixel.at(column, row);
-            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass || room.objects[static_cast<std::size_t>(i)].requested != requested)
+            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass ||
+                room.objects[static_cast<std::size_t>(i)].requested != requested)
                 continue;
             const double angle = 2 * std::numbers::pi * column / object_of_pixel.width;
             x += std::cos(angle), y += std::sin(angle), ++n;
@@ -153,13 +161,15 @@ TEST(Prompts, LeftIsLeftInThePicture) {
             PromptSpec spec = understand_prompt(c.text, false);
             const TracedRoom room(make_room(spec, run));
             const auto& objects = room.room().objects;
-            const auto place = std::find_if(objects.begin(), objects.end(), [&](const RoomObject& o) { return o.klass == c.place; });
+            const auto place = std::find_if(objects.begin(), objects.end(),
+                                            [&](const RoomObject& o) { return o.klass == c.place; });
             ASSERT_NE(place, objects.end());
             // Only from before it, not from its side: there left and right are as one takes them.
             const Vec3f to = -place->world_from_object.translation, front = place->world_from_object.rotation.column(2);
             if (front.x * to.x + front.z * to.z < 0.7f * std::hypot(to.x, to.z)) continue;
             const Shot shot = room.panorama({}, {256, 128}, {.color = false, .range = false, .object = true}, run);
-            const auto thing = bearing(room.room(), shot.object, c.thing, true), there = bearing(room.room(), shot.object, c.place, true);
+            const auto thing = bearing(room.room(), shot.object, c.thing, true),
+                       there = bearing(room.room(), shot.object, c.place, true);
             if (!thing || !there) continue;
             ++looked;
             EXPECT_GT(c.side * std::remainder(*thing - *there, 2 * std::numbers::pi), 0.02);
@@ -171,13 +181,15 @@ TEST(Pack, UnexpectedNounsComeFromItInManyLanguages) {
     const auto all = pack(Assets::all);
     if (!all) GTEST_SKIP() << "sweethome3d-furniture is not installed";
     EXPECT_GE(all->size(), 800u);
-    for (const auto& [term, klass] : {std::pair{"rocking horses", "rocking_horse"}, {"chien", "dog"}, {"katze", "cat"}, {"aquarium", "aquarium"}})
+    for (const auto& [term, klass] :
+         {std::pair{"rocking horses", "rocking_horse"}, {"chien", "dog"}, {"katze", "cat"}, {"aquarium", "aquarium"}})
         EXPECT_EQ(all->class_named(term), klass) << term;
     EXPECT_FALSE(all->class_named("volcano"));
     PromptSpec spec = understand_prompt("a living room with a grand piano and a dog", false, all);
     const Room room = make_room(spec, {});
     for (const char* klass : {"grand_piano", "dog"}) {
-        const auto at = std::find_if(room.objects.begin(), room.objects.end(), [&](const RoomObject& o) { return o.klass == klass; });
+        const auto at = std::find_if(room.objects.begin(), room.objects.end(),
+                                     [&](const RoomObject& o) { return o.klass == klass; });
         ASSERT_NE(at, room.objects.end()) << klass;
         EXPECT_NE(at->source.find(" by "), std::string::npos) << at->source;
     }
@@ -189,7 +201,9 @@ TEST(Pack, ModelsStandUprightInTheirCatalogueSize) {
     const Style& style = style_named("modern");
     for (const PackModel& model : free->models()) {
         EXPECT_TRUE(model.free) << model.credit;
-        if (model.klass != "grand_piano" && model.klass != "barrel" && model.klass != "electric_guitar" && model.klass != "crate") continue;
+        if (model.klass != "grand_piano" && model.klass != "barrel" && model.klass != "electric_guitar" &&
+            model.klass != "crate")
+            continue;
         PieceRequest request;
         request.klass = model.klass;
         request.style = &style;

@@ -18,7 +18,8 @@ TEST(Judge, TellsWhatHoldsFromPosesAlone) {
                     {"world_from_object", {{-1, 0, 0, x}, {0, -1, 0, -low}, {0, 0, 1, z}, {0, 0, 0, 1}}}};
     };
     Json room{{"bounds_m", {{"min", {-2, -3, -3}}, {"max", {2, 0, 3}}}}, {"objects", Json::array()}};
-    room["objects"] = {object("desk", 0, 0, -2.6f, {1.4f, 0.75f, 0.7f}, true), object("globe", 0.3f, 0.75f, -2.6f, {0.3f, 0.4f, 0.3f}, true),
+    room["objects"] = {object("desk", 0, 0, -2.6f, {1.4f, 0.75f, 0.7f}, true),
+                       object("globe", 0.3f, 0.75f, -2.6f, {0.3f, 0.4f, 0.3f}, true),
                        object("plant", 1.7f, 0, 2.6f, {0.4f, 1, 0.4f}, true)};
     const auto holds = [&](const char* thing, const char* relation, const char* place) {
         judge::Demand demand{{thing}, 1, relation, {}, ""};
@@ -40,7 +41,8 @@ TEST(Relations, MostStandWhereTheSentenceSays) {
     const auto pack = FurniturePack::open(FurniturePack::default_folder(), Assets::cc0, complaints);
     int asked = 0, kept = 0;
     std::string list;
-    for (const judge::Sentence& sentence : judge::read_sentences(std::string(FASTSCENE_SOURCE_DIR) + "/tests/data/relations.txt")) {
+    for (const judge::Sentence& sentence :
+         judge::read_sentences(std::string(FASTSCENE_SOURCE_DIR) + "/tests/data/relations.txt")) {
         PromptSpec spec = understand_prompt(sentence.text, false, pack);
         const Json room = room_json(make_room(spec, {1, nullptr, {}}), {});
         for (const judge::Demand& demand : sentence.demands) {

@@ -20,11 +20,13 @@ namespace {
 constexpr float kHalfWidth = 3, kHalfHeight = 1.4f, kHalfDepth = 4;
 
 // One wall: center + s u + t v for s, t in [-1, 1], filled with flat splats (thin along `thin_axis`).
-void add_wall(Splats& splats, std::vector<SurfacePoint>& points, Vec3f center, Vec3f u, Vec3f v, std::size_t thin_axis, Rgb8 color) {
+void add_wall(Splats& splats, std::vector<SurfacePoint>& points, Vec3f center, Vec3f u, Vec3f v, std::size_t thin_axis,
+              Rgb8 color) {
     constexpr int kSide = 60;
     for (int j = 0; j < kSide; ++j)
         for (int i = 0; i < kSide; ++i) {
-            const float s = (static_cast<float>(i) + 0.5f) / kSide * 2 - 1, t = (static_cast<float>(j) + 0.5f) / kSide * 2 - 1;
+            const float s = (static_cast<float>(i) + 0.5f) / kSide * 2 - 1,
+                        t = (static_cast<float>(j) + 0.5f) / kSide * 2 - 1;
             const Vec3f p = center + u * s + v * t;
             Vec3f log_scale{-2.6f, -2.6f, -2.6f};  // 7 cm: covers the 13 cm between neighbours
             log_scale[thin_axis] = -5;
@@ -93,7 +95,8 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     const Splats odd = odd_splats();
     save_splat_ply(dir / "odd.ply", odd);
     save_compressed_ply(dir / "odd.compressed.ply", odd);
-    for (const int version : {2, 3, 4}) save_splats(dir / fmt::format("odd{}.spz", version), odd, SplatFormat::spz, {PlyBands::all, version});
+    for (const int version : {2, 3, 4})
+        save_splats(dir / fmt::format("odd{}.spz", version), odd, SplatFormat::spz, {PlyBands::all, version});
     save_splats(dir / "odd.glb", odd, SplatFormat::glb);
     if (viewer_dir.empty()) return;
     ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};

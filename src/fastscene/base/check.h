@@ -25,12 +25,12 @@ template <class A, class B>
 }  // namespace detail
 }  // namespace fastscene
 
-#define FASTSCENE_CHECK(condition)                                                          \
-    do {                                                                                    \
+#define FASTSCENE_CHECK(condition)                                                           \
+    do {                                                                                     \
         if (!(condition)) ::fastscene::detail::check_failed(__FILE__, __LINE__, #condition); \
     } while (false)
 
-#define FASTSCENE_CHECK_EQ(a, b)                                                                       \
-    do {                                                                                               \
+#define FASTSCENE_CHECK_EQ(a, b)                                                                      \
+    do {                                                                                              \
         if (!((a) == (b))) ::fastscene::detail::check_failed(__FILE__, __LINE__, #a " == " #b, a, b); \
     } while (false)

@@ -39,7 +39,8 @@ std::string content_identity(const fs::path& file_or_folder) {
         return hash.hex();
     }
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(file_or_folder, fs::directory_options::follow_directory_symlink))
+    for (const auto& entry :
+         fs::recursive_directory_iterator(file_or_folder, fs::directory_options::follow_directory_symlink))
         if (entry.is_regular_file()) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {

@@ -14,8 +14,7 @@ namespace fastscene {
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
     template <class... Args>
-        requires(sizeof...(Args) > 0)
-    explicit Error(fmt::format_string<Args...> format, Args&&... args)
+    requires(sizeof...(Args) > 0) explicit Error(fmt::format_string<Args...> format, Args&&... args)
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 

@@ -33,10 +33,8 @@ struct ToJson {
     Json out = Json::object();
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds&, std::string_view) {
-        if constexpr (std::is_same_v<T, float>)
-            out[std::string(name)] = shortest(value);
-        else
-            out[std::string(name)] = value;
+        if constexpr (std::is_same_v<T, float>) out[std::string(name)] = shortest(value);
+        else out[std::string(name)] = value;
     }
     void operator()(std::string_view name, bool& value, std::string_view) { out[std::string(name)] = value; }
     void operator()(std::string_view name, std::string& value, const Choices&, std::string_view) {
@@ -62,14 +60,15 @@ struct FromJson {
 struct Check {
     std::string_view section;  // empty: the flag is --<field>
     std::string flag(std::string_view name) const {
-        if (name == "kind" && !section.empty()) return fmt::format("--{}", section);   // the stage itself: --walk paper
+        if (name == "kind" && !section.empty()) return fmt::format("--{}", section);  // the stage itself: --walk paper
         return section.empty() ? fmt::format("--{}", name) : fmt::format("--{}-{}", section, name);
     }
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds& bounds, std::string_view) {
         // Phrased so that NaN fails.
         if (!(static_cast<double>(value) >= bounds.low && static_cast<double>(value) <= bounds.high))
-            throw UsageError("{}: expected a number from {} to {}, found {}", flag(name), bounds.low, bounds.high, value);
+            throw UsageError("{}: expected a number from {} to {}, found {}", flag(name), bounds.low, bounds.high,
+                             value);
     }
     void operator()(std::string_view, bool&, std::string_view) {}
     void operator()(std::string_view name, std::string& value, const Choices& choices, std::string_view) {

@@ -44,7 +44,8 @@ std::string read_file(const fs::path& path) {
         throw Error("{}: cannot be read: {}", path.string(), std::strerror(errno));
     if (S_ISDIR(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a directory", path.string());
     // Such has no size, and what was read once is gone: pictures are looked at more than once.
-    if (!S_ISREG(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a pipe or device", path.string());
+    if (!S_ISREG(info.st_mode))
+        throw Error("{}: cannot be read: expected a file, found a pipe or device", path.string());
     std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
     std::size_t have = 0;
     while (have < bytes.size()) {

@@ -20,8 +20,10 @@ inline void write_file(const std::filesystem::path& path, std::span<const std::b
     write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-// For what is too large to lie in memory once more: make(put) calls put(bytes) for one piece after the other. Fails as write_file does.
-void write_pieces(const std::filesystem::path& path, const std::function<void(const std::function<void(std::string_view bytes)>& put)>& make);
+// For what is too large to lie in memory once more: make(put) calls put(bytes) for one piece after the other. Fails as
+// write_file does.
+void write_pieces(const std::filesystem::path& path,
+                  const std::function<void(const std::function<void(std::string_view bytes)>& put)>& make);
 
 // For writers that need a path (OpenEXR): calls write(temporary path), then renames to `path`.
 void write_renamed(const std::filesystem::path& path,

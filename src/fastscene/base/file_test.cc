@@ -41,8 +41,10 @@ class File : public ::testing::Test {
 // A pipe without a writer would be waited for, and a device has no end.
 TEST_F(File, OnlyFilesAreRead) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    EXPECT_NE(complaint([&] { read_file(folder_ / "pipe"); }).find("pipe: cannot be read: expected a file"), std::string::npos);
-    EXPECT_NE(complaint([] { read_file("/dev/zero"); }).find("/dev/zero: cannot be read: expected a file"), std::string::npos);
+    EXPECT_NE(complaint([&] { read_file(folder_ / "pipe"); }).find("pipe: cannot be read: expected a file"),
+              std::string::npos);
+    EXPECT_NE(complaint([] { read_file("/dev/zero"); }).find("/dev/zero: cannot be read: expected a file"),
+              std::string::npos);
 }
 
 TEST_F(File, WritesWhatItReads) {
@@ -70,7 +72,12 @@ TEST_F(File, PiecesFollowOneAnother) {
 
 TEST_F(File, LeavesNoTemporaryBehind) {
     write_file(folder_ / "x", "1");
-    complaint([&] { write_renamed(folder_ / "y", [](const fs::path& temporary) { std::ofstream(temporary) << "half"; throw Error("no more"); }); });
+    complaint([&] {
+        write_renamed(folder_ / "y", [](const fs::path& temporary) {
+            std::ofstream(temporary) << "half";
+            throw Error("no more");
+        });
+    });
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
     EXPECT_EQ(count, 1u);
@@ -92,7 +99,8 @@ TEST_F(File, WhatCannotBeWrittenIsKnownBeforehand) {
     write_file(folder_ / "x", "old");
     check_writable(folder_ / "x");
     EXPECT_EQ(read_file(folder_ / "x"), "old");
-    EXPECT_NE(complaint([&] { check_writable(folder_ / "none" / "x"); }).find("none/x: cannot be written: No such"), std::string::npos);
+    EXPECT_NE(complaint([&] { check_writable(folder_ / "none" / "x"); }).find("none/x: cannot be written: No such"),
+              std::string::npos);
     EXPECT_NE(complaint([&] { check_writable(folder_); }).find("found a folder"), std::string::npos);
 }
 

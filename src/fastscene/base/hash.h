@@ -32,13 +32,9 @@ class Hash {
     }
     Hash& add(std::string_view text) { return add_bytes(text.data(), text.size()); }
     template <class T>
-        requires std::is_arithmetic_v<T>
-    Hash& add(T value) {
-        return add_bytes(&value, sizeof value);
-    }
+    requires std::is_arithmetic_v<T> Hash& add(T value) { return add_bytes(&value, sizeof value); }
     template <class T>
-        requires std::is_trivially_copyable_v<T>
-    Hash& add(std::span<const T> values) {
+    requires std::is_trivially_copyable_v<T> Hash& add(std::span<const T> values) {
         return add_bytes(values.data(), values.size_bytes());
     }
     // 32 hexadecimal digits.

@@ -28,9 +28,11 @@ struct GroupFiles {
     std::string line, mount, limit, used, inactive;
 };
 const GroupFiles kVersion2{"0::/", "sys/fs/cgroup", "memory.max", "memory.current", "inactive_file"};
-const GroupFiles kVersion1{":memory:/", "sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
+const GroupFiles kVersion1{":memory:/", "sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
+                           "total_inactive_file"};
 
-// What a control group and those around it leave. Pages of files that were read count as used there, but are given back.
+// What a control group and those around it leave. Pages of files that were read count as used there, but are given
+// back.
 std::optional<std::int64_t> left_by_groups(const fs::path& system, const GroupFiles& files) {
     std::ifstream in(system / "proc/self/cgroup");
     std::string line;
@@ -39,10 +41,12 @@ std::optional<std::int64_t> left_by_groups(const fs::path& system, const GroupFi
     if (found == std::string::npos) return std::nullopt;
     const fs::path mount = system / files.mount;
     std::optional<std::int64_t> least;
-    for (fs::path group = (mount / line.substr(found + files.line.size())).lexically_normal();; group = group.parent_path()) {
+    for (fs::path group = (mount / line.substr(found + files.line.size())).lexically_normal();;
+         group = group.parent_path()) {
         const auto limit = number_in(group / files.limit), used = number_in(group / files.used);
         if (limit && used) {
-            const std::int64_t left = std::max<std::int64_t>(0, *limit - *used + number_behind(group / "memory.stat", files.inactive).value_or(0));
+            const std::int64_t left = std::max<std::int64_t>(
+                0, *limit - *used + number_behind(group / "memory.stat", files.inactive).value_or(0));
             least = std::min(least.value_or(left), left);
         }
         if (group == mount || group.native().size() <= mount.native().size()) return least;
@@ -54,10 +58,12 @@ std::optional<std::int64_t> left_by_shell(const fs::path& system) {
     const std::string key = "Max address space";
     std::ifstream in(system / "proc/self/limits");
     std::string line;
-    while (std::getline(in, line) && !line.starts_with(key)) {}
+    while (std::getline(in, line) && !line.starts_with(key)) {
+    }
     const auto used = number_behind(system / "proc/self/status", "VmSize:");
     std::int64_t limit = 0;
-    if (!line.starts_with(key) || !used || !(std::istringstream(line.substr(key.size())) >> limit)) return std::nullopt;  // "unlimited" is no number
+    if (!line.starts_with(key) || !used || !(std::istringstream(line.substr(key.size())) >> limit))
+        return std::nullopt;  // "unlimited" is no number
     return std::max<std::int64_t>(0, limit - *used * 1024);
 }
 
@@ -66,7 +72,8 @@ std::optional<std::int64_t> left_by_shell(const fs::path& system) {
 std::int64_t available_memory(const fs::path& system) {
     auto least = number_behind(system / "proc/meminfo", "MemAvailable:");
     if (least) *least *= 1024;
-    for (const auto& left : {left_by_groups(system, kVersion2), left_by_groups(system, kVersion1), left_by_shell(system)})
+    for (const auto& left :
+         {left_by_groups(system, kVersion2), left_by_groups(system, kVersion1), left_by_shell(system)})
         if (left) least = std::min(least.value_or(*left), *left);
     return least.value_or(0);
 }

@@ -1,5 +1,5 @@
-// How much memory a program may still take here: what the machine has free, or what the limit of a container or of the shell
-// leaves, whichever is less.
+// How much memory a program may still take here: what the machine has free, or what the limit of a container or of the
+// shell leaves, whichever is less.
 #pragma once
 
 #include <cstdint>

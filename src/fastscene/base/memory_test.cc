@@ -40,9 +40,13 @@ TEST(Memory, TheLeastOfMachineAndContainersCounts) {
     EXPECT_EQ(available_memory(root), 1400000) << "control groups of version 1";
 
     put("proc/self/status", "Name:\tfastscene\nVmSize:\t    1000 kB\n");
-    put("proc/self/limits", "Limit  Soft Limit  Hard Limit  Units\nMax address space         unlimited            unlimited            bytes\n");
+    put("proc/self/limits",
+        "Limit  Soft Limit  Hard Limit  Units\nMax address space         unlimited            unlimited            "
+        "bytes\n");
     EXPECT_EQ(available_memory(root), 1400000) << "a shell without a limit";
-    put("proc/self/limits", "Limit  Soft Limit  Hard Limit  Units\nMax address space         1524000              unlimited            bytes\n");
+    put("proc/self/limits",
+        "Limit  Soft Limit  Hard Limit  Units\nMax address space         1524000              unlimited            "
+        "bytes\n");
     EXPECT_EQ(available_memory(root), 500000) << "ulimit -v";
     fs::remove_all(root);
     EXPECT_GT(available_memory(), 0);

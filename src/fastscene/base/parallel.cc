@@ -34,14 +34,12 @@ int thread_count() {
     return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-void parallel_for(std::int64_t count, std::int64_t grain,
-                  const std::function<void(std::int64_t, std::int64_t)>& body) {
+void parallel_for(std::int64_t count, std::int64_t grain, const std::function<void(std::int64_t, std::int64_t)>& body) {
     FASTSCENE_CHECK(grain > 0);
     if (count <= 0) return;
     const std::int64_t pieces = (count + grain - 1) / grain;
     tbb::parallel_for(
-        std::int64_t{0}, pieces,
-        [&](std::int64_t piece) { body(piece * grain, std::min(count, (piece + 1) * grain)); },
+        std::int64_t{0}, pieces, [&](std::int64_t piece) { body(piece * grain, std::min(count, (piece + 1) * grain)); },
         tbb::simple_partitioner());
 }
 

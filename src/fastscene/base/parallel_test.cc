@@ -43,7 +43,10 @@ TEST(Parallel, FloatSumsOfPiecesAreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Parallel, RethrowsWhatAPieceThrows) {
-    EXPECT_THROW(parallel_for(100, 1, [](std::int64_t begin, std::int64_t) { if (begin == 42) throw std::out_of_range("42"); }),
+    EXPECT_THROW(parallel_for(100, 1,
+                              [](std::int64_t begin, std::int64_t) {
+                                  if (begin == 42) throw std::out_of_range("42");
+                              }),
                  std::out_of_range);
 }
 

@@ -36,7 +36,8 @@ struct SpawnActions {
     explicit SpawnActions(const std::string& log) {
         posix_spawn_file_actions_init(&files);
         posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.empty() ? "/dev/null" : log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+        posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.empty() ? "/dev/null" : log.c_str(),
+                                         O_WRONLY | O_CREAT | O_APPEND, 0644);
         if (!log.empty()) posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
         // The child must hear the signals that this program keeps for itself.
         posix_spawnattr_init(&attributes);
@@ -65,14 +66,15 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
     return {};
 }
 
-int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments, const ProgramOptions& options) {
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const ProgramOptions& options) {
     std::vector<std::string> texts{program.string()};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables = environment_with(options.environment);
     const SpawnActions actions(options.log.string());
     pid_t child = 0;
-    const int failed =
-        ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes, pointers_to(texts).data(), pointers_to(variables).data());
+    const int failed = ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes,
+                                     pointers_to(texts).data(), pointers_to(variables).data());
     if (failed) throw Error("{}: cannot be run: {}", program.string(), std::strerror(failed));
     int status = 0;
     {

@@ -17,7 +17,9 @@ struct ProgramOptions {
     std::vector<std::string> environment;  // NAME=value, beside what this process has
     std::stop_token stop;                  // a request ends the program (SIGTERM), and run_program throws Stopped
 };
-// Runs it with these arguments and waits; returns its exit code (128 + signal when killed). Throws Error when it cannot be run.
-int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments, const ProgramOptions& options = {});
+// Runs it with these arguments and waits; returns its exit code (128 + signal when killed). Throws Error when it cannot
+// be run.
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const ProgramOptions& options = {});
 
 }  // namespace fastscene

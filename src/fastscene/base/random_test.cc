@@ -10,7 +10,9 @@ namespace fastscene {
 namespace {
 
 TEST(Random, EqualKeysGiveEqualNumbersAndOthersDoNot) {
-    const auto first = [](std::uint64_t seed, const char* stream, std::uint64_t index) { return Random(seed, stream, index).next_u64(); };
+    const auto first = [](std::uint64_t seed, const char* stream, std::uint64_t index) {
+        return Random(seed, stream, index).next_u64();
+    };
     EXPECT_EQ(first(7, "walk", 3), first(7, "walk", 3));
     std::set<std::uint64_t> seen;
     for (std::uint64_t seed = 0; seed < 20; ++seed)

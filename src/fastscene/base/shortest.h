@@ -5,7 +5,8 @@
 
 namespace fastscene {
 
-// The double nearest to the shortest decimal that reads back as this float. Cut to a float again it is the same one, bit by bit.
+// The double nearest to the shortest decimal that reads back as this float. Cut to a float again it is the same one,
+// bit by bit.
 inline double shortest(float value) {
     char text[32];
     const auto [end, code] = std::to_chars(text, text + sizeof text, value);

@@ -25,7 +25,8 @@ TEST(Shortest, FloatsAreWrittenAsPeopleWriteThem) {
 TEST(Shortest, ReadBackEveryFloatIsTheSame) {
     Random random(1, "floats");
     for (int i = 0; i < 200000; ++i) {
-        const auto bits = static_cast<std::uint32_t>(random.index(1 << 16)) << 16 | static_cast<std::uint32_t>(random.index(1 << 16));
+        const auto bits = static_cast<std::uint32_t>(random.index(1 << 16)) << 16 |
+                          static_cast<std::uint32_t>(random.index(1 << 16));
         const float value = std::bit_cast<float>(bits);
         if (!std::isfinite(value)) continue;
         const auto back = static_cast<float>(Json::parse(Json(shortest(value)).dump()).get<double>());

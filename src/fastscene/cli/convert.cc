@@ -21,11 +21,14 @@ struct Flags {
     bool compact = false;
 };
 
-// Numbers whose `up` axis points up and, if that is level, whose other axes are those of the programs that have such numbers:
-//   y: x right, z back (OpenGL); left-handed z forward (Unity).   z: x right, y forward (Blender); left-handed x forward, y right (Unreal).
+// Numbers whose `up` axis points up and, if that is level, whose other axes are those of the programs that have such
+// numbers:
+//   y: x right, z back (OpenGL); left-handed z forward (Unity).   z: x right, y forward (Blender); left-handed x
+//   forward, y right (Unreal).
 Mat3d numbers_from_world(const std::string& up, bool left_handed) {
     if (up == "y") return {{1, 0, 0}, {0, -1, 0}, {0, 0, left_handed ? 1.0 : -1.0}};
-    if (up == "z") return left_handed ? Mat3d{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}} : Mat3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+    if (up == "z")
+        return left_handed ? Mat3d{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}} : Mat3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     return {{1, 0, 0}, {0, 1, 0}, {0, 0, left_handed ? -1.0 : 1.0}};
 }
 
@@ -36,25 +39,34 @@ Similarity world_for(const fs::path& file, const std::string& up, bool left_hand
 }
 
 void check(const Flags& flags) {
-    if (!is_splat_file_name(flags.to)) throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
-    if (!(flags.scale > 0 && flags.scale < 1e6f)) throw UsageError("--scale: expected a number above 0 and below a million, found {}", flags.scale);
-    if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1)) throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
-    if (flags.max_splats && *flags.max_splats < 1) throw UsageError("--max-splats: expected 1 or more, found {}", *flags.max_splats);
+    if (!is_splat_file_name(flags.to))
+        throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
+    if (!(flags.scale > 0 && flags.scale < 1e6f))
+        throw UsageError("--scale: expected a number above 0 and below a million, found {}", flags.scale);
+    if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1))
+        throw UsageError("--min-opacity: expected 0 to 1, found {}", flags.min_opacity);
+    if (flags.max_splats && *flags.max_splats < 1)
+        throw UsageError("--max-splats: expected 1 or more, found {}", *flags.max_splats);
     for (const float v : flags.translate)
-        if (!(std::abs(v) < 1e6f)) throw UsageError("--translate: expected three numbers within a million metres, found {}", v);
-    if (flags.handed == "left" && flags.up.empty()) throw UsageError("--handed left: expected --up y, z or -y beside it");
+        if (!(std::abs(v) < 1e6f))
+            throw UsageError("--translate: expected three numbers within a million metres, found {}", v);
+    if (flags.handed == "left" && flags.up.empty())
+        throw UsageError("--handed left: expected --up y, z or -y beside it");
     for (std::size_t a = 0; a < 3 && !flags.crop.empty(); ++a)
         if (!(flags.crop[a] < flags.crop[a + 3]))
-            throw UsageError("--crop: expected the low corner, then the high one, found {} and {}", flags.crop[a], flags.crop[a + 3]);
+            throw UsageError("--crop: expected the low corner, then the high one, found {} and {}", flags.crop[a],
+                             flags.crop[a + 3]);
 }
 
 // A run's own splats are what its other files, and its resume, are about; a source written over is gone.
 void check_target(const Flags& flags) {
     const fs::path from = scene_file(flags.from), to = flags.to;
     std::error_code absent;
-    if (fs::equivalent(from, to, absent)) throw UsageError("{}: expected another file than the one that is read, found the same", flags.to);
+    if (fs::equivalent(from, to, absent))
+        throw UsageError("{}: expected another file than the one that is read, found the same", flags.to);
     if (fs::exists(to) && fs::exists(to.parent_path() / "stage.json"))
-        throw UsageError("{}: expected a file of your own, found one that belongs to a run; choose another name", flags.to);
+        throw UsageError("{}: expected a file of your own, found one that belongs to a run; choose another name",
+                         flags.to);
     check_writable(to);
 }
 
@@ -69,10 +81,13 @@ void convert(const Flags& flags, const Session& session) {
     progress.advance();
     transform(splats, inverse(world_for(scene_file(flags.from), flags.from_up, false)));
     if (flags.min_opacity > 0) splats = opaque(splats, flags.min_opacity);
-    if (!flags.crop.empty()) splats = cropped(splats, {flags.crop[0], flags.crop[1], flags.crop[2]}, {flags.crop[3], flags.crop[4], flags.crop[5]});
+    if (!flags.crop.empty())
+        splats = cropped(splats, {flags.crop[0], flags.crop[1], flags.crop[2]},
+                         {flags.crop[3], flags.crop[4], flags.crop[5]});
     if (flags.max_splats) splats = strongest(splats, static_cast<std::size_t>(*flags.max_splats));
     reduce_sh(splats, flags.sh_degree);
-    if (splats.size() == 0 && found > 0) throw Error("{}: none of {} splats is left; nothing was written", flags.from, found);
+    if (splats.size() == 0 && found > 0)
+        throw Error("{}: none of {} splats is left; nothing was written", flags.from, found);
     if (found == 0) run.warn(fmt::format("{}: has no splats", flags.from));
     const Vec3d move{flags.translate[0], flags.translate[1], flags.translate[2]};
     transform(splats, compose(world_for(flags.to, flags.up, flags.handed == "left"), {{}, flags.scale, move}));
@@ -81,28 +96,41 @@ void convert(const Flags& flags, const Session& session) {
     save_scene(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version}, run);
     progress.advance();
     const auto bytes = fs::file_size(flags.to);
-    run.note(fmt::format("{} of {} splats, spherical harmonics of degree {}, {:.2f} MB", splats.size(), found, splats.sh_degree, static_cast<double>(bytes) / 1e6));
-    session.print(flags.to, {{"file", flags.to}, {"splats", splats.size()}, {"splats_read", found}, {"sh_degree", splats.sh_degree}, {"bytes", bytes}});
+    run.note(fmt::format("{} of {} splats, spherical harmonics of degree {}, {:.2f} MB", splats.size(), found,
+                         splats.sh_degree, static_cast<double>(bytes) / 1e6));
+    session.print(flags.to, {{"file", flags.to},
+                             {"splats", splats.size()},
+                             {"splats_read", found},
+                             {"sh_degree", splats.sh_degree},
+                             {"bytes", bytes}});
 }
 
 }  // namespace
 
 Verb add_convert(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand("convert", "Splats from one file format to another: .ply, .compressed.ply, .spz, .glb, .sog.");
+    CLI::App* verb = app.add_subcommand(
+        "convert", "Splats from one file format to another: .ply, .compressed.ply, .spz, .glb, .sog.");
     verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
     verb->add_option("to", flags->to, "File to write; its ending chooses the format.")->type_name("FILE")->required();
     const auto axes = one_of({"y", "z", "-y"});
     verb->add_option("--up", flags->up,
-                     "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")
+                     "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in "
+                     "SPZ and GLB).")
         ->type_name("y|z|-y")
         ->check(axes);
-    verb->add_option("--from-up", flags->from_up, "Axis that points up in the numbers read, where a file does not keep to its format's own.")
+    verb->add_option("--from-up", flags->from_up,
+                     "Axis that points up in the numbers read, where a file does not keep to its format's own.")
         ->type_name("y|z|-y")
         ->check(axes);
-    verb->add_option("--handed", flags->handed, "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
-        ->type_name("right|left")->check(one_of({"right", "left"}))->capture_default_str();
-    verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")->type_name("X")->capture_default_str();
+    verb->add_option("--handed", flags->handed,
+                     "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
+        ->type_name("right|left")
+        ->check(one_of({"right", "left"}))
+        ->capture_default_str();
+    verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")
+        ->type_name("X")
+        ->capture_default_str();
     verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")
         ->type_name("X Y Z")
         ->expected(3)
@@ -111,7 +139,9 @@ Verb add_convert(CLI::App& app) {
         ->type_name("X Y Z X Y Z")
         ->expected(6);
     verb->add_option("--max-splats", flags->max_splats, "Keeps this many, those that cover most.")->type_name("N");
-    verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")->type_name("X")->capture_default_str();
+    verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")
+        ->type_name("X")
+        ->capture_default_str();
     verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")
         ->type_name("N")
         ->check(whole_number_within(0, 3))

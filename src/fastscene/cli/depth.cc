@@ -12,19 +12,25 @@ struct TrainFlags {
 };
 
 CLI::App* add_train(CLI::App& depth, const std::shared_ptr<TrainFlags>& flags) {
-    CLI::App* verb = depth.add_subcommand("train", "Teaches EGformer from panoramas with range: our rooms, Structured3D, Pano3D.");
+    CLI::App* verb = depth.add_subcommand(
+        "train", "Teaches EGformer from panoramas with range: our rooms, Structured3D, Pano3D.");
     verb->add_option("--data", flags->data,
-                     "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, *_depth_*.exr); may be given "
+                     "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, "
+                     "*_depth_*.exr); may be given "
                      "again. Without it: painted rooms alone.")
         ->type_name("DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("-o,--out", flags->out,
-                     "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes on with it.")
+                     "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes "
+                     "on with it.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--start", flags->start, "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")
+    verb->add_option("--start", flags->start,
+                     "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")
         ->type_name("FILE");
-    verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")->type_name("N")->capture_default_str();
+    verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")
+        ->type_name("N")
+        ->capture_default_str();
     add_fields(*verb, "", DepthTrainParams{}, flags->given, "Settings of the training");
     verb->footer("Example:\n  fastscene depth train --data data/rooms --data /media/Structured3D -o out/depth");
     return verb;
@@ -34,11 +40,17 @@ void train(const TrainFlags& flags, const Session& session) {
     DepthTraining training{{flags.data.begin(), flags.data.end()}, flags.start, {}};
     apply_fields("", training.params, *flags.given);
     check_fields("", training.params);
-    const EgformerTrained trained = train_depth(training, flags.out, session.run(number_from<std::uint64_t>("--seed", flags.seed)));
-    if (training.params.training.process > 0)   // it has looked at nothing that is held out
-        return session.print(fmt::format("done, {} steps; process 0 keeps the network", trained.steps), {{"steps", trained.steps}});
-    session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(), trained.steps, trained.abs_rel, trained.delta1),
-                  {{"weights", trained.weights.string()}, {"steps", trained.steps}, {"abs_rel", trained.abs_rel}, {"delta1", trained.delta1}});
+    const EgformerTrained trained = train_depth(training, flags.out,
+                                                session.run(number_from<std::uint64_t>("--seed", flags.seed)));
+    if (training.params.training.process > 0)  // it has looked at nothing that is held out
+        return session.print(fmt::format("done, {} steps; process 0 keeps the network", trained.steps),
+                             {{"steps", trained.steps}});
+    session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(),
+                              trained.steps, trained.abs_rel, trained.delta1),
+                  {{"weights", trained.weights.string()},
+                   {"steps", trained.steps},
+                   {"abs_rel", trained.abs_rel},
+                   {"delta1", trained.delta1}});
 }
 
 struct CheckFlags {
@@ -48,10 +60,15 @@ struct CheckFlags {
 };
 
 CLI::App* add_check(CLI::App& depth, const std::shared_ptr<CheckFlags>& flags) {
-    CLI::App* verb = depth.add_subcommand("check", "How well is range estimated? Held-out pictures of a data set, one a place: AbsRel, RMSE, delta.");
-    verb->add_option("--data", flags->data, "Folder of panoramas with range, as for `depth train`.")->type_name("DIR")->required();
+    CLI::App* verb = depth.add_subcommand(
+        "check", "How well is range estimated? Held-out pictures of a data set, one a place: AbsRel, RMSE, delta.");
+    verb->add_option("--data", flags->data, "Folder of panoramas with range, as for `depth train`.")
+        ->type_name("DIR")
+        ->required();
     verb->add_option("--count", flags->count, "Places to look at.")->type_name("N")->capture_default_str();
-    verb->add_flag("--all", flags->all, "Of all places, not of held-out ones only (every tenth of our rooms): for a set that the network was not trained on.");
+    verb->add_flag("--all", flags->all,
+                   "Of all places, not of held-out ones only (every tenth of our rooms): for a set that the network "
+                   "was not trained on.");
     add_fields(*verb, "depth", DepthParams{}, flags->given, "Settings of depth");
     verb->footer("Example:\n  fastscene depth check --data data/rooms --depth-weights out/depth/egformer.safetensors");
     return verb;
@@ -76,13 +93,15 @@ Verb add_depth(CLI::App& app) {
     auto checking = std::make_shared<CheckFlags>();
     CLI::App *train_verb = add_train(*depth.app, training), *check_verb = add_check(*depth.app, checking);
     depth.app->footer("Example:\n  fastscene depth out/photo --depth-camera-height 1.4");
-    for (CLI::App* verb : {train_verb, check_verb}) verb->fallthrough();   // --json, --threads and --progress are the verb's
+    for (CLI::App* verb : {train_verb, check_verb})
+        verb->fallthrough();  // --json, --threads and --progress are the verb's
     // A run's folder is needed for the stage only.
     CLI::Option* folder = depth.app->get_option("folder")->required(false);
     return {depth.app, [=, act = depth.act](const Session& session) {
-                for (const CLI::App* part : {train_verb, check_verb})   // a folder would be taken and not used
+                for (const CLI::App* part : {train_verb, check_verb})  // a folder would be taken and not used
                     if (part->parsed() && folder->count())
-                        throw UsageError("depth {}: expected its folder after --data, found \"{}\" alone", part->get_name(), folder->as<std::string>());
+                        throw UsageError("depth {}: expected its folder after --data, found \"{}\" alone",
+                                         part->get_name(), folder->as<std::string>());
                 if (train_verb->parsed()) return train(*training, session);
                 if (check_verb->parsed()) return check(*checking, session);
                 if (folder->count() == 0) throw UsageError("depth: expected the folder of a run");

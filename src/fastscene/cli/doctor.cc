@@ -65,16 +65,18 @@ Finding memory() {
 
 // What --panorama diffusion360 needs, setting by setting, and whether the smallest fits.
 Finding painting_memory() {
-    const auto need = [](int width, const char* precision, bool low) { return gib_text(standard_diffusion_memory(width, precision, low)); };
+    const auto need = [](int width, const char* precision, bool low) {
+        return gib_text(standard_diffusion_memory(width, precision, low));
+    };
     std::string state;
     for (const int width : {1024, 2048})
-        state += fmt::format("{}{} x {}: {}, bf16 {}, low memory {}", state.empty() ? "" : "; ", width, width / 2, need(width, "float", false), need(width, "bf16", false),
-                             need(width, "float", true));
+        state += fmt::format("{}{} x {}: {}, bf16 {}, low memory {}", state.empty() ? "" : "; ", width, width / 2,
+                             need(width, "float", false), need(width, "bf16", false), need(width, "float", true));
     const std::int64_t have = available_memory(), all = standard_diffusion_memory(1024, "float", false),
                        least = standard_diffusion_memory(1024, "float", true);
     const std::string remedy = have == 0 || have >= all ? ""
                                : have >= least          ? "use --panorama-low-memory"
-                                                        : "optional: painting a panorama wants more free memory than there is";
+                                               : "optional: painting a panorama wants more free memory than there is";
     return {"to paint", state, remedy};
 }
 
@@ -82,14 +84,18 @@ Finding pulled_models() {
     std::vector<std::string> here;
     for (const Model& model : models())
         if (is_in_cache(model)) here.push_back(model.name);
-    return {"models", fmt::format("{} of {} in {} (optional: fastscene models list){}{}", here.size(), models().size(), models_root().string(), here.empty() ? "" : ": ", fmt::join(here, ", ")), ""};
+    return {"models",
+            fmt::format("{} of {} in {} (optional: fastscene models list){}{}", here.size(), models().size(),
+                        models_root().string(), here.empty() ? "" : ": ", fmt::join(here, ", ")),
+            ""};
 }
 
 Finding disk() {
     struct statvfs info {};
     if (::statvfs(".", &info) != 0) return {"disk here", "unknown", ""};
     const double gib = static_cast<double>(info.f_bavail) * static_cast<double>(info.f_frsize) / (1 << 30);
-    return {"disk here", fmt::format("{:.1f} GiB free", gib), gib >= 1 ? "" : "a run takes up to 1 GiB: free some, or choose another folder with -o"};
+    return {"disk here", fmt::format("{:.1f} GiB free", gib),
+            gib >= 1 ? "" : "a run takes up to 1 GiB: free some, or choose another folder with -o"};
 }
 
 // The packages named in a list of ours, one a line, # begins a comment.
@@ -134,17 +140,18 @@ Finding furniture() {
     const fs::path folder = FurniturePack::default_folder();
     const auto pack = FurniturePack::open(folder, Assets::all, complaints);
     if (!complaints.empty())
-        return {
-            "furniture pack",
-            pack ? "damaged: " + complaints.front() : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
-            "apt-get install --no-install-recommends sweethome3d-furniture"};
+        return {"furniture pack",
+                pack ? "damaged: " + complaints.front()
+                     : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
+                "apt-get install --no-install-recommends sweethome3d-furniture"};
     return {"furniture pack", fmt::format("{} models in {}", pack->size(), folder.string()), ""};
 }
 
 std::vector<Finding> examine() {
     const fs::path source(source_dir());
     std::vector<Finding> all;
-    all.push_back({"fastscene", fmt::format("{} ({})", program_version(), build_json().at("compiler").get<std::string>()), ""});
+    all.push_back(
+        {"fastscene", fmt::format("{} ({})", program_version(), build_json().at("compiler").get<std::string>()), ""});
     all.push_back({"processor", instruction_sets(), ""});
     all.push_back({"instruction set", instruction_set_in_use(), ""});
     all.push_back({"threads", std::to_string(thread_count()), ""});
@@ -155,12 +162,14 @@ std::vector<Finding> examine() {
     all.push_back(packages("packages to build", source / "packaging/apt.txt"));
     all.push_back(packages("packages to test", source / "packaging/apt-test.txt"));
     const auto viewer = find_viewer_dir();
-    all.push_back({"viewer", viewer ? viewer->string() : "missing: scenes get no viewer.html", viewer ? "" : viewer_remedy()});
+    all.push_back(
+        {"viewer", viewer ? viewer->string() : "missing: scenes get no viewer.html", viewer ? "" : viewer_remedy()});
     all.push_back(furniture());
     all.push_back(program("node", "to install the viewer", "apt-get install --no-install-recommends nodejs"));
     all.push_back(program("npm", "to install the viewer", "apt-get install --no-install-recommends npm"));
     all.push_back(program("ffmpeg", "optional: films", "apt-get install --no-install-recommends ffmpeg"));
-    all.push_back(program("colmap", "optional: to check the views with", "apt-get install --no-install-recommends colmap"));
+    all.push_back(
+        program("colmap", "optional: to check the views with", "apt-get install --no-install-recommends colmap"));
     return all;
 }
 
@@ -172,9 +181,13 @@ Verb add_doctor(CLI::App& app) {
                 std::string text;
                 Json json = Json::array();
                 for (const Finding& finding : examine()) {
-                    text += fmt::format("{} {:<18} {}\n", finding.remedy.empty() ? "ok  " : "MISS", finding.what, finding.state);
+                    text += fmt::format("{} {:<18} {}\n", finding.remedy.empty() ? "ok  " : "MISS", finding.what,
+                                        finding.state);
                     if (!finding.remedy.empty()) text += fmt::format("     {:<18} -> {}\n", "", finding.remedy);
-                    json.push_back({{"what", finding.what}, {"state", finding.state}, {"ok", finding.remedy.empty()}, {"remedy", finding.remedy}});
+                    json.push_back({{"what", finding.what},
+                                    {"state", finding.state},
+                                    {"ok", finding.remedy.empty()},
+                                    {"remedy", finding.remedy}});
                 }
                 text.pop_back();
                 session.print(text, json);

@@ -17,7 +17,8 @@ struct EvaluateFlags {
 
 SuitePeer peer_from(const std::string& text) {
     const std::size_t at = text.find('=');
-    if (at == std::string::npos || at == 0 || at + 1 == text.size()) throw UsageError("--peer: expected NAME=DIR, found \"{}\"", text);
+    if (at == std::string::npos || at == 0 || at + 1 == text.size())
+        throw UsageError("--peer: expected NAME=DIR, found \"{}\"", text);
     return {text.substr(0, at), text.substr(at + 1)};
 }
 
@@ -30,7 +31,8 @@ std::string list_of_suites() {
 // A page as this version draws it, of what was measured before.
 void redraw(const std::filesystem::path& folder, const Session& session) {
     if (!std::filesystem::exists(folder / "results.json"))
-        throw UsageError("--redraw: expected the folder of an evaluation, found no {}", (folder / "results.json").string());
+        throw UsageError("--redraw: expected the folder of an evaluation, found no {}",
+                         (folder / "results.json").string());
     const Json results = read_json(folder / "results.json");
     try {
         write_results(folder, results);
@@ -66,9 +68,12 @@ void act(const EvaluateFlags& flags, const Session& session) {
     }
     const SuiteText found = find_suite(flags.suite);
     const Suite suite = read_suite(found.text, found.name, found.file, flags.quality);
-    if (flags.show) return session.print(found.text.substr(0, found.text.find_last_not_of('\n') + 1), {{"name", found.name}, {"text", found.text}});
+    if (flags.show)
+        return session.print(found.text.substr(0, found.text.find_last_not_of('\n') + 1),
+                             {{"name", found.name}, {"text", found.text}});
     EvaluateOptions options;
-    options.out = flags.out.empty() ? std::filesystem::path("out") / ("evaluate-" + slug_of(suite.name)) : std::filesystem::path(flags.out);
+    options.out = flags.out.empty() ? std::filesystem::path("out") / ("evaluate-" + slug_of(suite.name))
+                                    : std::filesystem::path(flags.out);
     options.weights = flags.weights;
     options.scenes = number_from<int>("--scenes", flags.scenes);
     if (options.scenes < 0) throw UsageError("--scenes: expected a number from 0, found {}", options.scenes);
@@ -87,20 +92,30 @@ void act(const EvaluateFlags& flags, const Session& session) {
 
 Verb add_evaluate(CLI::App& app) {
     auto flags = std::make_shared<EvaluateFlags>();
-    CLI::App* verb =
-        app.add_subcommand("evaluate", "Makes and measures the scenes of a suite: one table, one report. Without a suite: lists those that ship.");
-    verb->add_option("suite", flags->suite, "Name of a suite that ships, or a file (docs/evaluate.md).")->type_name("SUITE");
-    verb->add_option("-o,--out", flags->out, "Folder of scenes, measures and report; goes on where it was. Default: out/evaluate-SUITE.")
+    CLI::App* verb = app.add_subcommand(
+        "evaluate",
+        "Makes and measures the scenes of a suite: one table, one report. Without a suite: lists those that ship.");
+    verb->add_option("suite", flags->suite, "Name of a suite that ships, or a file (docs/evaluate.md).")
+        ->type_name("SUITE");
+    verb->add_option("-o,--out", flags->out,
+                     "Folder of scenes, measures and report; goes on where it was. Default: out/evaluate-SUITE.")
         ->type_name("DIR");
     verb->add_option("--quality", flags->quality, "Preset for all scenes, instead of what the suite says.")
         ->type_name("draft|standard|high")
         ->check(one_of(qualities()));
-    verb->add_option("--scenes", flags->scenes, "Only the first N scenes; 0: all.")->type_name("N")->capture_default_str();
-    verb->add_option("--peer", flags->peers, "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be given often.")
+    verb->add_option("--scenes", flags->scenes, "Only the first N scenes; 0: all.")
+        ->type_name("N")
+        ->capture_default_str();
+    verb->add_option(
+            "--peer", flags->peers,
+            "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be given often.")
         ->type_name("NAME=DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    verb->add_option("--weights", flags->weights, "Folder of the metrics' parameters and networks, as for `metrics images`.")->type_name("DIR");
-    verb->add_option("--redraw", flags->redraw, "Only write tables and page anew from DIR/results.json; nothing is made or measured.")
+    verb->add_option("--weights", flags->weights,
+                     "Folder of the metrics' parameters and networks, as for `metrics images`.")
+        ->type_name("DIR");
+    verb->add_option("--redraw", flags->redraw,
+                     "Only write tables and page anew from DIR/results.json; nothing is made or measured.")
         ->type_name("DIR");
     verb->add_flag("--show", flags->show, "Check the suite and print its text, to begin one's own with.");
     verb->footer(list_of_suites());

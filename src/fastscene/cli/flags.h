@@ -32,7 +32,8 @@ T number_from(const std::string& flag, const std::string& text) {
     const char* end = text.data() + text.size();
     const auto [stop, code] = std::from_chars(text.data(), end, value);
     if (code != std::errc() || stop != end)
-        throw UsageError("{}: expected {}, found \"{}\"", flag, std::is_integral_v<T> ? "a whole number" : "a number", text);
+        throw UsageError("{}: expected {}, found \"{}\"", flag, std::is_integral_v<T> ? "a whole number" : "a number",
+                         text);
     return value;
 }
 
@@ -56,13 +57,17 @@ struct AddFlags {
     }
     void operator()(std::string_view field, bool&, std::string_view sentence) {
         const std::string flag = flag_name(section, field);
-        app.add_flag_callback(flag, [given = given, flag] { (*given)[flag] = "true"; }, std::string(sentence))->group(group);
+        app.add_flag_callback(
+               flag, [given = given, flag] { (*given)[flag] = "true"; }, std::string(sentence))
+            ->group(group);
     }
 
   private:
     CLI::Option* add(std::string_view field, const std::string& sentence, const std::string& kind) {
         const std::string flag = flag_name(section, field);
-        return app.add_option_function<std::string>(flag, [given = given, flag](const std::string& text) { (*given)[flag] = text; }, sentence)
+        return app
+            .add_option_function<std::string>(
+                flag, [given = given, flag](const std::string& text) { (*given)[flag] = text; }, sentence)
             ->type_name(kind)
             ->group(group);
     }
@@ -78,17 +83,15 @@ struct ApplyFlags {
         const std::string flag = flag_name(section, field);
         const auto found = given.find(flag);
         if (found == given.end()) return;
-        if constexpr (std::is_same_v<T, bool>)
-            value = true;
-        else if constexpr (std::is_same_v<T, std::string>)
-            value = found->second;
-        else
-            value = number_from<T>(flag, found->second);
+        if constexpr (std::is_same_v<T, bool>) value = true;
+        else if constexpr (std::is_same_v<T, std::string>) value = found->second;
+        else value = number_from<T>(flag, found->second);
     }
 };
 
 template <class Params>
-void add_fields(CLI::App& app, const std::string& section, Params defaults, std::shared_ptr<Given> given, const std::string& group) {
+void add_fields(CLI::App& app, const std::string& section, Params defaults, std::shared_ptr<Given> given,
+                const std::string& group) {
     visit_fields(defaults, AddFlags{app, section, std::move(given), group});
 }
 template <class Params>

@@ -10,20 +10,29 @@ Verb add_inpaint_train(CLI::App& inpaint) {
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = inpaint.add_subcommand("train", "Trains AOT-GAN on such a set; the same command goes on where it stopped.");
-    verb->add_option("data", flags->data, "Folder that `fastscene inpaint dataset` made.")->type_name("DIR")->required();
-    verb->add_option("-o,--out", flags->out,
-                     "Folder of the training: generator.safetensors (for --walk-inpaint-weights), checkpoint, curves, sheets.")
+    CLI::App* verb = inpaint.add_subcommand("train",
+                                            "Trains AOT-GAN on such a set; the same command goes on where it stopped.");
+    verb->add_option("data", flags->data, "Folder that `fastscene inpaint dataset` made.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--seed", flags->seed, "Same seed and settings, same training.")->type_name("N")->capture_default_str();
+    verb->add_option(
+            "-o,--out", flags->out,
+            "Folder of the training: generator.safetensors (for --walk-inpaint-weights), checkpoint, curves, sheets.")
+        ->type_name("DIR")
+        ->required();
+    verb->add_option("--seed", flags->seed, "Same seed and settings, same training.")
+        ->type_name("N")
+        ->capture_default_str();
     add_fields(*verb, "", InpaintTrainParams{}, flags->given, "Settings of the training");
-    verb->footer("Example:\n  fastscene inpaint train data/holes -o out/inpainter --width 16 --blocks 4 --skips --size 128 --holes harmonic");
+    verb->footer(
+        "Example:\n  fastscene inpaint train data/holes -o out/inpainter --width 16 --blocks 4 --skips --size 128 "
+        "--holes harmonic");
     return {verb, [flags](const Session& session) {
                 InpaintTrainParams params;
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
-                const auto figures = train_inpainter(flags->data, params, flags->out, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                const auto figures = train_inpainter(flags->data, params, flags->out,
+                                                     session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 if (figures.empty()) return session.print("done; process 0 keeps the network", Json::object());
                 std::string text = flags->out + "/generator.safetensors: held out:";
                 Json json{{"weights", flags->out + "/generator.safetensors"}};

@@ -31,7 +31,8 @@ void Session::print(const std::string& text, const Json& json) const {
 namespace {
 
 void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
-    verb.add_option("--threads", common->threads, "Threads to use; 0 = all cores. The result is the same for any number.")
+    verb.add_option("--threads", common->threads,
+                    "Threads to use; 0 = all cores. The result is the same for any number.")
         ->type_name("N")
         ->check(whole_number_within(0, 4096))
         ->capture_default_str();
@@ -57,8 +58,8 @@ void begin_with_settings(const std::string& verb, char** argv) {
     std::vector<Setting> settings = library_settings(isa());
     for (const Setting& usual :
          {Setting{"OMP_WAIT_POLICY", "passive"}, Setting{"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"}}) {
-        const bool taken =
-            std::any_of(settings.begin(), settings.end(), [&](const Setting& s) { return s.name == usual.name; });
+        const bool taken = std::any_of(settings.begin(), settings.end(),
+                                       [&](const Setting& s) { return s.name == usual.name; });
         if (!taken && !std::getenv(usual.name.c_str())) settings.push_back(usual);
     }
     begin_with(settings, argv);
@@ -82,7 +83,9 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
     } catch (const CheckFailed& e) {
         return fail(std::string("a mistake of ours, please report it: ") + e.what(), 1);
     } catch (const std::exception& e) {
-        return fail(is_lack_of_memory(e) ? "not enough memory: close other programs, or use a lower --quality" : short_message(e), 1);
+        return fail(is_lack_of_memory(e) ? "not enough memory: close other programs, or use a lower --quality"
+                                         : short_message(e),
+                    1);
     }
 }
 
@@ -90,13 +93,15 @@ int run(int argc, char** argv) {
     const SignalWatch signals;
     CLI::App app("From a sentence to a 3D indoor scene you can walk through.", "fastscene");
     app.require_subcommand(1);
-    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so that a script's defaults can be overridden
+    app.option_defaults()->multi_option_policy(
+        CLI::MultiOptionPolicy::TakeLast);  // so that a script's defaults can be overridden
     app.get_formatter()->column_width(34);
     bool version = false;
     app.add_flag("--version", version, "Print the version and exit.");
-    const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app),  add_walk(app),    add_views(app), add_splat(app),
-                                  add_metrics(app), add_evaluate(app), add_render(app), add_convert(app), add_view(app),  add_rooms(app),
-                                  add_inpaint(app), add_models(app),   add_doctor(app), add_version(app)};
+    const std::vector<Verb> verbs{add_make(app),    add_panorama(app), add_depth(app),   add_walk(app),
+                                  add_views(app),   add_splat(app),    add_metrics(app), add_evaluate(app),
+                                  add_render(app),  add_convert(app),  add_view(app),    add_rooms(app),
+                                  add_inpaint(app), add_models(app),   add_doctor(app),  add_version(app)};
     // After the verbs, which would take it over.
     app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     auto common = std::make_shared<Common>();
@@ -107,7 +112,7 @@ int run(int argc, char** argv) {
         (void)isa();  // a wrong FASTSCENE_ISA is told before anything is done
     } catch (const CLI::Success& e) {
         if (app.get_subcommands().empty() && has_unknown_words(app)) return usage(unknown_argument(app));  // mak --help
-        return app.exit(e);  // --help
+        return app.exit(e);                                                                                // --help
     } catch (const CLI::ExtrasError&) {
         return usage(unknown_argument(app));
     } catch (const CLI::RequiredError&) {

@@ -8,13 +8,17 @@ namespace fastscene::cli {
 
 namespace {
 
-// What belongs to `metrics DIR --truth` would be taken and not used beside another measure: a second folder, most of all.
+// What belongs to `metrics DIR --truth` would be taken and not used beside another measure: a second folder, most of
+// all.
 void refuse_own(const CLI::App& verb, const Given& given, const std::string& part) {
     if (const CLI::Option* folder = verb.get_option("folder"); folder->count())
         throw UsageError("metrics {}: expected no further argument, found \"{}\"", part, folder->as<std::string>());
     for (const char* flag : {"--truth", "--seed"})
-        if (verb.get_option(flag)->count()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, flag);
-    if (!given.empty()) throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, given.begin()->first);
+        if (verb.get_option(flag)->count())
+            throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part, flag);
+    if (!given.empty())
+        throw UsageError("metrics {}: expected no {}, which belongs to `metrics DIR --truth`", part,
+                         given.begin()->first);
 }
 
 }  // namespace
@@ -27,32 +31,38 @@ Verb add_metrics(CLI::App& app) {
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand("metrics", "How good is a scene? Compares it with the real room at poses never trained on.");
+    CLI::App* verb = app.add_subcommand(
+        "metrics", "How good is a scene? Compares it with the real room at poses never trained on.");
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR");
     verb->add_flag("--truth", flags->truth, "Trace the real room behind the prompt and compare.");
     verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
-    verb->footer("Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference truth");
+    verb->footer(
+        "Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference "
+        "truth");
     const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `metrics`
-    return {verb, [verb, flags, parts](const Session& session) {
-                for (const Verb& part : parts)
-                    if (part.app->parsed()) {
-                        refuse_own(*verb, *flags->given, part.app->get_name());
-                        return part.act(session);
-                    }
-                if (flags->folder.empty())
-                    throw UsageError("metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
-                if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
-                TruthParams params;
-                if (flags->given->count("--radius")) params.where = "near";   // a radius has no other meaning
-                apply_fields("", params, *flags->given);
-                check_fields("", params);
-                if (params.where != "near" && flags->given->count("--radius"))
-                    throw UsageError("--radius: expected with --where near, found --where {}", params.where);
-                const Json report = measure_run(flags->folder, params, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
-                session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
-            }};
+    return {
+        verb, [verb, flags, parts](const Session& session) {
+            for (const Verb& part : parts)
+                if (part.app->parsed()) {
+                    refuse_own(*verb, *flags->given, part.app->get_name());
+                    return part.act(session);
+                }
+            if (flags->folder.empty())
+                throw UsageError(
+                    "metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
+            if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
+            TruthParams params;
+            if (flags->given->count("--radius")) params.where = "near";  // a radius has no other meaning
+            apply_fields("", params, *flags->given);
+            check_fields("", params);
+            if (params.where != "near" && flags->given->count("--radius"))
+                throw UsageError("--radius: expected with --where near, found --where {}", params.where);
+            const Json report = measure_run(flags->folder, params,
+                                            session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+            session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
+        }};
 }
 
 }  // namespace fastscene::cli

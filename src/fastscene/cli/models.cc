@@ -32,7 +32,8 @@ std::string state_text(const Model& model, const Presence& here) {
     if (here.files == model.files.size()) return "here, " + size_text(here.bytes);
     if (here.files > 0) return fmt::format("{} of {} files here", here.files, model.files.size());
     if (model.by_hand()) return "by hand";
-    const bool all_known = std::all_of(model.files.begin(), model.files.end(), [](const ModelFile& file) { return file.bytes > 0; });
+    const bool all_known = std::all_of(model.files.begin(), model.files.end(),
+                                       [](const ModelFile& file) { return file.bytes > 0; });
     return all_known ? size_text(model.known_bytes()) : "size not known";
 }
 
@@ -40,10 +41,24 @@ Json json_of(const Model& model, const Presence& here) {
     Json files = Json::array();
     for (const ModelFile& file : model.files) {
         const std::vector<std::string> urls = urls_of(model, file);
-        files.push_back({{"name", file.name}, {"names", file.names()}, {"urls", urls}, {"bytes", file.bytes ? Json(file.bytes) : Json()}, {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}});
+        files.push_back({{"name", file.name},
+                         {"names", file.names()},
+                         {"urls", urls},
+                         {"bytes", file.bytes ? Json(file.bytes) : Json()},
+                         {"sha256", file.sha256.empty() ? Json() : Json(file.sha256)}});
     }
-    return {{"name", model.name}, {"what", model.what}, {"use", model.use}, {"licence", model.licence}, {"licence_url", model.licence_url}, {"home", model.home},
-            {"by_hand", model.by_hand()}, {"mirror_folder", model.folder}, {"folder", (models_root() / model.folder).string()}, {"here", here.files == model.files.size()}, {"accepted", is_accepted(model)}, {"files", files}};
+    return {{"name", model.name},
+            {"what", model.what},
+            {"use", model.use},
+            {"licence", model.licence},
+            {"licence_url", model.licence_url},
+            {"home", model.home},
+            {"by_hand", model.by_hand()},
+            {"mirror_folder", model.folder},
+            {"folder", (models_root() / model.folder).string()},
+            {"here", here.files == model.files.size()},
+            {"accepted", is_accepted(model)},
+            {"files", files}};
 }
 
 // As a mirror has it: FOLDER/FILE, or one of several.
@@ -58,8 +73,10 @@ void list(const Session& session) {
     Json json = Json::array();
     for (const Model& model : models()) {
         const Presence here = presence_of(model);
-        text += fmt::format("{:<23} {:<22} {}\n{:<23} {:<22} licence: {}\n", model.name, state_text(model, here), model.what, "", "", model.licence);
-        for (const ModelFile& file : model.files) text += fmt::format("{:<23} {:<22} {}\n", "", "", file_text(model, file));
+        text += fmt::format("{:<23} {:<22} {}\n{:<23} {:<22} licence: {}\n", model.name, state_text(model, here),
+                            model.what, "", "", model.licence);
+        for (const ModelFile& file : model.files)
+            text += fmt::format("{:<23} {:<22} {}\n", "", "", file_text(model, file));
         json.push_back(json_of(model, here));
     }
     session.print(text + fmt::format("in {} (FASTSCENE_MODELS names another folder)", models_root().string()), json);
@@ -70,7 +87,9 @@ std::string report_text(const ModelReport& report) {
     for (const FileReport& file : report.files) {
         const std::string known = file.known ? "" : ", hash not known beforehand";
         text += fmt::format("{:<9} {}/{}{}\n", name_of(file.state), report.model, file.name,
-                            !file.problem.empty() ? ": " + file.problem : file.sha256.empty() ? "" : fmt::format(": {}{}", file.sha256, known));
+                            !file.problem.empty() ? ": " + file.problem
+                            : file.sha256.empty() ? ""
+                                                  : fmt::format(": {}{}", file.sha256, known));
     }
     return text;
 }
@@ -94,22 +113,26 @@ Verb add_pull(CLI::App& models_verb) {
         bool accept = false;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = models_verb.add_subcommand("pull",
-                                                "Brings models to this machine. What a broken connection has brought is kept, and the same command "
-                                                "goes on; what is damaged is fetched again.");
+    CLI::App* verb = models_verb.add_subcommand(
+        "pull",
+        "Brings models to this machine. What a broken connection has brought is kept, and the same command "
+        "goes on; what is damaged is fetched again.");
     verb->add_option("names", flags->names, "Names as `models list` has them.")->type_name("NAME")->required();
     verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once for each model.");
     verb->add_option("--mirror", flags->mirror,
-                     "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: $FASTSCENE_MODELS_MIRROR.")
+                     "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: "
+                     "$FASTSCENE_MODELS_MIRROR.")
         ->type_name("DIR|URL");
     return {verb, [flags](const Session& session) {
                 const Run run = session.run(0);
                 std::vector<const Model*> wanted;
-                for (const std::string& name : flags->names) wanted.push_back(&model_named(name));  // all names before the first byte
+                for (const std::string& name : flags->names)
+                    wanted.push_back(&model_named(name));  // all names before the first byte
                 std::vector<ModelReport> reports;
                 for (const Model* model : wanted)
-                    reports.push_back(
-                        pull_model(*model, {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
+                    reports.push_back(pull_model(
+                        *model,
+                        {models_root(), flags->mirror.empty() ? default_mirror() : flags->mirror, flags->accept}, run));
                 print_reports(reports, session);
             }};
 }
@@ -117,19 +140,22 @@ Verb add_pull(CLI::App& models_verb) {
 std::string remedy_for(const ModelReport& report) {
     const Model& model = model_named(report.model);
     const std::string pull = "fastscene models pull " + model.name;
-    return model.by_hand() ? fmt::format("fetch them by hand at {} into {}, or from a mirror: {} --mirror DIR", model.home, report.folder.string(), pull)
+    return model.by_hand() ? fmt::format("fetch them by hand at {} into {}, or from a mirror: {} --mirror DIR",
+                                         model.home, report.folder.string(), pull)
                            : fmt::format("`{}` fetches them again", pull);
 }
 
 Verb add_verify(CLI::App& models_verb) {
     auto names = std::make_shared<std::vector<std::string>>();
-    CLI::App* verb = models_verb.add_subcommand(
-        "verify", "Reads the files again and holds them against their known hashes, or those recorded when they were first seen.");
+    CLI::App* verb = models_verb.add_subcommand("verify",
+                                                "Reads the files again and holds them against their known hashes, or "
+                                                "those recorded when they were first seen.");
     verb->add_option("names", *names, "Names as `models list` has them; none: whatever is here.")->type_name("NAME");
     return {verb, [names](const Session& session) {
                 const Run run = session.run(0);
                 std::vector<ModelReport> reports;
-                for (const std::string& name : *names) reports.push_back(verify_model(model_named(name), models_root(), run));
+                for (const std::string& name : *names)
+                    reports.push_back(verify_model(model_named(name), models_root(), run));
                 if (names->empty())
                     for (const Model& model : models())
                         if (presence_of(model).files > 0) reports.push_back(verify_model(model, models_root(), run));
@@ -137,7 +163,8 @@ Verb add_verify(CLI::App& models_verb) {
                 for (const ModelReport& report : reports)
                     if (!report.whole())
                         throw Error("models verify: expected whole models, found {} missing or damaged files in {}; {}",
-                                    std::count_if(report.files.begin(), report.files.end(), [](const FileReport& f) { return !f.problem.empty(); }),
+                                    std::count_if(report.files.begin(), report.files.end(),
+                                                  [](const FileReport& f) { return !f.problem.empty(); }),
                                     report.model, remedy_for(report));
             }};
 }
@@ -147,7 +174,8 @@ Verb add_path(CLI::App& models_verb) {
     CLI::App* verb = models_verb.add_subcommand("path", "Where a model lies, or belongs when it is fetched by hand.");
     verb->add_option("name", *name, "A name as `models list` has it; none: the folder of all.")->type_name("NAME");
     return {verb, [name](const Session& session) {
-                const std::string path = (name->empty() ? models_root() : models_root() / model_named(*name).folder).string();
+                const std::string path = (name->empty() ? models_root() : models_root() / model_named(*name).folder)
+                                             .string();
                 session.print(path, {{"path", path}});
             }};
 }
@@ -158,7 +186,8 @@ Verb add_models(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("models", "Weights of others: which there are, bring them here, check them.");
     verb->require_subcommand(1);
     verb->footer("Examples:\n  fastscene models list\n  fastscene models pull lpips --accept");
-    CLI::App* list_verb = verb->add_subcommand("list", "Which models this program can use, under which licence, and which are here.");
+    CLI::App* list_verb = verb->add_subcommand(
+        "list", "Which models this program can use, under which licence, and which are here.");
     const std::vector<Verb> parts{{list_verb, list}, add_pull(*verb), add_verify(*verb), add_path(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `models`
     return {verb, [parts](const Session& session) {

@@ -20,7 +20,8 @@ constexpr Seconds kPlainEvery{10};
 
 std::string clock_text(double seconds) {
     const auto s = static_cast<long>(seconds + 0.5);
-    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                     : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
 }  // namespace
@@ -34,15 +35,18 @@ ProgressStyle progress_style(const std::string& name, bool is_terminal) {
 }
 
 std::string printable(std::string_view text) {
-    const auto byte_at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : std::uint8_t{0}; };
+    const auto byte_at = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : std::uint8_t{0};
+    };
     const auto continues = [&](std::size_t i) { return (byte_at(i) & 0xc0) == 0x80; };
     std::string out;
     for (std::size_t i = 0; i < text.size();) {
         const unsigned char byte = byte_at(i);
         const std::size_t length = byte < 0x80 ? 1 : byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : 2;
-        bool plain = byte < 0x80 ? (byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t' : byte >= 0xc2 && byte < 0xf5;
+        bool plain = byte < 0x80 ? (byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t'
+                                 : byte >= 0xc2 && byte < 0xf5;
         for (std::size_t k = 1; k < length; ++k) plain = plain && continues(i + k);
-        if (byte == 0xc2 && byte_at(i + 1) < 0xa0) plain = false;   // the second set of control characters
+        if (byte == 0xc2 && byte_at(i + 1) < 0xa0) plain = false;  // the second set of control characters
         // What terminals may obey, and what is not UTF-8, is told byte by byte.
         if (plain) out += text.substr(i, length);
         else out += fmt::format("\\x{:02x}", byte);
@@ -54,7 +58,8 @@ std::string printable(std::string_view text) {
 void ProgressDisplay::tell(const Event& event) {
     const std::lock_guard guard(mutex_);
     if (const auto* progress = std::get_if<ProgressEvent>(&event)) show(*progress);
-    if (const auto* note = std::get_if<NoteEvent>(&event); note && style_ != ProgressStyle::none) say("note", note->text);
+    if (const auto* note = std::get_if<NoteEvent>(&event); note && style_ != ProgressStyle::none)
+        say("note", note->text);
     if (const auto* warning = std::get_if<WarningEvent>(&event)) say("warning", warning->text);
 }
 
@@ -67,8 +72,7 @@ void ProgressDisplay::say(const std::string& kind, const std::string& text) {
     end_line();
     if (style_ == ProgressStyle::json)
         out_ << Json{{"event", kind}, {"text", text}}.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
-    else
-        out_ << (kind == "note" ? "" : kind + ": ") << printable(text) << std::endl;
+    else out_ << (kind == "note" ? "" : kind + ": ") << printable(text) << std::endl;
 }
 
 // The work is taken to go on as fast as it went so far.

@@ -12,7 +12,8 @@
 
 namespace fastscene::cli {
 
-// `line`: one line, rewritten. `plain`: a line now and then, for logs. `json`: one object a line. `none`: warnings only.
+// `line`: one line, rewritten. `plain`: a line now and then, for logs. `json`: one object a line. `none`: warnings
+// only.
 enum class ProgressStyle { line, plain, json, none };
 // Throws UsageError for an unknown name; "auto" is a line on a terminal, plain lines elsewhere.
 ProgressStyle progress_style(const std::string& name, bool is_terminal);
@@ -42,7 +43,7 @@ class ProgressDisplay : public EventSink {
     Clock::time_point overall_begin_;  // when the whole was first heard of, and how far it was then
     double overall_first_ = -1;
     int shown_percent_ = -1;
-    std::size_t line_length_ = 0;      // of the rewritten line on screen; 0 = none
+    std::size_t line_length_ = 0;  // of the rewritten line on screen; 0 = none
 };
 
 }  // namespace fastscene::cli

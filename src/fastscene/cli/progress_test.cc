@@ -68,8 +68,12 @@ TEST(Progress, TheRewrittenLineIsLeftBeforeOtherTextAndWipesWhatWasLonger) {
 
 TEST(Progress, WhatFilesSayDoesNotReachTheTerminalAsOrders) {
     std::ostringstream out;
-    ProgressDisplay(out, ProgressStyle::plain).tell(WarningEvent{"a\x1b[2J\rb\x7f\xc2\x9b" "31m \x9b" "4m \xe5\xae \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6"});
-    EXPECT_EQ(out.str(), "warning: a\\x1b[2J\\x0db\\x7f\\xc2\\x9b31m \\x9b4m \\xe5\\xae \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6\n");
+    ProgressDisplay(out, ProgressStyle::plain)
+        .tell(WarningEvent{"a\x1b[2J\rb\x7f\xc2\x9b"
+                           "31m \x9b"
+                           "4m \xe5\xae \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6"});
+    EXPECT_EQ(out.str(),
+              "warning: a\\x1b[2J\\x0db\\x7f\\xc2\\x9b31m \\x9b4m \\xe5\\xae \n\tgr\xc3\xbc\xc3\x9f \xe5\xae\xb6\n");
 }
 
 TEST(Progress, UnknownStylesAreRefused) {

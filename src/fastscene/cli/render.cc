@@ -54,7 +54,8 @@ void save_distance(const fs::path& path, const ImageF& distance) {
     if (ends_in(path, {".pfm"})) return save_pfm(path, distance);
     Image<std::uint16_t> millimetres(distance.width, distance.height);
     for (std::size_t i = 0; i < distance.size(); ++i)
-        millimetres.pixels[i] = static_cast<std::uint16_t>(std::clamp(distance.pixels[i] * 1000.f + 0.5f, 0.f, 65535.f));
+        millimetres.pixels[i] = static_cast<std::uint16_t>(
+            std::clamp(distance.pixels[i] * 1000.f + 0.5f, 0.f, 65535.f));
     save_png16(path, millimetres);
 }
 
@@ -68,7 +69,7 @@ std::string ffmpeg_frames(const fs::path& folder) {
 // What the cameras look at: the splats, or the room that they were made from.
 struct Subject {
     std::function<Still(const Pinhole&, const Rigid& world_from_camera)> flat;
-    std::function<Still(int width, const Rigid& world_from_pano)> sphere;   // equirectangular
+    std::function<Still(int width, const Rigid& world_from_pano)> sphere;  // equirectangular
 };
 
 Subject subject_of_splats(Splats given, Vec3f background) {
@@ -80,33 +81,37 @@ Subject subject_of_splats(Splats given, Vec3f background) {
 // Path traced, as free of noise as the truth that splats are judged by.
 Subject subject_of_room(const std::string& folder, int samples, const Session& session) {
     const Run run = session.run(0);
-    if (!fs::is_directory(folder)) throw UsageError("--of room: expected the folder of a run from a prompt, found the file {}", folder);
+    if (!fs::is_directory(folder))
+        throw UsageError("--of room: expected the folder of a run from a prompt, found the file {}", folder);
     const RunFolder run_folder{folder};
     const RecordedRun recorded = recorded_run(run_folder);
     const std::shared_ptr<const TracedRoom> room = room_of_run(run_folder, recorded, 0, run);
     const ShotParts parts = final_parts(samples);
     const Run quiet{recorded.seed, nullptr, run.stop};
     const auto still = [](Shot shot, auto&& of_range) {
-        Still out{srgb8_from_linear(shot.color), ImageMask(shot.color.width, shot.color.height, 255), std::move(shot.range)};
+        Still out{srgb8_from_linear(shot.color), ImageMask(shot.color.width, shot.color.height, 255),
+                  std::move(shot.range)};
         for (int y = 0; y < out.distance.height; ++y)
             for (int x = 0; x < out.distance.width; ++x) {
                 float& d = out.distance.at(x, y);
-                d = std::isfinite(d) ? d * of_range(x, y) : 0.f;   // nothing is outside
+                d = std::isfinite(d) ? d * of_range(x, y) : 0.f;  // nothing is outside
             }
         return out;
     };
-    return {[=](const Pinhole& camera, const Rigid& pose) {
-                return still(room->perspective(pose, camera, parts, quiet), [&](int x, int y) {
-                    return normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f})).z;
-                });
-            },
-            [=](int width, const Rigid& pose) {
-                return still(room->panorama(pose, {width, width / 2}, parts, quiet), [](int, int) { return 1.f; });
-            }};
+    return {
+        [=](const Pinhole& camera, const Rigid& pose) {
+            return still(room->perspective(pose, camera, parts, quiet), [&](int x, int y) {
+                return normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f})).z;
+            });
+        },
+        [=](int width, const Rigid& pose) {
+            return still(room->panorama(pose, {width, width / 2}, parts, quiet), [](int, int) { return 1.f; });
+        }};
 }
 
 // The film's frames as PNGs, and the film itself where ffmpeg is.
-void render_film(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
+void render_film(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags,
+                 const Session& session) {
     const Run run = session.run(0);
     const fs::path frames = out.extension() == ".mp4" ? fs::path(out).replace_extension("") : out;
     make_directories(frames);
@@ -124,13 +129,19 @@ void render_film(const Subject& subject, const CameraPath& camera, const fs::pat
     Json json{{"frames", frames.string()}, {"count", count}};
     std::string text = frames.string();
     // A longer film that was made here before would go on after this one.
-    if (fs::exists(frames / fmt::format("{:05}.png", count))) run.note(fmt::format("{}: frames from {:05}.png on are of an earlier film", frames.string(), count));
+    if (fs::exists(frames / fmt::format("{:05}.png", count)))
+        run.note(fmt::format("{}: frames from {:05}.png on are of an earlier film", frames.string(), count));
     if (const auto ffmpeg = find_program("ffmpeg")) {
         const fs::path film = fs::path(frames.string() + ".mp4");
-        const int code = run_program(*ffmpeg, {"-y", "-loglevel", "error", "-framerate", fmt::format("{}", camera.fps), "-i",
-                                               ffmpeg_frames(frames), "-frames:v", std::to_string(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
-                                               "yuv420p", "-crf", "18", "file:" + film.string()}, {{}, {}, session.stop});
-        if (code != 0) throw Error("{}: ffmpeg failed with exit code {}; the frames are in {}", film.string(), code, frames.string());
+        const int code = run_program(
+            *ffmpeg,
+            {"-y", "-loglevel", "error", "-framerate", fmt::format("{}", camera.fps), "-i", ffmpeg_frames(frames),
+             "-frames:v", std::to_string(count), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf",
+             "18", "file:" + film.string()},
+            {{}, {}, session.stop});
+        if (code != 0)
+            throw Error("{}: ffmpeg failed with exit code {}; the frames are in {}", film.string(), code,
+                        frames.string());
         json["film"] = film.string();
         text = film.string();
     } else {
@@ -144,12 +155,15 @@ void render_cameras(const Subject& subject, const Capture& capture, const fs::pa
     const Run run = session.run(0);
     if (capture.photos.empty()) throw Error("{}: expected cameras, found none", capture.source);
     Progress progress(run, "render", static_cast<std::int64_t>(capture.photos.size()));
-    const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
+    const auto to_float = [](Vec3d v) {
+        return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
     bool bent = false;
     for (const Photo& photo : capture.photos) {
         run.check_stop();
         const Mat3d& r = photo.world_from_camera.rotation;
-        const Rigid pose{{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(photo.world_from_camera.translation)};
+        const Rigid pose{{to_float(r.row0), to_float(r.row1), to_float(r.row2)},
+                         to_float(photo.world_from_camera.translation)};
         const bool sphere = photo.lens.kind == LensKind::equirectangular;
         bent = bent || !(sphere || photo.lens.is_pinhole());
         // Names may climb out of their folder; pictures do not.
@@ -158,8 +172,9 @@ void render_cameras(const Subject& subject, const Capture& capture, const fs::pa
             if (part != ".." && part != ".") below += (below.empty() ? "" : "/") + part.string();
         const fs::path file = (out / below).replace_extension(".png");
         make_directories(file.parent_path());
-        save_png(file,
-(sphere ? subject.sphere(photo.lens.width / 2 * 2, pose) : subject.flat(photo.lens.pinhole(), pose)).color);
+        save_png(
+            file,
+            (sphere ? subject.sphere(photo.lens.width / 2 * 2, pose) : subject.flat(photo.lens.pinhole(), pose)).color);
         progress.advance();
     }
     if (bent) run.note("lenses with distortion were rendered without it");
@@ -178,10 +193,13 @@ std::optional<Capture> cameras_of(const fs::path& place) {
     return {};
 }
 
-void render_one(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags, const Session& session) {
-    const Rigid pose = world_from_camera_at({flags.position[0], flags.position[1], flags.position[2]}, flags.yaw_deg, flags.pitch_deg);
-    const Still still = flags.sphere ? subject.sphere(camera.width, pose)
-                                     : subject.flat(Pinhole::with_fov(camera.width, camera.height, flags.fov_deg), pose);
+void render_one(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags,
+                const Session& session) {
+    const Rigid pose = world_from_camera_at({flags.position[0], flags.position[1], flags.position[2]}, flags.yaw_deg,
+                                            flags.pitch_deg);
+    const Still still = flags.sphere
+                            ? subject.sphere(camera.width, pose)
+                            : subject.flat(Pinhole::with_fov(camera.width, camera.height, flags.fov_deg), pose);
     save_color(out, still.color);
     Json json{{"picture", out.string()}};
     if (!flags.depth.empty()) save_distance(flags.depth, still.distance), json["depth"] = flags.depth;
@@ -191,17 +209,22 @@ void render_one(const Subject& subject, const CameraPath& camera, const fs::path
 
 void render(const Flags& flags, const Session& session) {
     const bool of_room = flags.of == "room";
-    const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene) : scene_file(flags.scene).parent_path();
-    if (flags.verb->count("--samples") && !of_room) throw UsageError("--samples: expected with --of room, found with --of {}", flags.of);
-    if (flags.verb->count("--background") && of_room) throw UsageError("--background: expected with --of splats, found with --of room");
+    const fs::path folder = fs::is_directory(flags.scene) ? fs::path(flags.scene)
+                                                          : scene_file(flags.scene).parent_path();
+    if (flags.verb->count("--samples") && !of_room)
+        throw UsageError("--samples: expected with --of room, found with --of {}", flags.of);
+    if (flags.verb->count("--background") && of_room)
+        throw UsageError("--background: expected with --of splats, found with --of room");
     CameraPath camera;
     parse_size(!flags.size.empty() ? flags.size : flags.sphere ? "2048x1024" : "1280x720", camera.width, camera.height);
     if (flags.sphere && camera.width != 2 * camera.height)
         throw UsageError("--size: expected twice as wide as high with --sphere, found {}", flags.size);
-    if (!(flags.fov_deg >= 1.f && flags.fov_deg <= 170.f)) throw UsageError("--fov: expected 1 to 170 degrees, found {}", flags.fov_deg);
+    if (!(flags.fov_deg >= 1.f && flags.fov_deg <= 170.f))
+        throw UsageError("--fov: expected 1 to 170 degrees, found {}", flags.fov_deg);
     for (const float v : flags.background)
         if (!(v >= 0.f && v <= 1.f)) throw UsageError("--background: expected three numbers from 0 to 1, found {}", v);
-    const fs::path out = !flags.out.empty() ? fs::path(flags.out) : folder / (flags.path.empty() ? "render.png" : "film");
+    const fs::path out = !flags.out.empty() ? fs::path(flags.out)
+                                            : folder / (flags.path.empty() ? "render.png" : "film");
     if (flags.path.empty() && !ends_in(out, {".png", ".jpg", ".jpeg"}))
         throw UsageError("--out: expected a name that ends in .png or .jpg, found {}", out.string());
     if (!flags.depth.empty() && !ends_in(flags.depth, {".exr", ".pfm", ".png"}))
@@ -212,14 +235,16 @@ void render(const Flags& flags, const Session& session) {
         throw UsageError("--path: expected neither --depth nor --alpha beside it");
 
     for (const float v : {flags.position[0], flags.position[1], flags.position[2], flags.yaw_deg, flags.pitch_deg})
-        if (!(std::fabs(v) < 1e6f)) throw UsageError("--position, --yaw, --pitch: expected numbers below a million, found {}", v);
+        if (!(std::fabs(v) < 1e6f))
+            throw UsageError("--position, --yaw, --pitch: expected numbers below a million, found {}", v);
     if (!flags.path.empty())
         for (const char* flag : {"--position", "--yaw", "--pitch", "--fov"})
             if (flags.verb->count(flag)) throw UsageError("{}: expected not beside --path, whose file says it", flag);
 
     const auto capture = flags.path.empty() ? std::nullopt : cameras_of(flags.path);
     if (capture && (!flags.size.empty() || flags.sphere))
-        throw UsageError("{}: expected not beside cameras of --path, which have their own", flags.sphere ? "--sphere" : "--size");
+        throw UsageError("{}: expected not beside cameras of --path, which have their own",
+                         flags.sphere ? "--sphere" : "--size");
     if (!flags.path.empty() && !capture) {
         const int width = camera.width, height = camera.height;
         camera = load_camera_path(flags.path);
@@ -228,9 +253,10 @@ void render(const Flags& flags, const Session& session) {
     if (flags.path.empty())
         for (const fs::path& file : {out, fs::path(flags.depth), fs::path(flags.alpha)})
             if (!file.empty()) check_writable(file);
-    const Subject subject = of_room ? subject_of_room(flags.scene, flags.samples, session)
-                                    : subject_of_splats(load_scene(flags.scene, session.run(0)).splats,
-                                                        {flags.background[0], flags.background[1], flags.background[2]});
+    const Subject subject = of_room
+                                ? subject_of_room(flags.scene, flags.samples, session)
+                                : subject_of_splats(load_scene(flags.scene, session.run(0)).splats,
+                                                    {flags.background[0], flags.background[1], flags.background[2]});
     if (capture) return render_cameras(subject, *capture, out, session);
     if (!flags.path.empty()) return render_film(subject, camera, out, flags, session);
     render_one(subject, camera, out, flags, session);
@@ -240,11 +266,15 @@ void render(const Flags& flags, const Session& session) {
 
 Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand("render", "A picture of a scene, all around too, or a film along a camera path.");
-    verb->add_option("scene", flags->scene, "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
+    CLI::App* verb = app.add_subcommand("render",
+                                        "A picture of a scene, all around too, or a film along a camera path.");
+    verb->add_option("scene", flags->scene,
+                     "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
         ->type_name("DIR|FILE")
         ->required();
-    verb->add_option("--of", flags->of, "What to look at: the splats, or the room they were made from, path traced (scenes from a prompt).")
+    verb->add_option(
+            "--of", flags->of,
+            "What to look at: the splats, or the room they were made from, path traced (scenes from a prompt).")
         ->type_name("splats|room")
         ->check(one_of({"splats", "room"}))
         ->capture_default_str();
@@ -252,24 +282,35 @@ Verb add_render(CLI::App& app) {
         ->type_name("N")
         ->check(whole_number_within(16, 65536))
         ->capture_default_str();
-    verb->add_option("-o,--out", flags->out, "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")
+    verb->add_option("-o,--out", flags->out,
+                     "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")
         ->type_name("PATH");
-    verb->add_option("--position", flags->position, "Where the camera is: metres right, down, forward of the first panorama.")
+    verb->add_option("--position", flags->position,
+                     "Where the camera is: metres right, down, forward of the first panorama.")
         ->type_name("X Y Z")
         ->expected(3)
         ->default_str("0 0 0");
     verb->add_option("--yaw", flags->yaw_deg, "Degrees turned to the right.")->type_name("X")->capture_default_str();
     verb->add_option("--pitch", flags->pitch_deg, "Degrees looked up.")->type_name("X")->capture_default_str();
-    verb->add_option("--fov", flags->fov_deg, "Horizontal field of view in degrees.")->type_name("X")->capture_default_str();
-    verb->add_option("--size", flags->size, "Size of the picture in pixels; default 1280x720, with --sphere 2048x1024.")->type_name("WxH");
+    verb->add_option("--fov", flags->fov_deg, "Horizontal field of view in degrees.")
+        ->type_name("X")
+        ->capture_default_str();
+    verb->add_option("--size", flags->size, "Size of the picture in pixels; default 1280x720, with --sphere 2048x1024.")
+        ->type_name("WxH");
     verb->add_flag("--sphere", flags->sphere, "All around: an equirectangular picture.");
     verb->add_option("--depth", flags->depth,
-                     "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere along the ray.")
+                     "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere "
+                     "along the ray.")
         ->type_name("FILE");
     verb->add_option("--alpha", flags->alpha, "Also how opaque each pixel is (.png).")->type_name("FILE");
-    verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")->type_name("R G B")->expected(3)->default_str("0 0 0");
-    verb->add_option("--path", flags->path,
-                     "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
+    verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")
+        ->type_name("R G B")
+        ->expected(3)
+        ->default_str("0 0 0");
+    verb->add_option(
+            "--path", flags->path,
+            "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to "
+            "render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
         ->type_name("FILE|DIR");
     verb->footer(
         "Examples:\n  fastscene render out/bedroom --yaw 40 --position 0.2 0 0.3 -o still.png\n"

@@ -20,10 +20,12 @@ struct RequestFlags {
 };
 
 // For verbs that start a run from a prompt or a picture: make, panorama.
-Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence, const std::string& last_stage);
-// For verbs that go on with the run in a folder: depth, walk, views, splat. Settings that no flag changes are those of run.json.
-// `first` adds what --help shall show before them.
+Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence,
+                       const std::string& last_stage);
+// For verbs that go on with the run in a folder: depth, walk, views, splat. Settings that no flag changes are those of
+// run.json. `first` adds what --help shall show before them.
 Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence,
-                    std::shared_ptr<RequestFlags> flags = std::make_shared<RequestFlags>(), const std::function<void(CLI::App&)>& first = {});
+                    std::shared_ptr<RequestFlags> flags = std::make_shared<RequestFlags>(),
+                    const std::function<void(CLI::App&)>& first = {});
 
 }  // namespace fastscene::cli

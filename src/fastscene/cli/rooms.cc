@@ -5,8 +5,11 @@ namespace fastscene::cli {
 Verb add_rooms(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("rooms", "Works on the furnished rooms themselves.");
     verb->require_subcommand(1);
-    verb->footer("Examples:\n  fastscene rooms read \"a loft with brick walls and two sofas\"\n  fastscene rooms dataset --count 1000 --size 512x256 -o data/rooms");
-    const std::vector<Verb> parts{add_rooms_sheet(*verb), add_rooms_check(*verb), add_rooms_read(*verb), add_rooms_dataset(*verb)};
+    verb->footer(
+        "Examples:\n  fastscene rooms read \"a loft with brick walls and two sofas\"\n  fastscene rooms dataset "
+        "--count 1000 --size 512x256 -o data/rooms");
+    const std::vector<Verb> parts{add_rooms_sheet(*verb), add_rooms_check(*verb), add_rooms_read(*verb),
+                                  add_rooms_dataset(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `rooms`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)

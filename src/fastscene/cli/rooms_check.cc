@@ -31,7 +31,8 @@ void print_report(const CheckReport& report, const Session& session) {
         faulty.push_back({{"prompt", room.prompt}, {"seed", room.seed}, {"faults", faults}});
     }
     for (const auto& [kind, count] : kinds) text += fmt::format("{} {}, ", count, kind);
-    text += fmt::format("{} rooms with {} pieces, {} rooms with faults", report.rooms, report.pieces, report.faulty.size());
+    text += fmt::format("{} rooms with {} pieces, {} rooms with faults", report.rooms, report.pieces,
+                        report.faulty.size());
     session.print(text, {{"rooms", report.rooms}, {"pieces", report.pieces}, {"faults", kinds}, {"faulty", faulty}});
 }
 
@@ -44,21 +45,31 @@ Verb add_rooms_check(CLI::App& rooms) {
         bool triangles = false;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = rooms.add_subcommand("check", "Furnishes many rooms and looks for what is wrong: overlaps, blocked doors, things that float …");
-    verb->add_option("--count", flags->count, "Seeds for each room and style (1 to 100000).")->type_name("N")->capture_default_str();
+    CLI::App* verb = rooms.add_subcommand(
+        "check", "Furnishes many rooms and looks for what is wrong: overlaps, blocked doors, things that float …");
+    verb->add_option("--count", flags->count, "Seeds for each room and style (1 to 100000).")
+        ->type_name("N")
+        ->capture_default_str();
     verb->add_option("--seed", flags->seed, "The first seed.")->type_name("N")->capture_default_str();
-    verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between.")->type_name("NAMES")->delimiter(',');
-    verb->add_option("--styles", flags->styles, "Only these styles, with commas between.")->type_name("NAMES")->delimiter(',');
-    verb->add_flag("--triangles", flags->triangles, "Also look for things that reach into others by more than 12 mm, on their triangles.");
+    verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between.")
+        ->type_name("NAMES")
+        ->delimiter(',');
+    verb->add_option("--styles", flags->styles, "Only these styles, with commas between.")
+        ->type_name("NAMES")
+        ->delimiter(',');
+    verb->add_flag("--triangles", flags->triangles,
+                   "Also look for things that reach into others by more than 12 mm, on their triangles.");
     return {verb, [flags](const Session& session) {
                 const int count = number_from<int>("--count", flags->count);
-                if (count < 1 || count > 100000) throw UsageError("--count: expected a number from 1 to 100000, found {}", count);
+                if (count < 1 || count > 100000)
+                    throw UsageError("--count: expected a number from 1 to 100000, found {}", count);
                 check_names("--rooms", flags->rooms, room_types());
                 check_names("--styles", flags->styles, styles());
                 const fastscene::Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 const CheckReport report = check_rooms(flags->rooms, flags->styles, count, flags->triangles, run);
                 print_report(report, session);
-                if (!report.faulty.empty()) throw Error("rooms check: expected no faults, found {} rooms with some", report.faulty.size());
+                if (!report.faulty.empty())
+                    throw Error("rooms check: expected no faults, found {} rooms with some", report.faulty.size());
             }};
 }
 

@@ -6,9 +6,11 @@ namespace fastscene::cli {
 namespace {
 
 std::string summary(const std::string& folder, const DatasetState& state) {
-    std::string text = fmt::format("{}: {} of {} pictures are there, {} made now", folder, state.there, state.count, state.made);
+    std::string text = fmt::format("{}: {} of {} pictures are there, {} made now", folder, state.there, state.count,
+                                   state.made);
     if (state.there < state.count)
-        text += fmt::format("; {} are in the hands of other processes: the same command finishes what they leave", state.count - state.there);
+        text += fmt::format("; {} are in the hands of other processes: the same command finishes what they leave",
+                            state.count - state.there);
     return text;
 }
 
@@ -20,27 +22,40 @@ Verb add_rooms_dataset(CLI::App& rooms) {
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = rooms.add_subcommand("dataset", "Random rooms as training data: color, range, normals, class and instance ids, cameras.");
-    verb->add_option("-o,--out", flags->out, "Folder of the set. What is there is kept; any number of processes may work on one folder.")
+    CLI::App* verb = rooms.add_subcommand(
+        "dataset", "Random rooms as training data: color, range, normals, class and instance ids, cameras.");
+    verb->add_option("-o,--out", flags->out,
+                     "Folder of the set. What is there is kept; any number of processes may work on one folder.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--count", flags->count, "Pictures in all. A larger number makes a set longer.")->type_name("N")->required();
+    verb->add_option("--count", flags->count, "Pictures in all. A larger number makes a set longer.")
+        ->type_name("N")
+        ->required();
     verb->add_option("--size", flags->size, "Size of the pictures.")->type_name("WIDTHxHEIGHT")->capture_default_str();
-    verb->add_option("--seed", flags->seed, "Same seed and settings, same pictures, byte for byte.")->type_name("N")->capture_default_str();
+    verb->add_option("--seed", flags->seed, "Same seed and settings, same pictures, byte for byte.")
+        ->type_name("N")
+        ->capture_default_str();
     add_fields(*verb, "", DatasetParams{}, flags->given, "Settings of the pictures");
-    verb->footer("Files of picture 00000000 (docs/dataset.md): .color.jpg, .range.png (16 bit, millimetres along the ray, 0 = outside),\n"
-                 ".normal.png (camera frame, (n + 1) / 2), .class.png (NYU40), .instance.png (16 bit), .json (camera, prompt, instances).");
+    verb->footer(
+        "Files of picture 00000000 (docs/dataset.md): .color.jpg, .range.png (16 bit, millimetres along the ray, 0 = "
+        "outside),\n"
+        ".normal.png (camera frame, (n + 1) / 2), .class.png (NYU40), .instance.png (16 bit), .json (camera, prompt, "
+        "instances).");
     return {verb, [flags](const Session& session) {
                 DatasetRequest request;
                 request.count = number_from<int>("--count", flags->count);
                 const auto x = flags->size.find('x');
-                if (x == std::string::npos) throw UsageError("--size: expected WIDTHxHEIGHT, found \"{}\"", flags->size);
+                if (x == std::string::npos)
+                    throw UsageError("--size: expected WIDTHxHEIGHT, found \"{}\"", flags->size);
                 request.width = number_from<int>("--size", flags->size.substr(0, x));
                 request.height = number_from<int>("--size", flags->size.substr(x + 1));
                 apply_fields("", request.params, *flags->given);
                 check_fields("", request.params);
-                const DatasetState state = make_dataset(request, flags->out, session.run(number_from<std::uint64_t>("--seed", flags->seed)));
-                session.print(summary(flags->out, state), {{"folder", flags->out}, {"count", state.count}, {"there", state.there}, {"made", state.made}});
+                const DatasetState state = make_dataset(request, flags->out,
+                                                        session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                session.print(
+                    summary(flags->out, state),
+                    {{"folder", flags->out}, {"count", state.count}, {"there", state.there}, {"made", state.made}});
             }};
 }
 

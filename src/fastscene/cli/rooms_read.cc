@@ -12,10 +12,13 @@ std::string as_text(const Json& report) {
     for (const char* list : {"understood", "approximated", "not_placed", "not_understood"})
         for (const Json& word : report[list]) {
             const std::string words = word.is_string() ? word.get<std::string>() : word["words"].get<std::string>();
-            const std::string what = word.is_string() ? std::string() : word.value("meaning", word.value("reason", std::string()));
+            const std::string what = word.is_string() ? std::string()
+                                                      : word.value("meaning", word.value("reason", std::string()));
             text += fmt::format("{:<15} {}{}{}\n", list, words, what.empty() ? "" : ": ", what);
         }
-    for (const Json& choice : report["assumed"]) text += fmt::format("{:<15} {}: {}\n", "assumed", choice["what"].get<std::string>(), choice["value"].get<std::string>());
+    for (const Json& choice : report["assumed"])
+        text += fmt::format("{:<15} {}: {}\n", "assumed", choice["what"].get<std::string>(),
+                            choice["value"].get<std::string>());
     if (!text.empty()) text.pop_back();
     return text;
 }
@@ -27,13 +30,17 @@ Verb add_rooms_read(CLI::App& rooms) {
         std::string prompt, seed = "0", assets = "cc0";
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = rooms.add_subcommand("read", "What of a prompt is understood, and what becomes of it in the furnished room; no picture is made.");
+    CLI::App* verb = rooms.add_subcommand(
+        "read", "What of a prompt is understood, and what becomes of it in the furnished room; no picture is made.");
     verb->add_option("prompt", flags->prompt, "The sentence.")->required()->type_name("PROMPT");
     verb->add_option("--seed", flags->seed, "Which of the rooms it may mean.")->type_name("N")->capture_default_str();
-    verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models, or all.")->type_name("none|cc0|all")->capture_default_str();
+    verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models, or all.")
+        ->type_name("none|cc0|all")
+        ->capture_default_str();
     return {verb, [flags](const Session& session) {
                 std::vector<std::string> complaints;
-                const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags->assets), complaints);
+                const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags->assets),
+                                                      complaints);
                 const fastscene::Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 for (const std::string& complaint : complaints) run.warn(complaint);
                 PromptSpec spec = understand_prompt(flags->prompt, false, pack);

@@ -15,17 +15,21 @@ namespace {
 
 std::string settings_of(const RunFolder& folder) {
     if (const auto glance = first_glance_of_capture(folder))
-        return viewer_settings({folder.root.filename().string(), glance->position_m, glance->position_m + glance->forward, glance->fov_deg});
-    const Vec3f target =
-        world_from_camera_at({}, best_yaw_deg(load_first_panorama(folder), requested_directions(folder)), kPreviewPitchDeg) * Vec3f{0, 0, 1};
+        return viewer_settings({folder.root.filename().string(), glance->position_m,
+                                glance->position_m + glance->forward, glance->fov_deg});
+    const Vec3f target = world_from_camera_at({},
+                                              best_yaw_deg(load_first_panorama(folder), requested_directions(folder)),
+                                              kPreviewPitchDeg) *
+                         Vec3f{0, 0, 1};
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 
 }  // namespace
 
-void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port, std::stop_token stop,
-                 const std::function<void(const std::string&)>& ready) {
-    if (!viewer_dir && !std::filesystem::exists(folder.viewer_html())) throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
+void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port,
+                 std::stop_token stop, const std::function<void(const std::string&)>& ready) {
+    if (!viewer_dir && !std::filesystem::exists(folder.viewer_html()))
+        throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
     server.set_tcp_nodelay(true);
     // The library's default would let two servers share a port without a word.
@@ -36,16 +40,24 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     const std::string settings = viewer_dir ? settings_of(folder) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
         // Splats of photographs are shown upright, whatever axes the photographs' model has.
-        const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply" : "/splat/scene.compressed.ply";
-        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats : "/viewer.html");
+        const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply"
+                                                                   : "/splat/scene.compressed.ply";
+        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats
+                                         : "/viewer.html");
     });
-    server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) { response.set_content(settings, "application/json"); });
+    server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) {
+        response.set_content(settings, "application/json");
+    });
     server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");
     if (viewer_dir) server.set_mount_point("/viewer", viewer_dir->string());
     server.set_mount_point("/", folder.root.string());
 
-    const int bound = port == 0 ? server.bind_to_any_port("127.0.0.1") : (server.bind_to_port("127.0.0.1", port) ? port : -1);
-    if (bound <= 0) throw Error("--port {}: cannot listen on 127.0.0.1:{}: is another program there? Choose another port, or 0 for any", port, port);
+    const int bound = port == 0 ? server.bind_to_any_port("127.0.0.1")
+                                : (server.bind_to_port("127.0.0.1", port) ? port : -1);
+    if (bound <= 0)
+        throw Error(
+            "--port {}: cannot listen on 127.0.0.1:{}: is another program there? Choose another port, or 0 for any",
+            port, port);
     ready("http://127.0.0.1:" + std::to_string(bound) + "/");
     const std::stop_callback stopper(stop, [&] { server.stop(); });
     if (!stop.stop_requested()) server.listen_after_bind();

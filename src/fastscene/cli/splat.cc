@@ -22,7 +22,8 @@ void train(const CaptureRequest& request, const RunFolder& folder, std::uint64_t
     const Run run = session.run(seed);
     const Json report = train_capture(request, folder, run);
     session.print(folder.root.string(), report);
-    if (fs::exists(folder.viewer_html())) run.note(fmt::format("open {} in a browser to walk through it", folder.viewer_html().string()));
+    if (fs::exists(folder.viewer_html()))
+        run.note(fmt::format("open {} in a browser to walk through it", folder.viewer_html().string()));
 }
 
 CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) {
@@ -45,11 +46,13 @@ void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
     const auto add = [&](const char* name, std::string& value, const char* type, const char* sentence) {
         return verb.add_option(name, value, sentence)->type_name(type)->group(group);
     };
-    add("--colmap", flags.colmap, "DIR", "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.");
+    add("--colmap", flags.colmap, "DIR",
+        "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.");
     add("--nerfstudio", flags.nerfstudio, "FILE", "transforms.json of nerfstudio or NeRF, or the folder it lies in.");
     add("-o,--out", flags.out, "DIR", "Folder to make; default: out/ and the name of the source.");
     add("--images", flags.images, "DIR", "Folder of the pictures; default: images beside the model.");
-    add("--masks", flags.masks, "DIR", "Folder of masks, white = counts; default: masks beside the model, where it is.");
+    add("--masks", flags.masks, "DIR",
+        "Folder of masks, white = counts; default: masks beside the model, where it is.");
     add("--seed", flags.seed, "N", "Same seed, same splats, byte for byte.")->default_str("0");
     verb.add_flag("--force", flags.force, "Throw away what another run has left in the folder.")->group(group);
     PhotosParams photos;
@@ -64,21 +67,30 @@ void add_short_names(CLI::App& verb, const std::shared_ptr<Given>& given) {
         const std::string name = option->get_lnames().empty() ? "" : "--" + option->get_lnames().front();
         if (!name.starts_with(prefix)) continue;
         const std::string own = "--" + name.substr(prefix.size());
-        if (option->get_expected_max() == 0) verb.add_flag_callback(own, [given, name] { (*given)[name] = "true"; })->group("");
-        else verb.add_option_function<std::string>(own, [given, name](const std::string& text) { (*given)[name] = text; })->group("");
+        if (option->get_expected_max() == 0)
+            verb.add_flag_callback(own, [given, name] { (*given)[name] = "true"; })->group("");
+        else
+            verb.add_option_function<std::string>(own,
+                                                  [given, name](const std::string& text) { (*given)[name] = text; })
+                ->group("");
     }
 }
 
 // Flags that would change nothing are a mistake of somebody.
-void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFlags& capture, bool from_capture, bool recorded_capture) {
+void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFlags& capture, bool from_capture,
+                 bool recorded_capture) {
     if (from_capture || recorded_capture)
         for (const auto& [flag, text] : stage_flags)
-            if (!flag.starts_with("--splat-")) throw UsageError("{}: expected with the folder of a made scene; photographs have no such stage", flag);
+            if (!flag.starts_with("--splat-"))
+                throw UsageError("{}: expected with the folder of a made scene; photographs have no such stage", flag);
     if (from_capture) return;
     for (const char* flag : kCaptureOnly)
-        if (verb.count(flag)) throw UsageError("{}: expected with --colmap or --nerfstudio, found with the folder of a run, which has its own", flag);
+        if (verb.count(flag))
+            throw UsageError(
+                "{}: expected with --colmap or --nerfstudio, found with the folder of a run, which has its own", flag);
     if (!recorded_capture && !capture.given->empty())
-        throw UsageError("{}: expected with photographs, found with the folder of a made scene", capture.given->begin()->first);
+        throw UsageError("{}: expected with photographs, found with the folder of a made scene",
+                         capture.given->begin()->first);
 }
 
 }  // namespace
@@ -86,18 +98,22 @@ void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFl
 Verb add_splat(CLI::App& app) {
     auto stage = std::make_shared<RequestFlags>();
     auto flags = std::make_shared<CaptureFlags>();
-    Verb verb = add_stage_verb(app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.", stage,
-                               [&](CLI::App& help) { add_capture_flags(help, *flags); });
+    Verb verb = add_stage_verb(
+        app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.",
+        stage, [&](CLI::App& help) { add_capture_flags(help, *flags); });
     verb.app->get_option("folder")->required(false);
     add_short_names(*verb.app, stage->given);
     verb.app->footer(
-        "--splat- may be left away: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos -o out/photos\n"
+        "--splat- may be left away: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos -o "
+        "out/photos\n"
         "  fastscene splat out/bedroom --splat-steps 5000");
 
     const auto continue_run = verb.act;
     verb.act = [stage, flags, continue_run, app = verb.app](const Session& session) {
         const int sources = !stage->out.empty() + !flags->colmap.empty() + !flags->nerfstudio.empty();
-        if (sources != 1) throw UsageError("splat: expected one of the folder of a run, --colmap DIR and --nerfstudio FILE, found {}", sources);
+        if (sources != 1)
+            throw UsageError("splat: expected one of the folder of a run, --colmap DIR and --nerfstudio FILE, found {}",
+                             sources);
         if (!stage->out.empty()) {
             const RunFolder folder{stage->out};
             auto recorded = recorded_capture(folder);
@@ -114,7 +130,8 @@ Verb add_splat(CLI::App& app) {
         apply_fields("", request.photos, *flags->given);
         fs::path source = fs::absolute(request.source).lexically_normal();
         if (source.filename().empty()) source = source.parent_path();
-        const std::string name = source.extension() == ".json" ? source.parent_path().filename().string() : source.filename().string();
+        const std::string name = source.extension() == ".json" ? source.parent_path().filename().string()
+                                                               : source.filename().string();
         const RunFolder folder{flags->out.empty() ? fs::path("out") / slug_of(name) : fs::path(flags->out)};
         train(request, folder, number_from<std::uint64_t>("--seed", flags->seed), session);
     };

@@ -46,17 +46,24 @@ std::string flag_of(const CLI::Option& option) {
 // "N" in --help's columns, here in words.
 std::string kind_of(const CLI::Option& option) {
     const std::string kind = option.get_type_name();
-    return kind.empty() ? "no value" : kind == "N" ? "a whole number" : kind == "X" ? "a number" : kind.starts_with("X Y Z") || kind == "R G B" ? "numbers " + kind : kind;
+    return kind.empty()                                   ? "no value"
+           : kind == "N"                                  ? "a whole number"
+           : kind == "X"                                  ? "a number"
+           : kind.starts_with("X Y Z") || kind == "R G B" ? "numbers " + kind
+                                                          : kind;
 }
 
-std::string see_help(const std::string& name) { return fmt::format(" (fastscene {}--help lists what there is)", name.empty() ? "" : name + " "); }
+std::string see_help(const std::string& name) {
+    return fmt::format(" (fastscene {}--help lists what there is)", name.empty() ? "" : name + " ");
+}
 
 // `walk tabel run`: the misspelt part was taken for the folder.
 std::string part_taken_for_argument(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
         if (option->get_positional() && option->count())
             for (const std::string& word : option->results())
-                if (const std::string part = nearest_word(word, parts_of(app)); !part.empty()) return app.get_name() + " " + part;
+                if (const std::string part = nearest_word(word, parts_of(app)); !part.empty())
+                    return app.get_name() + " " + part;
     return "";
 }
 
@@ -73,7 +80,7 @@ std::string unknown_argument(const CLI::App& app) {
     const std::string name = name_of(chain);
     const std::vector<std::string> rest = app.remaining(true);
     std::string word = rest.empty() ? "" : rest.front();
-    if (chain.size() > 1)   // after a verb a flag that is none says more than the words behind it
+    if (chain.size() > 1)  // after a verb a flag that is none says more than the words behind it
         for (const std::string& argument : rest)
             if (argument.starts_with("-")) {
                 word = argument;
@@ -85,7 +92,8 @@ std::string unknown_argument(const CLI::App& app) {
     std::string guess = nearest_word(word, is_flag ? flags_of(chain) : parts);
     if (guess.empty() && !is_flag && chain.size() > 1) guess = part_taken_for_argument(*chain.back());
     const char* kind = is_flag ? "flag" : chain.size() == 1 ? "verb" : "argument";
-    return fmt::format("{}unknown {} {}{}{}", name.empty() ? "" : name + ": ", kind, word, guess.empty() ? "" : "; did you mean " + guess + "?", see_help(name));
+    return fmt::format("{}unknown {} {}{}{}", name.empty() ? "" : name + ": ", kind, word,
+                       guess.empty() ? "" : "; did you mean " + guess + "?", see_help(name));
 }
 
 std::string missing_argument(const CLI::App& app) {
@@ -93,10 +101,12 @@ std::string missing_argument(const CLI::App& app) {
     const CLI::App& last = *chain.back();
     const std::string name = name_of(chain), where = name.empty() ? "" : name + ": ";
     if (last.get_require_subcommand_min() > 0)
-        return fmt::format("{}expected one of {}, found none{}", where, fmt::join(parts_of(last), ", "), see_help(name));
+        return fmt::format("{}expected one of {}, found none{}", where, fmt::join(parts_of(last), ", "),
+                           see_help(name));
     for (const CLI::Option* option : last.get_options())
         if (option->get_required() && option->count() == 0)
-            return fmt::format("{}expected {} {}, found none{}", where, flag_of(*option), option->get_type_name(), see_help(name));
+            return fmt::format("{}expected {} {}, found none{}", where, flag_of(*option), option->get_type_name(),
+                               see_help(name));
     return where + "an argument is missing" + see_help(name);
 }
 
@@ -120,13 +130,18 @@ void check_values(const CLI::App& app) {
     for (const CLI::App* part : parsed_apps(app))
         for (const CLI::Option* option : part->get_options()) {
             if (option->count() == 0) continue;
-            const auto wanted = static_cast<std::size_t>(std::max(option->get_expected_min(), 1)), found = option->results().size();
+            const auto wanted = static_cast<std::size_t>(std::max(option->get_expected_min(), 1)),
+                       found = option->results().size();
             if (wanted > 1 && wanted == static_cast<std::size_t>(option->get_expected_max()) && found % wanted != 0)
-                throw UsageError("{}: expected {} numbers ({}), found {}", flag_of(*option), wanted, option->get_type_name(), found % wanted);
+                throw UsageError("{}: expected {} numbers ({}), found {}", flag_of(*option), wanted,
+                                 option->get_type_name(), found % wanted);
             const std::string kind = option->get_type_name();
-            const bool names_a_place = kind.find("FILE") != std::string::npos || kind.find("DIR") != std::string::npos || kind == "PATH" || kind == "MAP" || kind == "SUITE";
+            const bool names_a_place = kind.find("FILE") != std::string::npos ||
+                                       kind.find("DIR") != std::string::npos || kind == "PATH" || kind == "MAP" ||
+                                       kind == "SUITE";
             for (const std::string& text : option->results())
-                if (names_a_place && text.empty()) throw UsageError("{}: expected {}, found an empty text", flag_of(*option), kind);
+                if (names_a_place && text.empty())
+                    throw UsageError("{}: expected {}, found an empty text", flag_of(*option), kind);
         }
 }
 

@@ -5,7 +5,9 @@ namespace fastscene::cli {
 
 Verb add_version(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("version", "Which fastscene this is.");
-    return {verb, [](const Session& session) { session.print(fmt::format("fastscene {}", program_version()), build_json()); }};
+    return {verb, [](const Session& session) {
+                session.print(fmt::format("fastscene {}", program_version()), build_json());
+            }};
 }
 
 }  // namespace fastscene::cli

@@ -12,7 +12,8 @@ Verb add_view(CLI::App& app) {
         int port = 8080;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand("view", "Serves a scene to a browser on this machine (127.0.0.1) until Ctrl-C.");
+    CLI::App* verb = app.add_subcommand("view",
+                                        "Serves a scene to a browser on this machine (127.0.0.1) until Ctrl-C.");
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR")->required();
     verb->add_option("--port", flags->port, "Port; 0 = any free one.")
         ->type_name("N")

@@ -25,35 +25,43 @@ void make_table(const TableFlags& flags, const Session& session) {
     if (has_picture == !flags.scene.empty() || flags.picture.empty() != flags.range_map.empty())
         throw UsageError("walk table: expected the folder of a run, or --panorama FILE and --range FILE");
     if (flags.truth && has_picture)
-        throw UsageError("--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
-    if (!flags.out.empty()) {   // noticed now, not after the work
+        throw UsageError(
+            "--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
+    if (!flags.out.empty()) {  // noticed now, not after the work
         make_directories(flags.out);
-        for (const char* name : {"hole_table.txt", "hole_table.json", "hole_table.svg"}) check_writable(std::filesystem::path(flags.out) / name);
+        for (const char* name : {"hole_table.txt", "hole_table.json", "hole_table.svg"})
+            check_writable(std::filesystem::path(flags.out) / name);
     }
     const Run run = session.run(0);
-    const std::vector<HoleRow> rows =
-        has_picture ? hole_table_of_picture(flags.picture, flags.range_map, run) : hole_table_of_run(flags.scene, flags.truth, run);
+    const std::vector<HoleRow> rows = has_picture ? hole_table_of_picture(flags.picture, flags.range_map, run)
+                                                  : hole_table_of_run(flags.scene, flags.truth, run);
     std::string text = hole_table_text(rows);
     text.pop_back();
-    session.print(text, hole_table_json(rows));   // first: a full disk does not take it away
+    session.print(text, hole_table_json(rows));  // first: a full disk does not take it away
     if (!flags.out.empty()) save_hole_table(flags.out, rows);
 }
 
 }  // namespace
 
 Verb add_walk(CLI::App& app) {
-    Verb walk = add_stage_verb(app, "walk", "One panorama with range -> many, at exactly known positions, holes filled.");
+    Verb walk = add_stage_verb(app, "walk",
+                               "One panorama with range -> many, at exactly known positions, holes filled.");
     auto flags = std::make_shared<TableFlags>();
-    CLI::App* table = walk.app->add_subcommand(
-        "table", "How much of the picture a step leaves open, by axis and distance (the paper's Table 1): as published, and ours.");
+    CLI::App* table = walk.app->add_subcommand("table",
+                                               "How much of the picture a step leaves open, by axis and distance (the "
+                                               "paper's Table 1): as published, and ours.");
     table->add_option("scene", flags->scene, "Folder of a run that has got as far as its depth.")->type_name("DIR");
     table->add_option("--panorama", flags->picture, "Or a 2:1 picture …")->type_name("FILE");
-    table->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, .tif, 16-bit .png in millimetres).")->type_name("FILE");
+    table
+        ->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, .tif, 16-bit .png in millimetres).")
+        ->type_name("FILE");
     table->add_flag("--truth", flags->truth, "Also compare our holes with those of the traced room behind the prompt.");
-    table->add_option("-o,--out", flags->out, "Write hole_table.txt, .json and .svg into this folder.")->type_name("DIR");
-    walk.app->footer("Example:\n  fastscene walk out/bedroom --walk-viewpoints 20\n  fastscene walk table out/bedroom -o out/holes");
+    table->add_option("-o,--out", flags->out, "Write hole_table.txt, .json and .svg into this folder.")
+        ->type_name("DIR");
+    walk.app->footer(
+        "Example:\n  fastscene walk out/bedroom --walk-viewpoints 20\n  fastscene walk table out/bedroom -o out/holes");
     table->footer("Example:\n  fastscene walk table out/bedroom -o out/holes");
-    table->fallthrough();   // --json, --threads and --progress are the verb's
+    table->fallthrough();  // --json, --threads and --progress are the verb's
     // A run's folder is needed for the walk only.
     CLI::Option* folder = walk.app->get_option("folder")->required(false);
     const auto act = walk.act;

@@ -13,10 +13,11 @@
 namespace fastscene {
 namespace {
 
-constexpr int kReach = 2;           // coarse pixels to each side
+constexpr int kReach = 2;             // coarse pixels to each side
 constexpr float kColorSigma = 0.07f;  // of sRGB values: about the noise of a photo, well under an edge
 constexpr float kPixelSigma = 1.1f;
-// A coarse pixel's plane: who beside it lies on the same surface, by color and by relative range, and how far the plane is believed.
+// A coarse pixel's plane: who beside it lies on the same surface, by color and by relative range, and how far the plane
+// is believed.
 constexpr float kSurfaceColorSigma = 0.3f, kSurfaceRangeSigma = 0.15f, kFarthestFromPlane = 1.25f;
 
 Vec3f as_seen(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
@@ -25,8 +26,8 @@ struct Neighbour {
     float value, weight;
 };
 
-// The planes that the coarse pixels lie on: along a ray d a plane has 1 / range = dot(g, d), which is linear, so that g is the least squares of a
-// pixel and the eight around it. Where they are of several surfaces, the others hardly count.
+// The planes that the coarse pixels lie on: along a ray d a plane has 1 / range = dot(g, d), which is linear, so that g
+// is the least squares of a pixel and the eight around it. Where they are of several surfaces, the others hardly count.
 Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
     const EquirectSize size{coarse.width, coarse.height};
     Image<Vec3f> planes(size.width, size.height);
@@ -34,7 +35,8 @@ Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < size.width; ++x) {
                 const float here = coarse.at(x, y);
-                // A whisper for a surface that is met head on, so that a pixel alone has a plane, too. In units of the pixel's own range.
+                // A whisper for a surface that is met head on, so that a pixel alone has a plane, too. In units of the
+                // pixel's own range.
                 const auto facing = [&] {
                     const Vec3f d = direction_of_pixel(x, y, size);
                     return Vec3d{d.x, d.y, d.z};
@@ -48,20 +50,23 @@ Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
                         if (!(ratio > 0.f && std::isfinite(ratio))) continue;
                         const float color_gap = length(seen.at(column, j) - seen.at(x, y)) / kSurfaceColorSigma,
                                     range_gap = std::log(ratio) / kSurfaceRangeSigma;
-                        const double weight = (i == x && j == y ? 2. : 1.) * std::exp(-0.5f * (color_gap * color_gap + range_gap * range_gap));
+                        const double weight = (i == x && j == y ? 2. : 1.) *
+                                              std::exp(-0.5f * (color_gap * color_gap + range_gap * range_gap));
                         const Vec3f to = direction_of_pixel(column, j, size);
                         const Vec3d d{to.x, to.y, to.z}, w = d * weight;
                         a += d * w.x, b += d * w.y, c += d * w.z;
                         right += w * static_cast<double>(ratio);
                     }
                 const Vec3d plane = solved(Mat3d{a, b, c}, right, 1e-15).value_or(facing) / static_cast<double>(here);
-                planes.at(x, y) = {static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z)};
+                planes.at(x, y) = {static_cast<float>(plane.x), static_cast<float>(plane.y),
+                                   static_cast<float>(plane.z)};
             }
     });
     return planes;
 }
 
-// What a coarse pixel of range `range` says of a ray nearby: where the ray meets its plane. Infinite or unknown ranges say themselves.
+// What a coarse pixel of range `range` says of a ray nearby: where the ray meets its plane. Infinite or unknown ranges
+// say themselves.
 float range_on_plane(float range, const Vec3f& plane, const Vec3f& ray) {
     if (!(range > 0.f && std::isfinite(range))) return range;
     return std::clamp(1.f / std::max(dot(plane, ray), 1e-6f), range / kFarthestFromPlane, range * kFarthestFromPlane);
@@ -82,7 +87,8 @@ float weighted_median(std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)>
         const float middle_here = before + 0.5f * items[i].weight, middle_before = before - 0.5f * items[i - 1].weight;
         if (0.5f * total >= middle_here) {
             if (i + 1 == count) return items[i].value;
-            const float next = sum + 0.5f * items[i + 1].weight, t = (0.5f * total - middle_here) / (next - middle_here);
+            const float next = sum + 0.5f * items[i + 1].weight,
+                        t = (0.5f * total - middle_here) / (next - middle_here);
             return items[i].value + t * (items[i + 1].value - items[i].value);
         }
         const float t = (0.5f * total - middle_before) / (middle_here - middle_before);
@@ -108,7 +114,8 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < large.width; ++x) {
                 const Vec3f color = as_seen(picture.at(x, y)), ray = direction_of_pixel(x, y, large);
-                const float cx = (static_cast<float>(x) + 0.5f) * sx - 0.5f, cy = (static_cast<float>(y) + 0.5f) * sy - 0.5f;
+                const float cx = (static_cast<float>(x) + 0.5f) * sx - 0.5f,
+                            cy = (static_cast<float>(y) + 0.5f) * sy - 0.5f;
                 const int x0 = static_cast<int>(std::floor(cx)), y0 = static_cast<int>(std::floor(cy));
                 std::size_t count = 0;
                 for (int j = y0 - kReach + 1; j <= y0 + kReach; ++j)
@@ -117,8 +124,10 @@ ImageF aligned_to_picture(const ImageF& coarse, const ImageColor& picture) {
                         const int column = wrap_column(i, small.width);
                         const float dx = static_cast<float>(i) - cx, dy = static_cast<float>(j) - cy;
                         const float color_gap = length(seen.at(column, j) - color) / kColorSigma;
-                        const float weight = std::exp(-0.5f * ((dx * dx + dy * dy) / (kPixelSigma * kPixelSigma) + color_gap * color_gap));
-                        items[count++] = {range_on_plane(coarse.at(column, j), planes.at(column, j), ray), weight + 1e-6f};
+                        const float weight = std::exp(
+                            -0.5f * ((dx * dx + dy * dy) / (kPixelSigma * kPixelSigma) + color_gap * color_gap));
+                        items[count++] = {range_on_plane(coarse.at(column, j), planes.at(column, j), ray),
+                                          weight + 1e-6f};
                     }
                 out.at(x, y) = weighted_median(items, count);
             }

@@ -46,7 +46,8 @@ using Walls = std::array<int, 4>;  // index of each wall's distance
 
 class BoxScore {
   public:
-    BoxScore(const RoomLines& lines, float yaw, float floor_m, float ceiling_m) : lines_(lines), yaw_(yaw), floor_m_(floor_m), ceiling_m_(ceiling_m) {
+    BoxScore(const RoomLines& lines, float yaw, float floor_m, float ceiling_m)
+        : lines_(lines), yaw_(yaw), floor_m_(floor_m), ceiling_m_(ceiling_m) {
         for (std::size_t i = 0; i < 4; ++i) {
             const float facing = yaw + static_cast<float>(i) * kPi / 2;
             floor_[i] = level_sums(lines.level, facing, floor_m, -1);
@@ -60,7 +61,8 @@ class BoxScore {
             const auto d = [&](std::size_t w) { return distance_of(walls[w % 4]); };
             const float left = -std::atan(d(i + 3) / d(i)), right = std::atan(d(i + 1) / d(i));
             // Furniture stands on the floor and hides its edge; the ceiling's is mostly free.
-            level += 0.6f * floor_[i].between(walls[i], left, right) + 1.4f * ceiling_[i].between(walls[i], left, right);
+            level += 0.6f * floor_[i].between(walls[i], left, right) +
+                     1.4f * ceiling_[i].between(walls[i], left, right);
             upright += corner(yaw_ + static_cast<float>(i) * kPi / 2 + right, std::hypot(d(i), d(i + 1)));
         }
         return (level / (2 * kSlices) + 0.5f * upright / 4) / 2.5f;
@@ -72,7 +74,8 @@ class BoxScore {
         constexpr int kSteps = 12;
         float sum = 0;
         for (int i = 0; i < kSteps; ++i)
-            sum += strength_at(lines_.upright, lon, bottom + (top - bottom) * (static_cast<float>(i) + 0.5f) / kSteps, false);
+            sum += strength_at(lines_.upright, lon, bottom + (top - bottom) * (static_cast<float>(i) + 0.5f) / kSteps,
+                               false);
         return sum / kSteps;
     }
     const RoomLines& lines_;
@@ -112,17 +115,20 @@ Fit best_walls(const RoomLines& lines, float yaw, float floor_m, float ceiling_m
 BoxLayout fit_box(const ImageColor& panorama, float camera_height_m) {
     FASTSCENE_CHECK(camera_height_m > 0.f);
     const RoomLines lines = find_lines(panorama);
-    constexpr int kYaws = 30;                                             // every 3 degrees
-    constexpr float kCeilings[] = {0.35f, 0.5f, 0.62f, 0.75f, 0.9f, 1.1f, 1.4f, 1.9f};  // above the camera, in camera heights
+    constexpr int kYaws = 30;  // every 3 degrees
+    constexpr float kCeilings[] = {0.35f, 0.5f, 0.62f, 0.75f,
+                                   0.9f,  1.1f, 1.4f,  1.9f};  // above the camera, in camera heights
     constexpr int kHeights = static_cast<int>(std::size(kCeilings));
     std::vector<Fit> fits(kYaws * kHeights);
     parallel_for(static_cast<std::int64_t>(fits.size()), 4, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const float yaw = static_cast<float>(i / kHeights) * (kPi / 2) / kYaws;
-            fits[static_cast<std::size_t>(i)] = best_walls(lines, yaw, camera_height_m, kCeilings[i % kHeights] * camera_height_m);
+            fits[static_cast<std::size_t>(i)] = best_walls(lines, yaw, camera_height_m,
+                                                           kCeilings[i % kHeights] * camera_height_m);
         }
     });
-    const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.score < b.score; });
+    const Fit best = *std::max_element(fits.begin(), fits.end(),
+                                       [](const Fit& a, const Fit& b) { return a.score < b.score; });
     BoxLayout box{best.yaw, {}, camera_height_m, best.ceiling_m, best.score};
     for (std::size_t i = 0; i < 4; ++i) box.wall_m[i] = distance_of(best.walls[i]);
     return box;

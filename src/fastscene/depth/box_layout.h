@@ -11,10 +11,10 @@ namespace fastscene {
 
 // A box seen from inside, the camera at the origin, upright. Metres.
 struct BoxLayout {
-    float yaw = 0;                 // radians: wall 0 is met at right angles at this longitude; in [0, pi/2)
+    float yaw = 0;                            // radians: wall 0 is met at right angles at this longitude; in [0, pi/2)
     std::array<float, 4> wall_m{2, 2, 2, 2};  // distances to the walls at yaw, yaw + 90, + 180, + 270 degrees
     float floor_m = 1.6f, ceiling_m = 1.f;    // below and above the camera
-    float score = 0;               // mean edge strength under the box's edges, 0..1
+    float score = 0;                          // mean edge strength under the box's edges, 0..1
 };
 
 // The box whose edges lie on the strongest lines of the picture, with the floor `camera_height_m` below the camera.

@@ -24,11 +24,16 @@ struct DepthParams {
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
-      "What tells the range: auto takes exact for a prompt, image with --range, else egformer, with its shipped weights or --depth-weights; without any, layout.");
-    v("weights", p.weights, "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program, two networks whose mean counts.");
+      "What tells the range: auto takes exact for a prompt, image with --range, else egformer, with its shipped "
+      "weights or --depth-weights; without any, layout.");
+    v("weights", p.weights,
+      "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program, two networks "
+      "whose mean counts.");
     v("looks", p.looks, Bounds{0, 8},
-      "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as small as those that ship, else once, as published.");
-    v("camera-height", p.camera_height_m, Bounds{0.2, 20}, "Height of the camera over the floor in metres, where range is estimated.");
+      "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as "
+      "small as those that ship, else once, as published.");
+    v("camera-height", p.camera_height_m, Bounds{0.2, 20},
+      "Height of the camera over the floor in metres, where range is estimated.");
 }
 
 // Range as seen from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.

@@ -29,7 +29,8 @@ ImageColor painted(const BoxLayout& box, EquirectSize size) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Vec3f p = direction_of_pixel(x, y, size) * range.at(x, y);
-            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw), right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
+            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw),
+                        right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
             Vec3f c{0.3f, 0.2f, 0.1f};  // floor
             if (p.y < -0.999f * box.ceiling_m) c = {0.8f, 0.8f, 0.8f};
             else if (ahead > 0.999f * box.wall_m[0]) c = {0.5f, 0.5f, 0.4f};
@@ -53,7 +54,8 @@ TEST(BoxLayout, RangeLiesOnTheBox) {
     for (int y = 0; y < kSize.height; ++y)
         for (int x = 0; x < kSize.width; ++x) {
             const Vec3f p = direction_of_pixel(x, y, kSize) * range.at(x, y);
-            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw), right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
+            const float ahead = p.z * std::cos(box.yaw) + p.x * std::sin(box.yaw),
+                        right = p.x * std::cos(box.yaw) - p.z * std::sin(box.yaw);
             const float inside[6] = {box.wall_m[0] - ahead, box.wall_m[1] - right, box.wall_m[2] + ahead,
                                      box.wall_m[3] + right, box.floor_m - p.y,     box.ceiling_m + p.y};
             float nearest = 10;
@@ -128,28 +130,35 @@ ImageF seen_of(const BoxLayout& box, EquirectSize size) {
         for (int x = 0; x < size.width; ++x) {
             const Vec3f d = direction_of_pixel(x, y, size);
             float& r = range.at(x, y);
-            r *= 1 + 0.02f * std::sin(5 * d.x + 3 * d.z) * std::cos(7 * d.y) + 0.01f * (Random(6, "waver", static_cast<std::uint64_t>(y * size.width + x)).uniform() - 0.5f);
-            if (x > size.width / 3 && x < size.width / 2 && y > size.height * 5 / 8 && y < size.height * 7 / 8) r *= 0.7f;
+            r *= 1 + 0.02f * std::sin(5 * d.x + 3 * d.z) * std::cos(7 * d.y) +
+                 0.01f * (Random(6, "waver", static_cast<std::uint64_t>(y * size.width + x)).uniform() - 0.5f);
+            if (x > size.width / 3 && x < size.width / 2 && y > size.height * 5 / 8 && y < size.height * 7 / 8)
+                r *= 0.7f;
         }
     return range;
 }
 
-// Each wall of a box is found once, where it is, by about the share of the sphere that it fills; whatever stands before it.
+// Each wall of a box is found once, where it is, by about the share of the sphere that it fills; whatever stands before
+// it.
 TEST(Walls, OfABoxAreFoundWhereTheyAre) {
     const BoxLayout box = some_box();
-    for (const EquirectSize size : {EquirectSize{128, 64}, EquirectSize{1024, 512}}) {   // the network that ships, the published one
+    for (const EquirectSize size :
+         {EquirectSize{128, 64}, EquirectSize{1024, 512}}) {  // the network that ships, the published one
         const std::vector<Wall> walls = upright_planes(seen_of(box, size), box.floor_m, box.ceiling_m);
         ASSERT_EQ(walls.size(), 4u) << size.width;
         float sum = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const float yaw = box.yaw + static_cast<float>(i) * kPi / 2;
-            const auto found = std::find_if(walls.begin(), walls.end(), [&](const Wall& w) { return apart_deg(w.yaw, yaw) < 4; });
+            const auto found = std::find_if(walls.begin(), walls.end(),
+                                            [&](const Wall& w) { return apart_deg(w.yaw, yaw) < 4; });
             ASSERT_NE(found, walls.end()) << "wall " << i << " at " << size.width;
-            EXPECT_NEAR(found->distance_m, box.wall_m[i], 0.03f * box.wall_m[i]) << "wall " << i << " at " << size.width;
+            EXPECT_NEAR(found->distance_m, box.wall_m[i], 0.03f * box.wall_m[i])
+                << "wall " << i << " at " << size.width;
             sum += found->share;
         }
-        EXPECT_TRUE(std::is_sorted(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.share > b.share; }));
-        EXPECT_GT(sum, 0.4f);   // of a room of 4 x 6 m, 2.6 m high
+        EXPECT_TRUE(
+            std::is_sorted(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.share > b.share; }));
+        EXPECT_GT(sum, 0.4f);  // of a room of 4 x 6 m, 2.6 m high
         EXPECT_LT(sum, 0.8f);
     }
 }
@@ -157,31 +166,37 @@ TEST(Walls, OfABoxAreFoundWhereTheyAre) {
 TEST(Walls, WithoutLinesAreNotBelieved) {
     const BoxLayout box = some_box();
     const ImageF range = seen_of(box, {128, 64});
-    const std::vector<Wall> sure = walls_with_lines(range, find_lines(painted(box, {512, 256})), box.floor_m, box.ceiling_m);
+    const std::vector<Wall> sure = walls_with_lines(range, find_lines(painted(box, {512, 256})), box.floor_m,
+                                                    box.ceiling_m);
     EXPECT_GE(sure.size(), 3u);
     for (const Wall& wall : sure) EXPECT_NEAR(wall.line_m, wall.distance_m, 0.06f * wall.distance_m);
-    EXPECT_TRUE(walls_with_lines(range, find_lines(ImageColor(512, 256, {0.5f, 0.5f, 0.5f})), box.floor_m, box.ceiling_m).empty());
+    EXPECT_TRUE(
+        walls_with_lines(range, find_lines(ImageColor(512, 256, {0.5f, 0.5f, 0.5f})), box.floor_m, box.ceiling_m)
+            .empty());
     // Lines of a room that is larger by a quarter: where they run is said, what the range map has stays.
     BoxLayout larger = box;
     for (float& m : larger.wall_m) m *= 1.2f;
-    const std::vector<Wall> longer = walls_with_lines(range, find_lines(painted(larger, {512, 256})), box.floor_m, box.ceiling_m);
+    const std::vector<Wall> longer = walls_with_lines(range, find_lines(painted(larger, {512, 256})), box.floor_m,
+                                                      box.ceiling_m);
     ASSERT_FALSE(longer.empty());
     for (const Wall& wall : longer) EXPECT_NEAR(wall.line_m, 1.2f * wall.distance_m, 0.08f * wall.distance_m);
 }
 
 TEST(Walls, AreNotInvented) {
     const EquirectSize size{128, 64};
-    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, 2.f), 1.6f, 1.f).empty());   // a ball has none
-    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, std::numeric_limits<float>::infinity()), 1.6f, 0).empty());
+    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, 2.f), 1.6f, 1.f).empty());  // a ball has none
+    EXPECT_TRUE(
+        upright_planes(ImageF(size.width, size.height, std::numeric_limits<float>::infinity()), 1.6f, 0).empty());
     ImageF noise(size.width, size.height);
     for (std::size_t i = 0; i < noise.size(); ++i) noise.pixels[i] = Random(7, "noise", i).uniform(0.5f, 5.f);
     EXPECT_TRUE(upright_planes(noise, 1.6f, 1.f).empty());
-    BoxLayout shed = some_box();   // nothing but floor is nearer than a kilometre
+    BoxLayout shed = some_box();  // nothing but floor is nearer than a kilometre
     for (float& m : shed.wall_m) m = 1000;
     EXPECT_TRUE(upright_planes(range_of_box(shed, size), shed.floor_m, shed.ceiling_m).empty());
 }
 
-// All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one look does not.
+// All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one
+// look does not.
 TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
     const Egformer network = Egformer::shipped(kShippedDepth.back());
     const EquirectSize size{network.shape().width, network.shape().height};
@@ -198,7 +213,9 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
         double turn = 0, mirror = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
-                turn = std::max(turn, std::abs(static_cast<double>(b.at(wrap_column(x + size.width / 4, size.width), y)) - a.at(x, y)));
+                turn = std::max(
+                    turn,
+                    std::abs(static_cast<double>(b.at(wrap_column(x + size.width / 4, size.width), y)) - a.at(x, y)));
                 mirror = std::max(mirror, std::abs(static_cast<double>(c.at(size.width - 1 - x, y)) - a.at(x, y)));
             }
         return std::pair{turn, mirror};
@@ -209,7 +226,8 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
     EXPECT_GT(unlike(1).second, 1e-3);
 }
 
-// What comes with the program: the coarser network's map, with the edges of the picture, and the finer one's count alike.
+// What comes with the program: the coarser network's map, with the edges of the picture, and the finer one's count
+// alike.
 TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
     std::vector<Egformer> networks;
     for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
@@ -218,10 +236,13 @@ TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
     const fastscene::Run run;
     const ImageF one = mean_depth({&networks[0], 1}, picture, 2, run), both = mean_depth(networks, picture, 2, run);
     EXPECT_EQ(one, networks[0].relative_depth(picture, 2));
-    const ImageF coarse = aligned_to_picture(networks[1].relative_depth(picture, 2), equirect_from_equirect(picture, {one.width, one.height}));
+    const ImageF coarse = aligned_to_picture(networks[1].relative_depth(picture, 2),
+                                             equirect_from_equirect(picture, {one.width, one.height}));
     ASSERT_TRUE(both.same_size(one));
-    for (std::size_t i = 0; i < both.size(); ++i) EXPECT_NEAR(both.pixels[i] - one.pixels[i], coarse.pixels[i] - both.pixels[i], 1e-5f);
-    EXPECT_EQ(make_depth_estimator({})->estimate(picture, run).assumptions.at("weights"), "egformer-rooms-256, egformer-rooms");
+    for (std::size_t i = 0; i < both.size(); ++i)
+        EXPECT_NEAR(both.pixels[i] - one.pixels[i], coarse.pixels[i] - both.pixels[i], 1e-5f);
+    EXPECT_EQ(make_depth_estimator({})->estimate(picture, run).assumptions.at("weights"),
+              "egformer-rooms-256, egformer-rooms");
 }
 
 TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
@@ -245,10 +266,12 @@ TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
     EXPECT_LT(wrong, 12);  // nearest neighbours leave about 150 of them
     // A tilted plane under an even picture.
     for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) coarse.at(x, y) = 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 64.f);
+        for (int x = 0; x < small.width; ++x)
+            coarse.at(x, y) = 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 64.f);
     const ImageF plane = aligned_to_picture(coarse, ImageColor(large.width, large.height, {0.5f, 0.5f, 0.5f}));
     for (int y = 8; y < 120; ++y)
-        for (int x = 0; x < large.width; ++x) EXPECT_NEAR(plane.at(x, y), 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 256.f), 0.05f);
+        for (int x = 0; x < large.width; ++x)
+            EXPECT_NEAR(plane.at(x, y), 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 256.f), 0.05f);
 }
 
 // A coarse map of a box comes back as the box: its sides flat under a wild pattern, and meeting where they meet.
@@ -261,16 +284,16 @@ TEST(Align, PlanesStayPlanesWhateverIsPaintedOnThem) {
         for (int x = 0; x < large.width; ++x)
             if ((x / 6 + y / 6) % 2) picture.at(x, y) = picture.at(x, y) * 0.4f;
     const ImageF fine = aligned_to_picture(range_of_box(box, small), picture);
-    EXPECT_LT(mean_relative_error(fine, truth), 0.010);   // values in place of planes: 0.0295
+    EXPECT_LT(mean_relative_error(fine, truth), 0.010);  // values in place of planes: 0.0295
     int crooked = 0, counted = 0;
-    for (int y = large.height * 3 / 4; y < large.height - 8; ++y)   // mostly floor
+    for (int y = large.height * 3 / 4; y < large.height - 8; ++y)  // mostly floor
         for (int x = 0; x < large.width; ++x) {
             const Vec3f p = direction_of_pixel(x, y, large) * fine.at(x, y);
             if (direction_of_pixel(x, y, large).y * truth.at(x, y) < 0.999f * box.floor_m) continue;
             ++counted, crooked += std::abs(p.y - box.floor_m) > 0.01f * box.floor_m;
         }
     EXPECT_GT(counted, 10000);
-    EXPECT_EQ(crooked, 0);   // values: two fifths
+    EXPECT_EQ(crooked, 0);  // values: two fifths
 }
 
 }  // namespace

@@ -44,14 +44,17 @@ class EgformerEstimator : public DepthEstimator {
         : networks_(std::move(networks)),
           name_(std::move(name)),
           camera_height_m_(params.camera_height_m),
-          looks_(params.looks > 0 ? params.looks : networks_.front().shape().height <= kSmallNetwork ? 8 : 1) {}
+          looks_(params.looks > 0                                    ? params.looks
+                 : networks_.front().shape().height <= kSmallNetwork ? 8
+                                                                     : 1) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
         const ImageF relative = mean_depth(networks_, color, looks_, run);
         run.check_stop();
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
-            run.warn(
-                fmt::format("depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess", camera_height_m_));
+            run.warn(fmt::format(
+                "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
+                camera_height_m_));
         const ImageF range = metric_range(relative, fit);
         return {aligned_to_picture(range, color),
                 {{"backend", "egformer"},
@@ -70,7 +73,10 @@ class EgformerEstimator : public DepthEstimator {
     static Json walls_of(const ImageF& range, const ImageColor& color, const MetricFit& fit) {
         Json out = Json::array();
         for (const Wall& wall : walls_with_lines(range, find_lines(color), fit.camera_height_m, fit.ceiling_m))
-            out.push_back({{"yaw_deg", wall.yaw * 57.29578f}, {"distance_m", wall.distance_m}, {"share", wall.share}, {"line_m", wall.line_m}});
+            out.push_back({{"yaw_deg", wall.yaw * 57.29578f},
+                           {"distance_m", wall.distance_m},
+                           {"share", wall.share},
+                           {"line_m", wall.line_m}});
         return out;
     }
 
@@ -89,8 +95,10 @@ ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, i
     for (const Egformer& network : networks) {
         run.check_stop();
         ImageF found = network.relative_depth(color, looks);
-        if (!found.same_size(mean)) found = aligned_to_picture(found, equirect_from_equirect(color, {finest.width, finest.height}));
-        for (std::size_t i = 0; i < mean.size(); ++i) mean.pixels[i] += found.pixels[i] / static_cast<float>(networks.size());
+        if (!found.same_size(mean))
+            found = aligned_to_picture(found, equirect_from_equirect(color, {finest.width, finest.height}));
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean.pixels[i] += found.pixels[i] / static_cast<float>(networks.size());
     }
     return mean;
 }
@@ -106,10 +114,13 @@ std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) 
     }
     if (std::all_of(kShippedDepth.begin(), kShippedDepth.end(), is_shipped)) {
         for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
-        return std::make_unique<EgformerEstimator>(std::move(networks), fmt::format("{}", fmt::join(kShippedDepth, ", ")), params);
+        return std::make_unique<EgformerEstimator>(std::move(networks),
+                                                   fmt::format("{}", fmt::join(kShippedDepth, ", ")), params);
     }
     if (params.backend == "egformer")
-        throw UsageError("--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get it), found none");
+        throw UsageError(
+            "--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get "
+            "it), found none");
     return std::make_unique<LayoutEstimator>(height);
 }
 

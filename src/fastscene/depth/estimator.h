@@ -14,8 +14,8 @@
 namespace fastscene {
 
 struct EstimatedRange {
-    ImageF range;       // metres along each pixel's ray, the picture's size
-    Json assumptions;   // what was assumed and found, for stage.json
+    ImageF range;      // metres along each pixel's ray, the picture's size
+    Json assumptions;  // what was assumed and found, for stage.json
 };
 
 class DepthEstimator {
@@ -25,16 +25,17 @@ class DepthEstimator {
     virtual EstimatedRange estimate(const ImageColor& color, const Run& run) const = 0;
 };
 
-// The weights that come with the program, the finest first: in rooms together better than the coarser one alone, on photographs than the finer,
-// and both than a box (docs/benchmarks/depth.md).
+// The weights that come with the program, the finest first: in rooms together better than the coarser one alone, on
+// photographs than the finer, and both than a box (docs/benchmarks/depth.md).
 inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-256", "egformer-rooms"};
 
-// What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where one is wrong another often is
-// less so. They must have been taught one unit.
+// What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where
+// one is wrong another often is less so. They must have been taught one unit.
 ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int looks, const Run& run);
 
-// params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped (the mean of those networks), else layout. Throws Error naming the
-// weights file and the key that is missing or has another shape, UsageError when egformer has no weights.
+// params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped (the mean of those
+// networks), else layout. Throws Error naming the weights file and the key that is missing or has another shape,
+// UsageError when egformer has no weights.
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params);
 
 }  // namespace fastscene

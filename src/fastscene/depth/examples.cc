@@ -32,7 +32,11 @@ void find_rooms(const fs::path& shard, std::vector<DepthFiles>& out) {
         try {
             if (json.at("camera").at("model") != "EQUIRECTANGULAR") continue;
             const int room = json.at("room").get<int>();
-            DepthFiles files{shard / json.at("color").get<std::string>(), shard / json.at("range").get<std::string>(), {}, {}, fmt::format("room {}", room),
+            DepthFiles files{shard / json.at("color").get<std::string>(),
+                             shard / json.at("range").get<std::string>(),
+                             {},
+                             {},
+                             fmt::format("room {}", room),
                              room % 10 == 9};
             if (json.contains("normal") && json.contains("instance")) {
                 files.normals = shard / json.at("normal").get<std::string>();
@@ -51,7 +55,8 @@ void find_structured3d(const fs::path& scene, std::vector<DepthFiles>& out) {
     for (const fs::path& room : sorted_entries(scene / "2D_rendering"))
         for (const char* furniture : {"full", "simple", "empty"})
             for (const char* light : {"rgb_rawlight.png", "rgb_warmlight.png", "rgb_coldlight.png"}) {
-                const fs::path color = room / "panorama" / furniture / light, range = room / "panorama" / furniture / "depth.png";
+                const fs::path color = room / "panorama" / furniture / light,
+                               range = room / "panorama" / furniture / "depth.png";
                 if (fs::exists(color) && fs::exists(range)) out.push_back({color, range, {}, {}, place, held_out});
             }
 }
@@ -63,7 +68,8 @@ void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
     if (at == std::string::npos || color.extension() != ".png") return;
     const std::string place = name.substr(0, at);
     name = name.substr(0, at) + "_depth_" + fs::path(name.substr(at + 7)).stem().string() + ".exr";
-    if (fs::exists(color.parent_path() / name)) out.push_back({color, color.parent_path() / name, {}, {}, place, drawn_for_holding_out(place)});
+    if (fs::exists(color.parent_path() / name))
+        out.push_back({color, color.parent_path() / name, {}, {}, place, drawn_for_holding_out(place)});
 }
 
 // Downloads lie in folders of their own: Structured3D_panorama_00/Structured3D/scene_00000.
@@ -84,7 +90,8 @@ Image<T> picked(const Image<T>& map, EquirectSize size) {
     Image<T> out(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            out.at(x, y) = map.at((2 * x + 1) * map.width / (2 * size.width), (2 * y + 1) * map.height / (2 * size.height));
+            out.at(x, y) = map.at((2 * x + 1) * map.width / (2 * size.width),
+                                  (2 * y + 1) * map.height / (2 * size.height));
     return out;
 }
 
@@ -105,19 +112,22 @@ SurfaceMap load_surfaces(const DepthFiles& files, EquirectSize size) {
     const ImageRgb8 normals = picked(load_rgb8(files.normals), size);
     const ImageF pieces = picked(load_float(files.pieces, 1.f), size);
     SurfaceMap out(size.width, size.height);
-    for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] = surface_id(static_cast<int>(pieces.pixels[i]), axis_of_normal(normals.pixels[i]));
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out.pixels[i] = surface_id(static_cast<int>(pieces.pixels[i]), axis_of_normal(normals.pixels[i]));
     return out;
 }
 
 }  // namespace
 
 std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw Error("{}: expected a folder of pictures with range, found none", folder.string());
+    if (!fs::is_directory(folder))
+        throw Error("{}: expected a folder of pictures with range, found none", folder.string());
     std::vector<DepthFiles> out;
     find_below(folder, kDeepest, out);
     if (out.empty())
         throw Error(
-            "{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, scene_00000/2D_rendering of Structured3D, or "
+            "{}: expected panoramas with range (shard-00000/*.json of `fastscene rooms dataset`, "
+            "scene_00000/2D_rendering of Structured3D, or "
             "*_color_*.png with "
             "*_depth_*.exr of Pano3D), found none",
             folder.string());
@@ -126,17 +136,25 @@ std::vector<DepthFiles> find_depth_files(const fs::path& folder) {
 
 DepthExample load_example(const DepthFiles& files, EquirectSize size, bool with_surfaces) {
     const ImageRgb8 color = load_rgb8(files.color);
-    if (color.width != 2 * color.height) throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
+    if (color.width != 2 * color.height)
+        throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width,
+                    color.height);
     const ImageF range = load_float(files.range);
-    if (range.width != 2 * range.height) throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
-    DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)), picked_range(range, size)};
+    if (range.width != 2 * range.height)
+        throw Error("{}: expected a map twice as wide as high, found {} x {}", files.range.string(), range.width,
+                    range.height);
+    DepthExample out{srgb8_from_linear(equirect_from_equirect(linear_from_srgb8(color), size)),
+                     picked_range(range, size)};
     if (with_surfaces && !files.pieces.empty()) out.surfaces = load_surfaces(files, size);
-    if (std::none_of(out.range.pixels.begin(), out.range.pixels.end(), [](float r) { return r > 0.f && r < kFarthestTaught_m; }))
-        throw Error("{}: expected ranges in metres, above 0 and below {}, found none: are they in another unit?", files.range.string(), kFarthestTaught_m);
+    if (std::none_of(out.range.pixels.begin(), out.range.pixels.end(),
+                     [](float r) { return r > 0.f && r < kFarthestTaught_m; }))
+        throw Error("{}: expected ranges in metres, above 0 and below {}, found none: are they in another unit?",
+                    files.range.string(), kFarthestTaught_m);
     return out;
 }
 
-std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size, const Run& run) {
+std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size,
+                                        const Run& run) {
     std::vector<DepthExample> out;
     Progress progress(run, "pictures", static_cast<std::int64_t>(files.size()));
     for (const DepthFiles& one : files) {
@@ -159,10 +177,12 @@ std::vector<float> mean_range_by_latitude(const std::vector<DepthExample>& examp
     for (const DepthExample& e : examples)
         for (std::size_t i = 0; i < e.range.size(); ++i)
             if (const float r = e.range.pixels[i]; r > 0)
-                sum[i / static_cast<std::size_t>(e.range.width)] += r, count[i / static_cast<std::size_t>(e.range.width)] += 1;
+                sum[i / static_cast<std::size_t>(e.range.width)] += r,
+                    count[i / static_cast<std::size_t>(e.range.width)] += 1;
     std::vector<float> mean(height, 0.f);
     float last = 0;
-    for (std::size_t y = 0; y < height; ++y) mean[y] = last = count[y] > 0 ? static_cast<float>(sum[y] / count[y]) : last;
+    for (std::size_t y = 0; y < height; ++y)
+        mean[y] = last = count[y] > 0 ? static_cast<float>(sum[y] / count[y]) : last;
     for (std::size_t y = height; y-- > 0;) mean[y] = last = mean[y] > 0 ? mean[y] : last;
     return mean;
 }

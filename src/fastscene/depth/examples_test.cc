@@ -35,7 +35,11 @@ void make_room_picture(const fs::path& folder, int picture, int room, const std:
     const fs::path shard = folder / "shard-00000";
     const std::string stem = fmt::format("{:08}", picture);
     make_pair(shard / (stem + ".color.png"), shard / (stem + ".range.png"));
-    write_json(shard / (stem + ".json"), {{"picture", picture}, {"room", room}, {"color", stem + ".color.png"}, {"range", stem + ".range.png"}, {"camera", {{"model", model}}}});
+    write_json(shard / (stem + ".json"), {{"picture", picture},
+                                          {"room", room},
+                                          {"color", stem + ".color.png"},
+                                          {"range", stem + ".range.png"},
+                                          {"camera", {{"model", model}}}});
 }
 
 TEST(Examples, RoomsAreHeldOutAsAWhole) {
@@ -63,7 +67,7 @@ TEST(Examples, SurfacesOfOurRooms) {
     const fs::path folder = fresh("surfaces"), shard = folder / "shard-00000";
     make_room_picture(folder, 0, 0, "EQUIRECTANGULAR");
     Image<std::uint16_t> pieces(64, 32);
-    ImageRgb8 normals(64, 32, {128, 0, 128});   // a floor
+    ImageRgb8 normals(64, 32, {128, 0, 128});  // a floor
     for (int y = 0; y < 32; ++y) pieces.at(40, y) = 300, normals.at(40, y) = {40, 128, 200};
     save_png16(shard / "00000000.instance.png", pieces);
     save_png(shard / "00000000.normal.png", normals);
@@ -192,8 +196,8 @@ TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
         Random a(4, "look", i), b(4, "look", i);
         const PhotoLook look = random_photo_look(a), same = random_photo_look(b);
         EXPECT_EQ(look.exposure_ev, same.exposure_ev);
-        EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 && look.white.x > 0.3f &&
-                    look.white.x < 3.f);
+        EXPECT_TRUE(std::abs(look.exposure_ev) < 4 && look.turn >= 0 && look.turn < 1 && look.jpeg_quality >= 45 &&
+                    look.white.x > 0.3f && look.white.x < 3.f);
     }
 }
 
@@ -202,7 +206,10 @@ DepthExample gray_room() {
     DepthExample room{ImageRgb8(64, 32, {120, 120, 120}), ImageF(64, 32, 2.f), SurfaceMap(64, 32)};
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) {
-            room.surfaces.at(x, y) = surface_id(y > 18 && x < 20 ? 1 : y > 18 && x < 40 ? 2 : 0, y < 8 || y > 24 ? 1 : 2);
+            room.surfaces.at(x, y) = surface_id(y > 18 && x < 20   ? 1
+                                                : y > 18 && x < 40 ? 2
+                                                                   : 0,
+                                                y < 8 || y > 24 ? 1 : 2);
             if (x > 50 && y > 10 && y < 16) room.range.at(x, y) = 0;
         }
     return room;
@@ -216,7 +223,8 @@ TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
     EXPECT_EQ(other.color, repainted(room, 1, again).color);
     EXPECT_EQ(other.range, room.range);
     EXPECT_EQ(other.color.at(55, 12), room.color.at(55, 12)) << "a window";
-    for (const auto& [x, y] : {std::pair{5, 20}, {30, 20}, {60, 20}, {5, 3}, {60, 30}}) EXPECT_NE(other.color.at(x, y), room.color.at(x, y));
+    for (const auto& [x, y] : {std::pair{5, 20}, {30, 20}, {60, 20}, {5, 3}, {60, 30}})
+        EXPECT_NE(other.color.at(x, y), room.color.at(x, y));
     EXPECT_NE(other.color.at(19, 22), other.color.at(20, 22)) << "two things, two paints";
     EXPECT_NE(other.color.at(45, 22), other.color.at(39, 22)) << "thing and wall";
     DepthExample bare = room;
@@ -233,7 +241,7 @@ TEST(Repaint, KeepsShade) {
             for (int x = 10; x < 20; ++x) room.color.at(x, y) = {60, 60, 60};
         Random dice(i, "shade");
         const ImageRgb8 color = repainted(room, 1, dice).color;
-        if (color.at(2, 20) != color.at(7, 23)) continue;   // a pattern
+        if (color.at(2, 20) != color.at(7, 23)) continue;  // a pattern
         ++plain;
         EXPECT_LT(color.at(15, 21).g, color.at(5, 21).g);
     }

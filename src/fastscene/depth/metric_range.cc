@@ -29,7 +29,8 @@ std::vector<Sample> steep_samples(const ImageF& relative) {
         const double lat = (0.5 - (y + 0.5) / relative.height) * std::numbers::pi;
         if (std::abs(lat) < 20 * std::numbers::pi / 180) continue;
         for (int x = step / 2; x < relative.width; x += step)
-            if (std::isfinite(relative.at(x, y))) samples.push_back({relative.at(x, y), std::sin(lat), pixel_solid_angle(y, size)});
+            if (std::isfinite(relative.at(x, y)))
+                samples.push_back({relative.at(x, y), std::sin(lat), pixel_solid_angle(y, size)});
     }
     return samples;
 }
@@ -56,7 +57,8 @@ bool refit(const std::vector<Sample>& samples, double camera_height, double sigm
     Mat3d m{{}, {0, 1e-4, 0}, {0, 0, 1e-4}};
     Vec3d right{0, 0, 1e-4};
     for (const Sample& s : samples) {
-        const Vec3d row{s.relative * s.sine, s.sine, s.sine < 0 ? 0. : -1.}, weighted = row * (s.weight * trust(misfit(s, planes, camera_height), sigma));
+        const Vec3d row{s.relative * s.sine, s.sine, s.sine < 0 ? 0. : -1.},
+            weighted = row * (s.weight * trust(misfit(s, planes, camera_height), sigma));
         m.row0 += weighted * row.x, m.row1 += weighted * row.y, m.row2 += weighted * row.z;
         right += weighted * (s.sine < 0 ? -camera_height : 0.);
     }

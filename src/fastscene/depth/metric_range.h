@@ -7,11 +7,11 @@
 namespace fastscene {
 
 struct MetricFit {
-    float scale = 1, shift = 0;     // range_m = scale * relative + shift, scale > 0
-    float camera_height_m = 1.6f;   // assumed
-    float ceiling_m = 0;            // found, above the camera; 0 where no level ceiling was found
-    float floor_share = 0;          // of the sphere's lower half that lies on the floor so found, by solid angle
-    bool sure = false;              // false: too little floor; scale is the nadir's, shift 0
+    float scale = 1, shift = 0;    // range_m = scale * relative + shift, scale > 0
+    float camera_height_m = 1.6f;  // assumed
+    float ceiling_m = 0;           // found, above the camera; 0 where no level ceiling was found
+    float floor_share = 0;         // of the sphere's lower half that lies on the floor so found, by solid angle
+    bool sure = false;             // false: too little floor; scale is the nadir's, shift 0
 };
 
 // `relative`: equirectangular, grows with distance. Robust: furniture on the floor and lamps under the ceiling are

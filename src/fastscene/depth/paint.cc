@@ -9,14 +9,17 @@ namespace {
 
 Vec3f random_color(Random& dice, float low, float high) {
     const float level = std::exp(dice.uniform(std::log(low), std::log(high))), tint = dice.chance(0.3f) ? 0.9f : 0.35f;
-    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform())};
+    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()),
+            level * (1 - tint * dice.uniform())};
 }
 
 }  // namespace
 
 Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal) {
     const Vec3f n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    const Vec2f flat = n.y > n.x && n.y > n.z ? Vec2f{point.x, point.z} : n.x > n.z ? Vec2f{point.z, point.y} : Vec2f{point.x, point.y};
+    const Vec2f flat = n.y > n.x && n.y > n.z ? Vec2f{point.x, point.z}
+                       : n.x > n.z            ? Vec2f{point.z, point.y}
+                                              : Vec2f{point.x, point.y};
     const float c = std::cos(paint.turn), s = std::sin(paint.turn);
     const Vec2f uv{(c * flat.x - s * flat.y) / paint.scale, (s * flat.x + c * flat.y) / paint.scale};
     float t = 0;
@@ -24,7 +27,8 @@ Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal) {
         case PaintPattern::stripes: t = static_cast<float>(floor_int(uv.x) & 1); break;
         case PaintPattern::checker: t = static_cast<float>((floor_int(uv.x) + floor_int(uv.y)) & 1); break;
         case PaintPattern::planks:
-            t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0, paint.seed);
+            t = lattice_unit(floor_int(uv.x), floor_int(uv.y * 0.2f + 0.37f * static_cast<float>(floor_int(uv.x))), 0,
+                             paint.seed);
             break;
         case PaintPattern::clouds: t = 0.6f * noise2(uv, paint.seed) + 0.4f * noise2(uv * 3.1f, paint.seed + 1); break;
         default: break;
@@ -36,7 +40,8 @@ Paint random_paint(Random& dice, float low, float high, float plain) {
     Paint paint;
     paint.a = random_color(dice, low, high);
     paint.b = dice.chance(0.5f) ? paint.a * dice.uniform(0.5f, 1.3f) : random_color(dice, low, high);
-    if (!dice.chance(plain)) paint.pattern = static_cast<PaintPattern>(1 + dice.index(static_cast<int>(PaintPattern::count) - 1));
+    if (!dice.chance(plain))
+        paint.pattern = static_cast<PaintPattern>(1 + dice.index(static_cast<int>(PaintPattern::count) - 1));
     paint.scale = std::exp(dice.uniform(std::log(0.06f), std::log(0.8f)));
     paint.turn = dice.chance(0.7f) ? (dice.chance(0.5f) ? 0.f : kPi / 2) : dice.uniform(0, kPi);
     paint.seed = dice.next_u32();

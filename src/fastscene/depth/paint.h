@@ -12,12 +12,13 @@ enum class PaintPattern { plain, stripes, checker, planks, clouds, count };
 
 struct Paint {
     PaintPattern pattern = PaintPattern::plain;
-    Vec3f a{0.5f, 0.5f, 0.5f}, b{0.5f, 0.5f, 0.5f};   // linear
-    float scale = 0.3f, turn = 0;   // metres; radians within the surface
+    Vec3f a{0.5f, 0.5f, 0.5f}, b{0.5f, 0.5f, 0.5f};  // linear
+    float scale = 0.3f, turn = 0;                    // metres; radians within the surface
     std::uint32_t seed = 0;
 };
 
-// A color between a and b: at a point in metres, on a surface that faces `normal` (its largest component decides how the pattern lies).
+// A color between a and b: at a point in metres, on a surface that faces `normal` (its largest component decides how
+// the pattern lies).
 Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal);
 
 // Colors between `low` and `high`, as albedo; `plain`: the share of paints without a pattern.

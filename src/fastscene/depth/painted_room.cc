@@ -18,18 +18,18 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 // A box or the ellipsoid in it, turned about its vertical axis. Room frame: y down, the camera at the origin.
 struct Thing {
     Vec3f center, half;
-    float c = 1, s = 0;   // of the turn
+    float c = 1, s = 0;  // of the turn
     bool round = false;
     bool shines = false, window = false;
     Paint paint;
 };
 
 struct Scene {
-    Vec3f low, high;      // the room's box
-    std::array<Paint, 6> sides;   // -x +x ceiling floor -z +z
+    Vec3f low, high;             // the room's box
+    std::array<Paint, 6> sides;  // -x +x ceiling floor -z +z
     std::vector<Thing> things;
     std::vector<Vec3f> lamps;
-    float ambient = 0.4f, corner = 0.3f;   // corners are darker by this
+    float ambient = 0.4f, corner = 0.3f;  // corners are darker by this
     bool shadows = true;
 };
 
@@ -37,7 +37,7 @@ struct Hit {
     float t = kFar;
     Vec3f normal, local;  // local: where on the thing, for its pattern
     const Paint* paint = nullptr;
-    const Thing* thing = nullptr;   // none: the room's box
+    const Thing* thing = nullptr;  // none: the room's box
 
     bool lights() const { return thing && (thing->shines || thing->window); }
 };
@@ -112,10 +112,11 @@ bool is_shadowed(const Scene& scene, Vec3f from, Vec3f lamp) {
 Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     const Vec3f albedo = color_of(*hit.paint, hit.local, hit.normal);
     if (hit.lights()) return albedo * 3.f;
-    float open = 1;   // less light comes into corners
+    float open = 1;  // less light comes into corners
     for (std::size_t a = 0; a < 3; ++a)
         if (std::abs(hit.normal[a]) < 0.7f)
-            open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) * (1 - scene.corner * std::exp(-(scene.high[a] - p[a]) / 0.4f));
+            open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) *
+                    (1 - scene.corner * std::exp(-(scene.high[a] - p[a]) / 0.4f));
     float light = scene.ambient * open * (1 - 0.15f * hit.normal.y);
     for (const Vec3f lamp : scene.lamps) {
         const Vec3f to = lamp - p;
@@ -152,12 +153,13 @@ Thing standing(const Scene& scene, Vec3f size, float x, float z, float turn) {
 // A table: a top and four legs; a seat: a box and a back.
 void add_furniture(Scene& scene, Random& dice) {
     const float room = std::min(scene.high.x - scene.low.x, scene.high.z - scene.low.z);
-    Vec3f size{dice.uniform(0.3f, 2.2f), dice.chance(0.65f) ? dice.uniform(0.3f, 1.f) : dice.uniform(1.f, 2.3f), dice.uniform(0.3f, 1.f)};
+    Vec3f size{dice.uniform(0.3f, 2.2f), dice.chance(0.65f) ? dice.uniform(0.3f, 1.f) : dice.uniform(1.f, 2.3f),
+               dice.uniform(0.3f, 1.f)};
     size.x = std::min(size.x, 0.6f * room);
     size.y = std::min(size.y, 0.95f * (scene.high.y - scene.low.y));
     float turn = static_cast<float>(dice.index(4)) * kPi / 2;
     float x = dice.uniform(scene.low.x, scene.high.x), z = dice.uniform(scene.low.z, scene.high.z);
-    if (dice.chance(0.7f)) {   // its back to a wall
+    if (dice.chance(0.7f)) {  // its back to a wall
         const float back = size.z / 2 + 0.02f;
         const int wall = dice.index(4);
         turn = static_cast<float>(wall) * kPi / 2;
@@ -195,8 +197,9 @@ void add_furniture(Scene& scene, Random& dice) {
         body.round = kind > 0.93f;
         add(scene, body);
     }
-    if (size.y < 1.2f && dice.chance(0.4f)) {   // something on it
-        Thing on = standing(scene, {dice.uniform(0.05f, 0.4f), dice.uniform(0.05f, 0.5f), dice.uniform(0.05f, 0.3f)}, x, z, dice.uniform(0, kPi));
+    if (size.y < 1.2f && dice.chance(0.4f)) {  // something on it
+        Thing on = standing(scene, {dice.uniform(0.05f, 0.4f), dice.uniform(0.05f, 0.5f), dice.uniform(0.05f, 0.3f)}, x,
+                            z, dice.uniform(0, kPi));
         on.center.y -= size.y;
         on.round = dice.chance(0.5f);
         on.paint = random_paint(dice, 0.04f, 0.8f, 0.6f);
@@ -208,12 +211,15 @@ void add_furniture(Scene& scene, Random& dice) {
 void add_sheet(Scene& scene, Random& dice) {
     const int wall = dice.index(4);
     const bool along_x = wall % 2 == 0;
-    const float span = along_x ? scene.high.x - scene.low.x : scene.high.z - scene.low.z, tall = scene.high.y - scene.low.y;
+    const float span = along_x ? scene.high.x - scene.low.x : scene.high.z - scene.low.z,
+                tall = scene.high.y - scene.low.y;
     const float width = std::min(0.8f * span, dice.uniform(0.3f, 2.2f)), kind = dice.uniform();
-    const bool door = kind < 0.25f, window = kind > 0.6f;
-    const float height = door ? std::min(2.05f, 0.9f * tall) : dice.uniform(0.3f, 0.6f) * tall, along = dice.uniform(0, span - width) + width / 2;
+    const bool door = kind<0.25f, window = kind> 0.6f;
+    const float height = door ? std::min(2.05f, 0.9f * tall) : dice.uniform(0.3f, 0.6f) * tall,
+                along = dice.uniform(0, span - width) + width / 2;
     const float thick = kind > 0.5f && !window ? 0.12f : 0.03f,
-                y = door ? scene.high.y - height / 2 : scene.low.y + dice.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
+                y = door ? scene.high.y - height / 2
+                         : scene.low.y + dice.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
     Thing t;
     t.half = along_x ? Vec3f{width / 2, height / 2, thick / 2} : Vec3f{thick / 2, height / 2, width / 2};
     t.center = along_x ? Vec3f{scene.low.x + along, y, wall == 0 ? scene.low.z : scene.high.z}
@@ -285,8 +291,10 @@ DepthExample painted_room(EquirectSize size, Random& dice) {
             const Hit hit = first_hit(scene, d);
             range.at(x, y) = hit.thing && hit.thing->window ? 0.f : hit.t;
             // Another ray beside the center's softens edges.
-            const Vec3f beside =
-                turned(direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()}, size), c, s);
+            const Vec3f beside = turned(
+                direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()},
+                             size),
+                c, s);
             const Hit other = first_hit(scene, beside);
             light.at(x, y) = (light_at(scene, d * hit.t, hit) + light_at(scene, beside * other.t, other)) * 0.5f;
             mean += luminance(light.at(x, y));

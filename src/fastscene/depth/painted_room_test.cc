@@ -32,7 +32,7 @@ TEST(PaintedRoom, IsARoomAroundTheCamera) {
             unknown += e.range.pixels[k] == 0;
             light += luminance(linear_from_srgb8(e.color.pixels[k]));
         }
-        EXPECT_LT(unknown / static_cast<double>(e.range.size()), 0.5) << i;   // windows
+        EXPECT_LT(unknown / static_cast<double>(e.range.size()), 0.5) << i;  // windows
         light /= static_cast<double>(e.range.size());
         EXPECT_TRUE(light > 0.1 && light < 0.5) << i << ": " << light;
         // Straight down is the floor or something on it; nothing lies below 2 m.
@@ -40,7 +40,8 @@ TEST(PaintedRoom, IsARoomAroundTheCamera) {
     }
 }
 
-// The shell is a box: along a wall, range times the cosine to its normal is constant. Most of the equator's rays between two neighbours say so.
+// The shell is a box: along a wall, range times the cosine to its normal is constant. Most of the equator's rays
+// between two neighbours say so.
 TEST(PaintedRoom, SurfacesAreFlatForTheMostPart) {
     int flat = 0, all = 0;
     for (std::uint64_t i = 0; i < 20; ++i) {

@@ -14,7 +14,8 @@ template <class T>
 Image<T> turned(const Image<T>& image, int columns, bool mirrored) {
     Image<T> out(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) out.at(x, y) = image.at(wrap_column((mirrored ? image.width - 1 - x : x) + columns, image.width), y);
+        for (int x = 0; x < image.width; ++x)
+            out.at(x, y) = image.at(wrap_column((mirrored ? image.width - 1 - x : x) + columns, image.width), y);
     return out;
 }
 
@@ -24,11 +25,16 @@ ImageColor blurred(const ImageColor& image, float sigma) {
     ImageColor across(image.width, image.height), out(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            across.at(x, y) =
-                (image.at(x, y) + (image.at(wrap_column(x - 1, image.width), y) + image.at(wrap_column(x + 1, image.width), y)) * side) * scale;
+            across.at(x, y) = (image.at(x, y) + (image.at(wrap_column(x - 1, image.width), y) +
+                                                 image.at(wrap_column(x + 1, image.width), y)) *
+                                                    side) *
+                              scale;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            out.at(x, y) = (across.at(x, y) + (across.at(x, std::max(0, y - 1)) + across.at(x, std::min(image.height - 1, y + 1))) * side) * scale;
+            out.at(x,
+                   y) = (across.at(x, y) +
+                         (across.at(x, std::max(0, y - 1)) + across.at(x, std::min(image.height - 1, y + 1))) * side) *
+                        scale;
     return out;
 }
 
@@ -57,16 +63,19 @@ DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random&
     if (look.blur_px > 0) light = blurred(light, look.blur_px);
     const float gain = std::exp2(look.exposure_ev);
     for (std::size_t i = 0; i < light.size(); ++i) {
-        Vec3f c{light.pixels[i].x * look.white.x * gain, light.pixels[i].y * look.white.y * gain, light.pixels[i].z * look.white.z * gain};
+        Vec3f c{light.pixels[i].x * look.white.x * gain, light.pixels[i].y * look.white.y * gain,
+                light.pixels[i].z * look.white.z * gain};
         const float gray = luminance(c);
         Vec3f seen;
         for (std::size_t a = 0; a < 3; ++a) {
-            const float v = std::pow(std::clamp(srgb_from_linear(gray + (c[a] - gray) * look.saturation), 0.f, 1.f), look.gamma);
+            const float v = std::pow(std::clamp(srgb_from_linear(gray + (c[a] - gray) * look.saturation), 0.f, 1.f),
+                                     look.gamma);
             seen[a] = look.noise > 0 ? v + look.noise * dice.normal() : v;
         }
         out.color.pixels[i] = {byte_from_unit(seen.x), byte_from_unit(seen.y), byte_from_unit(seen.z)};
     }
-    if (look.jpeg_quality < 100) out.color = decode_rgb8(encode_jpeg(out.color, look.jpeg_quality), "a picture for training");
+    if (look.jpeg_quality < 100)
+        out.color = decode_rgb8(encode_jpeg(out.color, look.jpeg_quality), "a picture for training");
     return out;
 }
 

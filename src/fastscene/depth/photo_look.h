@@ -8,13 +8,13 @@
 namespace fastscene {
 
 struct PhotoLook {
-    float turn = 0;               // about the vertical axis, in whole turns: free on a panorama
+    float turn = 0;  // about the vertical axis, in whole turns: free on a panorama
     bool mirrored = false;
     float exposure_ev = 0;
-    Vec3f white{1, 1, 1};         // multiplies linear color
+    Vec3f white{1, 1, 1};  // multiplies linear color
     float gamma = 1, saturation = 1;
-    float blur_px = 0, noise = 0; // noise: deviation of sRGB values
-    int jpeg_quality = 100;       // 100 = never compressed
+    float blur_px = 0, noise = 0;  // noise: deviation of sRGB values
+    int jpeg_quality = 100;        // 100 = never compressed
 };
 PhotoLook random_photo_look(Random& dice);
 

@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-constexpr int kUp = 1;   // the axis
+constexpr int kUp = 1;  // the axis
 
 // Surfaces that are painted alike: each piece as a whole, of the shell the floor, the ceiling and the walls.
 enum Part { thing = 0, walls, floor, ceiling };
@@ -32,7 +32,7 @@ Paint paint_of(int coat, Random& dice) {
 }
 
 struct Coat {
-    double light = 0;      // sum, then mean, of its pixels' luminance
+    double light = 0;  // sum, then mean, of its pixels' luminance
     int pixels = 0;
     bool painted = false;
     Paint paint;
@@ -52,7 +52,7 @@ DepthExample repainted(const DepthExample& example, float share, Random& dice) {
     const auto direction = [&](std::size_t i) {
         return direction_of_pixel(static_cast<int>(i) % size.width, static_cast<int>(i) / size.width, size);
     };
-    std::map<int, Coat> coats;   // in the order of their numbers, so that the dice fall alike
+    std::map<int, Coat> coats;  // in the order of their numbers, so that the dice fall alike
     double all = 0;
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (example.range.pixels[i] <= 0) continue;
@@ -78,10 +78,14 @@ DepthExample repainted(const DepthExample& example, float share, Random& dice) {
         Vec3f facing{};
         facing[static_cast<std::size_t>(axis_of(id))] = 1;
         // A pattern finer than a pixel is its mean color.
-        const float pixel = range * 2 * kPi / static_cast<float>(size.width), clear = std::clamp(coat.paint.scale / pixel - 0.5f, 0.f, 1.f);
-        const Vec3f mean = (coat.paint.a + coat.paint.b) * 0.5f, albedo = mean + (color_of(coat.paint, d * range, facing) - mean) * clear;
-        // How this place is lit beside the rest of its surface; a surface in the dark, or dark of itself, which nobody knows, stays half as dark.
-        const auto shade = static_cast<float>(std::min(4., luminance(light.pixels[i]) / coat.light) * std::sqrt(coat.light * all) / 0.4);
+        const float pixel = range * 2 * kPi / static_cast<float>(size.width),
+                    clear = std::clamp(coat.paint.scale / pixel - 0.5f, 0.f, 1.f);
+        const Vec3f mean = (coat.paint.a + coat.paint.b) * 0.5f,
+                    albedo = mean + (color_of(coat.paint, d * range, facing) - mean) * clear;
+        // How this place is lit beside the rest of its surface; a surface in the dark, or dark of itself, which nobody
+        // knows, stays half as dark.
+        const auto shade = static_cast<float>(std::min(4., luminance(light.pixels[i]) / coat.light) *
+                                              std::sqrt(coat.light * all) / 0.4);
         out.color.pixels[i] = srgb8_from_linear(albedo * shade);
     }
     return out;

@@ -12,9 +12,9 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kMostHeldOut = 60;   // looked at again and again
+constexpr std::size_t kMostHeldOut = 60;  // looked at again and again
 constexpr std::size_t kPaintedHeldOut = 40;
-constexpr float kRepaintedSurfaces = 0.6f; // of a repainted room's
+constexpr float kRepaintedSurfaces = 0.6f;  // of a repainted room's
 
 void check_sizes(const DepthTrainParams& p) {
     if (p.height % 32 != 0) throw UsageError("--height: expected a multiple of 32, found {}", p.height);
@@ -52,7 +52,8 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     const DepthTrainParams& p = training.params;
     check_sizes(p);
     if (!training.start.empty() && std::filesystem::exists(folder / "checkpoint.safetensors"))
-        run.warn(fmt::format("--start {}: not used, the training in {} goes on from its own checkpoint", training.start.string(), folder.string()));
+        run.warn(fmt::format("--start {}: not used, the training in {} goes on from its own checkpoint",
+                             training.start.string(), folder.string()));
     const EquirectSize size{2 * p.height, p.height};
     std::vector<DepthFiles> files;
     Json names = Json::array();
@@ -68,28 +69,39 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
     std::vector<DepthExample> held_out = load_examples(with_fate(files, true, kMostHeldOut), true, size, run);
     if (examples.empty() && !files.empty())
         throw Error("{}: expected pictures to train on, found {}", names.dump(),
-                    std::all_of(files.begin(), files.end(), [](const DepthFiles& f) { return f.held_out; }) ? "held-out ones only: more rooms are needed"
-                                                                                                           : "none that can be used (why is told above)");
+                    std::all_of(files.begin(), files.end(), [](const DepthFiles& f) { return f.held_out; })
+                        ? "held-out ones only: more rooms are needed"
+                        : "none that can be used (why is told above)");
     if (held_out.empty() && !files.empty()) {
-        run.warn(fmt::format("{}: expected held-out pictures, found none (each tenth room of ours, Structured3D's scenes from 3000 on): the figures are of "
-                             "pictures that are trained on",
-                             names.dump()));
+        run.warn(
+            fmt::format("{}: expected held-out pictures, found none (each tenth room of ours, Structured3D's scenes "
+                        "from 3000 on): the figures are of "
+                        "pictures that are trained on",
+                        names.dump()));
         held_out = thinned(examples, kMostHeldOut);
     }
     if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
     const double painted = files.empty() ? 1 : p.painted;
 
-    EgformerTraining task{{p.height, 2 * p.height, p.channels, true}, p.training, p.direct, {}, std::move(held_out),
-                          mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples), training.start,
-                          {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
+    EgformerTraining task{
+        {p.height, 2 * p.height, p.channels, true},
+        p.training,
+        p.direct,
+        {},
+        std::move(held_out),
+        mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples),
+        training.start,
+        {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
     task.draw = [&](Random& dice) {
-        const bool paint = dice.chance(static_cast<float>(painted)), repaint = dice.chance(static_cast<float>(p.repainted));
+        const bool paint = dice.chance(static_cast<float>(painted)),
+                   repaint = dice.chance(static_cast<float>(p.repainted));
         const PhotoLook look = random_photo_look(dice);
         if (paint) return seen_as(painted_room(size, dice), look, dice);
         const DepthExample& room = examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))];
         return seen_as(repaint ? repainted(room, kRepaintedSurfaces, dice) : room, look, dice);
     };
-    run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms", examples.size(), task.held_out.size(), 100 * painted));
+    run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms",
+                         examples.size(), task.held_out.size(), 100 * painted));
     return train_egformer(task, folder, run);
 }
 

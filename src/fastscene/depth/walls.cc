@@ -10,22 +10,25 @@
 namespace fastscene {
 namespace {
 
-constexpr float kLeastShare = 0.03f;      // of the sphere: less may be a cupboard, or a piece of something round
+constexpr float kLeastShare = 0.03f;  // of the sphere: less may be a cupboard, or a piece of something round
 constexpr std::size_t kMostWalls = 8;
-constexpr float kThickness = 0.05f;       // of the distance: what a network's walls waver
-constexpr float kUpright = 0.35f;         // the most that a wall's normal may point up or down: sofas slope more
-constexpr float kNormalCosine = 0.9f;     // between a pixel's normal and its plane's, 25 degrees
-constexpr float kFlatCosine = 0.978f;     // between the mean normals of a wall's halves, 12 degrees
+constexpr float kThickness = 0.05f;    // of the distance: what a network's walls waver
+constexpr float kUpright = 0.35f;      // the most that a wall's normal may point up or down: sofas slope more
+constexpr float kNormalCosine = 0.9f;  // between a pixel's normal and its plane's, 25 degrees
+constexpr float kFlatCosine = 0.978f;  // between the mean normals of a wall's halves, 12 degrees
 
-constexpr int kYaws = 72, kDistances = 96;   // of the votes: 5 degrees, 4 %
+constexpr int kYaws = 72, kDistances = 96;  // of the votes: 5 degrees, 4 %
 constexpr float kNearest_m = 0.3f, kStep = 0.04f;
 float yaw_of_bin(int i) { return (static_cast<float>(i) + 0.5f) * 2 * kPi / kYaws; }
-int bin_of_distance(float m) { return std::clamp(static_cast<int>(std::log(m / kNearest_m) / kStep), 0, kDistances - 1); }
+int bin_of_distance(float m) {
+    return std::clamp(static_cast<int>(std::log(m / kNearest_m) / kStep), 0, kDistances - 1);
+}
 
 // A pixel that may lie on a wall, seen from above.
 struct Spot {
-    Vec2f at, normal;   // (x, z) in metres; the surface's normal, towards the camera's far side, not of unit length where it slopes
-    float weight;       // solid angle; 0: taken by a plane
+    Vec2f at, normal;  // (x, z) in metres; the surface's normal, towards the camera's far side, not of unit length
+                       // where it slopes
+    float weight;      // solid angle; 0: taken by a plane
 };
 
 Vec2f ahead(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
@@ -34,15 +37,19 @@ Vec2f ahead(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 std::vector<Spot> upright_spots(const ImageF& range, float floor_m, float ceiling_m) {
     const EquirectSize size{range.width, range.height};
     const int step = std::max(1, range.width / 256);
-    const auto point = [&](int x, int y) { return direction_of_pixel(wrap_column(x, size.width), y, size) * range.at(wrap_column(x, size.width), y); };
+    const auto point = [&](int x, int y) {
+        return direction_of_pixel(wrap_column(x, size.width), y, size) * range.at(wrap_column(x, size.width), y);
+    };
     std::vector<Spot> spots;
     for (int y = step; y + step < size.height; y += step)
         for (int x = 0; x < size.width; x += step) {
             const Vec3f p = point(x, y);
-            if (!std::isfinite(range.at(x, y)) || p.y > 0.92f * floor_m || (ceiling_m > 0 && p.y < -0.92f * ceiling_m)) continue;
-            Vec3f n = normalize(cross(point(x + step, y) - point(x - step, y), point(x, y + step) - point(x, y - step)));
+            if (!std::isfinite(range.at(x, y)) || p.y > 0.92f * floor_m || (ceiling_m > 0 && p.y < -0.92f * ceiling_m))
+                continue;
+            Vec3f n = normalize(
+                cross(point(x + step, y) - point(x - step, y), point(x, y + step) - point(x, y - step)));
             if (dot(n, p) < 0) n = -n;
-            if (!(std::abs(n.y) < kUpright)) continue;   // true for NaN: beside the sky
+            if (!(std::abs(n.y) < kUpright)) continue;  // true for NaN: beside the sky
             spots.push_back({{p.x, p.z}, {n.x, n.z}, static_cast<float>(pixel_solid_angle(y, size) * step * step)});
         }
     return spots;
@@ -50,26 +57,32 @@ std::vector<Spot> upright_spots(const ImageF& range, float floor_m, float ceilin
 
 // The plane that most spots vote for; share: of the votes, smoothed.
 Wall most_voted(const std::vector<Spot>& spots) {
-    constexpr int kReach = 3;   // yaws to each side: a coarse normal is no better
+    constexpr int kReach = 3;  // yaws to each side: a coarse normal is no better
     std::vector<float> votes(static_cast<std::size_t>(kYaws) * kDistances);
-    const auto vote = [&](int yaw, int distance) -> float& { return votes[static_cast<std::size_t>((yaw + kYaws) % kYaws * kDistances + distance)]; };
+    const auto vote = [&](int yaw, int distance) -> float& {
+        return votes[static_cast<std::size_t>((yaw + kYaws) % kYaws * kDistances + distance)];
+    };
     for (const Spot& s : spots) {
         const int middle = static_cast<int>(std::floor(std::atan2(s.normal.x, s.normal.y) / (2 * kPi) * kYaws));
         for (int d = -kReach; d <= kReach; ++d) {
             const float distance = dot(s.at, ahead(yaw_of_bin(middle + d)));
-            if (distance > kNearest_m) vote(middle + d + kYaws, bin_of_distance(distance)) += s.weight / static_cast<float>(1 + std::abs(d));
+            if (distance > kNearest_m)
+                vote(middle + d + kYaws, bin_of_distance(distance)) += s.weight / static_cast<float>(1 + std::abs(d));
         }
     }
     Wall best;
     for (int yaw = 0; yaw < kYaws; ++yaw)
         for (int i = 1; i + 1 < kDistances; ++i) {
             const float sum = vote(yaw, i - 1) + vote(yaw, i) + vote(yaw, i + 1);
-            if (sum > best.share) best = {yaw_of_bin(yaw), kNearest_m * std::exp((static_cast<float>(i) + 0.5f) * kStep), sum, 0};
+            if (sum > best.share)
+                best = {yaw_of_bin(yaw), kNearest_m * std::exp((static_cast<float>(i) + 0.5f) * kStep), sum, 0};
         }
     return best;
 }
 
-bool is_on(const Spot& s, const Wall& wall, float thickness) { return std::abs(dot(s.at, ahead(wall.yaw)) - wall.distance_m) < thickness * wall.distance_m; }
+bool is_on(const Spot& s, const Wall& wall, float thickness) {
+    return std::abs(dot(s.at, ahead(wall.yaw)) - wall.distance_m) < thickness * wall.distance_m;
+}
 
 // The line, as seen from above, through what is near the wall and faces it; far ones have less say.
 Wall refined(const std::vector<Spot>& spots, Wall wall) {
@@ -78,14 +91,16 @@ Wall refined(const std::vector<Spot>& spots, Wall wall) {
         double sum = 0, mx = 0, mz = 0, xx = 0, xz = 0, zz = 0;
         for (const Spot& s : spots) {
             if (dot(s.normal, n) < kNormalCosine) continue;
-            const double off = (dot(s.at, n) - wall.distance_m) / (kThickness * wall.distance_m), q = 1 / (1 + off * off), w = s.weight * q * q;
-            sum += w, mx += w * s.at.x, mz += w * s.at.y, xx += w * s.at.x * s.at.x, xz += w * s.at.x * s.at.y, zz += w * s.at.y * s.at.y;
+            const double off = (dot(s.at, n) - wall.distance_m) / (kThickness * wall.distance_m),
+                         q = 1 / (1 + off * off), w = s.weight * q * q;
+            sum += w, mx += w * s.at.x, mz += w * s.at.y, xx += w * s.at.x * s.at.x, xz += w * s.at.x * s.at.y,
+                zz += w * s.at.y * s.at.y;
         }
         if (!(sum > 0)) return {};
         mx /= sum, mz /= sum;
         const double a = xx / sum - mx * mx, b = xz / sum - mx * mz, c = zz / sum - mz * mz;
         // The direction across which they spread least.
-        const double along = 0.5 * std::atan2(2 * b, a - c);   // from x towards z
+        const double along = 0.5 * std::atan2(2 * b, a - c);  // from x towards z
         double nx = -std::sin(along), nz = std::cos(along);
         if (nx * mx + nz * mz < 0) nx = -nx, nz = -nz;
         wall.yaw = static_cast<float>(std::atan2(nx, nz));
@@ -95,7 +110,8 @@ Wall refined(const std::vector<Spot>& spots, Wall wall) {
     return wall;
 }
 
-// Does what lies on the plane look the same way at its left and its right end? A piece of something round lies on a plane, too.
+// Does what lies on the plane look the same way at its left and its right end? A piece of something round lies on a
+// plane, too.
 bool is_flat(const std::vector<Spot>& spots, const Wall& wall) {
     const Vec2f n = ahead(wall.yaw), right{n.y, -n.x};
     float weight = 0, middle = 0;
@@ -112,8 +128,10 @@ bool is_flat(const std::vector<Spot>& spots, const Wall& wall) {
     return dot(ends[0], ends[1]) > kFlatCosine * length(ends[0]) * length(ends[1]);
 }
 
-// How strong the picture's lines are where a wall at `distance` would meet floor and ceiling, along the longitudes at which it is seen.
-float line_strength(const RoomLines& lines, float yaw, const std::vector<float>& azimuths, float distance, float floor_m, float ceiling_m) {
+// How strong the picture's lines are where a wall at `distance` would meet floor and ceiling, along the longitudes at
+// which it is seen.
+float line_strength(const RoomLines& lines, float yaw, const std::vector<float>& azimuths, float distance,
+                    float floor_m, float ceiling_m) {
     float sum = 0;
     for (const float azimuth : azimuths) {
         const float reach = std::cos(azimuth) / distance;
@@ -129,13 +147,15 @@ std::vector<float> azimuths_of(const ImageF& range, const Wall& wall) {
     std::vector<float> out;
     constexpr float kEvery = 1.5f * kPi / 180;
     for (float azimuth = -1.3f; azimuth < 1.3f; azimuth += kEvery) {
-        const int x = wrap_column(static_cast<int>(std::floor(((wall.yaw + azimuth) / (2 * kPi) + 0.5f) * static_cast<float>(size.width))), size.width);
+        const int x = wrap_column(
+            static_cast<int>(std::floor(((wall.yaw + azimuth) / (2 * kPi) + 0.5f) * static_cast<float>(size.width))),
+            size.width);
         int on = 0;
         for (int y = size.height / 4; y < size.height * 3 / 4; ++y) {
             const Vec3f p = direction_of_pixel(x, y, size) * range.at(x, y);
             on += is_on({{p.x, p.z}, {}, 0}, wall, kThickness);
         }
-        if (on * 8 >= size.height) out.push_back(azimuth);   // a quarter of what was looked at
+        if (on * 8 >= size.height) out.push_back(azimuth);  // a quarter of what was looked at
     }
     return out;
 }
@@ -148,7 +168,7 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
     constexpr float kSphere = 4 * kPi;
     while (walls.size() < kMostWalls) {
         Wall wall = most_voted(spots);
-        if (!(wall.share > kLeastShare * kSphere / 2)) break;   // votes are of those alone whose normals agree
+        if (!(wall.share > kLeastShare * kSphere / 2)) break;  // votes are of those alone whose normals agree
         wall = refined(spots, wall);
         float on = 0;
         for (const Spot& s : spots) on += is_on(s, wall, kThickness) ? s.weight : 0;
@@ -156,7 +176,9 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
         if (wall.share >= kLeastShare && is_flat(spots, wall)) walls.push_back(wall);
         // Gone in either case, and what lies a little off with them, or it would be the next wall.
         const std::size_t before = spots.size();
-        std::erase_if(spots, [&](const Spot& s) { return is_on(s, wall, 2 * kThickness) && dot(s.normal, ahead(wall.yaw)) > 0.5f; });
+        std::erase_if(spots, [&](const Spot& s) {
+            return is_on(s, wall, 2 * kThickness) && dot(s.normal, ahead(wall.yaw)) > 0.5f;
+        });
         if (spots.size() == before) break;
     }
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.share > b.share; });
@@ -164,17 +186,18 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
 }
 
 std::vector<Wall> walls_with_lines(const ImageF& range, const RoomLines& lines, float floor_m, float ceiling_m) {
-    constexpr int kSteps = 15;              // to each side, in distance
+    constexpr int kSteps = 15;  // to each side, in distance
     constexpr float kFactor = 0.02f;
-    constexpr float kClearer = 0.12f;       // than what the picture has at other distances
+    constexpr float kClearer = 0.12f;  // than what the picture has at other distances
     std::vector<Wall> out;
     for (Wall wall : upright_planes(range, floor_m, ceiling_m)) {
         const std::vector<float> azimuths = azimuths_of(range, wall);
-        if (azimuths.size() < 8) continue;   // 12 degrees: no line to speak of
+        if (azimuths.size() < 8) continue;  // 12 degrees: no line to speak of
         std::array<float, 2 * kSteps + 1> strengths{};
         for (int i = -kSteps; i <= kSteps; ++i)
-            strengths[static_cast<std::size_t>(i + kSteps)] =
-                line_strength(lines, wall.yaw, azimuths, wall.distance_m * std::exp(kFactor * static_cast<float>(i)), floor_m, ceiling_m);
+            strengths[static_cast<std::size_t>(i + kSteps)] = line_strength(
+                lines, wall.yaw, azimuths, wall.distance_m * std::exp(kFactor * static_cast<float>(i)), floor_m,
+                ceiling_m);
         auto sorted = strengths;
         std::sort(sorted.begin(), sorted.end());
         const auto best = std::max_element(strengths.begin(), strengths.end());

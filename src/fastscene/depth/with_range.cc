@@ -24,7 +24,8 @@ void fill_unknown(ImageF& inverse, ImageMask& known) {
             half_known.at(x, y) = count > 0;
             if (count) half.at(x, y) = sum / static_cast<float>(count);
         }
-    if (std::any_of(half_known.pixels.begin(), half_known.pixels.end(), [](std::uint8_t v) { return v == 0; })) fill_unknown(half, half_known);
+    if (std::any_of(half_known.pixels.begin(), half_known.pixels.end(), [](std::uint8_t v) { return v == 0; }))
+        fill_unknown(half, half_known);
     for (int y = 0; y < inverse.height; ++y)
         for (int x = 0; x < inverse.width; ++x)
             if (!known.at(x, y)) inverse.at(x, y) = half.at(x / 2, y / 2);
@@ -34,8 +35,9 @@ void fill_unknown(ImageF& inverse, ImageMask& known) {
             for (int x = 0; x < inverse.width; ++x) {
                 if (known.at(x, y)) continue;
                 const int up = std::max(0, y - 1), down = std::min(inverse.height - 1, y + 1);
-                inverse.at(x, y) = 0.25f * (inverse.at(wrap_column(x - 1, inverse.width), y) + inverse.at(wrap_column(x + 1, inverse.width), y) +
-                                            inverse.at(x, up) + inverse.at(x, down));
+                inverse.at(x, y) = 0.25f * (inverse.at(wrap_column(x - 1, inverse.width), y) +
+                                            inverse.at(wrap_column(x + 1, inverse.width), y) + inverse.at(x, up) +
+                                            inverse.at(x, down));
             }
 }
 
@@ -43,14 +45,15 @@ void fill_unknown(ImageF& inverse, ImageMask& known) {
 
 Panorama with_range(Panorama panorama, ImageF range, std::string_view source) {
     if (!range.same_size(panorama.color))
-        throw Error("{}: expected the panorama's size {} x {}, found {} x {}", source, panorama.color.width, panorama.color.height, range.width,
-                    range.height);
+        throw Error("{}: expected the panorama's size {} x {}, found {} x {}", source, panorama.color.width,
+                    panorama.color.height, range.width, range.height);
     ImageMask known(range.width, range.height);
     bool any = false, all = true;
     for (int y = 0; y < range.height; ++y)
         for (int x = 0; x < range.width; ++x) {
             const float r = range.at(x, y);
-            if (!(r >= 0.f)) throw Error("{}: expected metres >= 0 (0 = unknown), found {} at ({}, {})", source, r, x, y);
+            if (!(r >= 0.f))
+                throw Error("{}: expected metres >= 0 (0 = unknown), found {} at ({}, {})", source, r, x, y);
             known.at(x, y) = r > 0.f;
             any |= r > 0.f;
             all &= r > 0.f;

@@ -9,7 +9,9 @@
 namespace fastscene {
 namespace {
 
-const Json& cell_at(const Json& row, const Json& column) { return row.at("cells").at(column.at("key").get<std::string>()); }
+const Json& cell_at(const Json& row, const Json& column) {
+    return row.at("cells").at(column.at("key").get<std::string>());
+}
 
 void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
 
@@ -23,7 +25,8 @@ double value_of(const Json& cell) {
 }
 
 bool same_scenes(const Json& a, const Json& b) {
-    return a.contains("scenes") && b.contains("scenes") ? a.at("scenes") == b.at("scenes") : a.value("count", 0) == b.value("count", 0);
+    return a.contains("scenes") && b.contains("scenes") ? a.at("scenes") == b.at("scenes")
+                                                        : a.value("count", 0) == b.value("count", 0);
 }
 
 std::string names_of(const Json& files) {
@@ -36,10 +39,13 @@ std::string names_of(const Json& files) {
 
 std::string cell_text(const Json& cell, int digits) {
     if (!cell.contains("value")) return "–";
-    return cell.at("value").is_string() ? cell.at("value").get<std::string>() : fmt::format("{:.{}f}", cell.at("value").get<double>(), digits);
+    return cell.at("value").is_string() ? cell.at("value").get<std::string>()
+                                        : fmt::format("{:.{}f}", cell.at("value").get<double>(), digits);
 }
 
-std::string deviation_text(const Json& cell, int digits) { return cell.contains("sd") ? fmt::format("{:.{}f}", cell.at("sd").get<double>(), digits) : ""; }
+std::string deviation_text(const Json& cell, int digits) {
+    return cell.contains("sd") ? fmt::format("{:.{}f}", cell.at("sd").get<double>(), digits) : "";
+}
 
 std::string share_text(const Json& cell) {
     const int count = cell.value("count", 0), of = cell.value("of", 0);
@@ -61,7 +67,9 @@ std::string published_title(const Json& row) {
 
 std::string row_scenes(const Json& row) {
     const int scenes = row.at("scenes"), of = row.value("of", scenes);
-    return row.at("kind") == "published" ? "" : scenes < of ? fmt::format("{} of {}", scenes, of) : fmt::format("{}", scenes);
+    return row.at("kind") == "published" ? ""
+           : scenes < of                 ? fmt::format("{} of {}", scenes, of)
+                                         : fmt::format("{}", scenes);
 }
 
 bool scene_counts_differ(const Json& results) {
@@ -79,7 +87,8 @@ bool is_best(const Json& results, const Json& row, const Json& column) {
     const std::string better = column.at("better");
     const int digits = column.at("digits");
     const auto counts = [&](const Json& r) {
-        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") && cell_at(r, column).contains("value");
+        return (r.at("kind") == "ours" || r.at("kind") == "peer") && r.at("group") == row.at("group") &&
+               cell_at(r, column).contains("value");
     };
     if (better == "neither" || !counts(row)) return false;
     const Json& own = cell_at(row, column);
@@ -108,9 +117,11 @@ Footnotes::Footnotes(const Json& results) {
         for (const Json& column : results.at("columns"))
             for (const std::string& note : cell_notes(cell_at(row, column))) {
                 const std::string label = column.at("label");
-                const auto known = std::find_if(list_.begin(), list_.end(), [&](const Footnote& f) { return f.text == note; });
+                const auto known = std::find_if(list_.begin(), list_.end(),
+                                                [&](const Footnote& f) { return f.text == note; });
                 if (known == list_.end()) list_.push_back({mark_of(list_.size()), label, note});
-                else if ((", " + known->columns + ", ").find(", " + label + ", ") == std::string::npos) append(known->columns, label);
+                else if ((", " + known->columns + ", ").find(", " + label + ", ") == std::string::npos)
+                    append(known->columns, label);
             }
 }
 
@@ -126,7 +137,9 @@ std::vector<std::string> failures_of(const Json& results, const std::string& var
     std::vector<std::string> out;
     for (const Json& record : results.at("records")) {
         if (!record.contains("failed") || (!variant.empty() && record.at("variant") != variant)) continue;
-        const std::string seed = record.at("kind") == "ours" ? fmt::format(", seed {}", record.at("seed").get<std::uint64_t>()) : "";
+        const std::string seed = record.at("kind") == "ours"
+                                     ? fmt::format(", seed {}", record.at("seed").get<std::uint64_t>())
+                                     : "";
         const std::string variant_of = record.at("variant"), scene = record.at("scene"), why = record.at("failed");
         out.push_back(fmt::format("{}, {}{}: {}", variant_of, scene, seed, why));
     }
@@ -141,7 +154,8 @@ std::vector<ParameterNote> parameter_notes(const Json& results) {
         const Json used = parameters.value(column.at("key").get<std::string>(), Json::array());
         std::string text;
         for (const Json& one : used) {
-            const std::string what = fmt::format("{} ({})", names_of(one.at("files")), one.at("identity").get<std::string>().substr(0, 8));
+            const std::string what = fmt::format("{} ({})", names_of(one.at("files")),
+                                                 one.at("identity").get<std::string>().substr(0, 8));
             if (used.size() == 1) text = "with " + what;
             else text += fmt::format("{}{} scenes with {}", text.empty() ? "" : ", ", one.at("scenes").size(), what);
         }

@@ -1,5 +1,6 @@
-// What the cells of a table say, whatever it is written in: figures, what they leave out, which is the best, and the notes below.
-// `results`: results.json's content (rows.h has the rows'); those that earlier versions wrote are read too.
+// What the cells of a table say, whatever it is written in: figures, what they leave out, which is the best, and the
+// notes below. `results`: results.json's content (rows.h has the rows'); those that earlier versions wrote are read
+// too.
 #pragma once
 
 #include <string>
@@ -24,8 +25,8 @@ std::string row_scenes(const Json& row);
 // Rows that were asked for other numbers of scenes: the table says how many.
 bool scene_counts_differ(const Json& results);
 
-// Whether this cell is the best of the measured rows: at least two of them, all over the same scenes, and not the same to the digits
-// that are shown. Published rows are not among them.
+// Whether this cell is the best of the measured rows: at least two of them, all over the same scenes, and not the same
+// to the digits that are shown. Published rows are not among them.
 bool is_best(const Json& results, const Json& row, const Json& column);
 
 // Why cells are empty and what figures leave out: each reason once, marked a, b, c …

@@ -15,7 +15,7 @@ struct Column {
     std::string measure;        // of measure_names(), or "cost": every scene has it
     std::string image_measure;  // of image_measure_names() (metrics/images.h), where pictures fill it
     std::string about;
-    bool quoted = false;        // somebody's figure, the same for every scene: it deviates by nothing
+    bool quoted = false;  // somebody's figure, the same for every scene: it deviates by nothing
 };
 const std::vector<Column>& columns();
 const Column& column_of(std::string_view key);  // must exist

@@ -24,8 +24,8 @@ struct Job {
     const SuiteVariant* variant;
     const SuiteScene* scene;
     std::uint64_t seed;
-    fs::path place;     // below scenes/ and measured/
-    double weight;      // of the time, in scenes made from nothing
+    fs::path place;  // below scenes/ and measured/
+    double weight;   // of the time, in scenes made from nothing
     fs::path folder(const fs::path& out) const { return scene->run.empty() ? out / "scenes" / place : scene->run; }
 };
 
@@ -35,7 +35,8 @@ std::vector<Job> jobs_of(const Suite& suite, const fs::path& out, std::string_vi
         for (const SuiteScene& scene : suite.scenes) {
             if (!scene.run.empty() && scene.variant != variant.name) continue;
             for (const std::uint64_t seed : scene.seeds) {
-                Job job{&variant, &scene, seed, fs::path(folder_name_of(variant.name)) / fmt::format("{}-{}", scene.name, seed), 1};
+                Job job{&variant, &scene, seed,
+                        fs::path(folder_name_of(variant.name)) / fmt::format("{}-{}", scene.name, seed), 1};
                 if (finished_stage(job.folder(out), last_stage)) job.weight = 0.3;
                 jobs.push_back(std::move(job));
             }
@@ -44,17 +45,20 @@ std::vector<Job> jobs_of(const Suite& suite, const fs::path& out, std::string_vi
 }
 
 Suite first_scenes(Suite suite, int count) {
-    if (count > 0 && static_cast<std::size_t>(count) < suite.scenes.size()) suite.scenes.resize(static_cast<std::size_t>(count));
+    if (count > 0 && static_cast<std::size_t>(count) < suite.scenes.size())
+        suite.scenes.resize(static_cast<std::size_t>(count));
     return suite;
 }
 
-// Variants of one scene mostly share its beginning: a finished stage of a sibling is tried first. Its key decides whether it fits.
+// Variants of one scene mostly share its beginning: a finished stage of a sibling is tried first. Its key decides
+// whether it fits.
 void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::path& out) {
     const fs::path to = job.folder(out);
     if (fs::exists(to / "run.json")) return;
     for (const Job& other : jobs) {
         const fs::path from = other.folder(out);
-        if (&other == &job || other.scene != job.scene || other.seed != job.seed || !finished_stage(from, "depth")) continue;
+        if (&other == &job || other.scene != job.scene || other.seed != job.seed || !finished_stage(from, "depth"))
+            continue;
         make_directories(to);
         for (const std::string_view name : {"panorama", "depth"}) {
             fs::remove_all(to / name);  // what a kill left of an earlier copy
@@ -67,7 +71,8 @@ void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::
 
 Sample cost_of(const Json& report) {
     Sample sample;
-    sample.values = {{"minutes", report.at("seconds").get<double>() / 60}, {"cpu_minutes", report.at("cpu_seconds").get<double>() / 60},
+    sample.values = {{"minutes", report.at("seconds").get<double>() / 60},
+                     {"cpu_minutes", report.at("cpu_seconds").get<double>() / 60},
                      {"memory_gb", report.at("peak_memory_bytes").get<double>() / 1e9}};
     return sample;
 }
@@ -81,13 +86,18 @@ Json cost_of_stages(const RunFolder& folder) {
             total.cpu_seconds += record->cost.cpu_seconds;
             total.peak_memory_bytes = std::max(total.peak_memory_bytes, record->cost.peak_memory_bytes);
         }
-    return {{"seconds", total.seconds}, {"cpu_seconds", total.cpu_seconds}, {"peak_memory_bytes", total.peak_memory_bytes}};
+    return {
+        {"seconds", total.seconds}, {"cpu_seconds", total.cpu_seconds}, {"peak_memory_bytes", total.peak_memory_bytes}};
 }
 
 class Evaluation {
   public:
     Evaluation(const Suite& suite, const EvaluateOptions& options, const Run& run)
-        : suite_(first_scenes(suite, options.scenes)), options_(options), run_(run), last_stage_(last_stage_of(suite)), peers_(suite.peers) {
+        : suite_(first_scenes(suite, options.scenes)),
+          options_(options),
+          run_(run),
+          last_stage_(last_stage_of(suite)),
+          peers_(suite.peers) {
         options_.weights = metrics_weights(options_.weights);
         jobs_ = jobs_of(suite_, options_.out, last_stage_);
         for (const Job& job : jobs_) total_ += job.weight;
@@ -99,21 +109,25 @@ class Evaluation {
         std::size_t number = 0;
         for (const Job& job : jobs_) {
             run_.check_stop();
-            JobEvents events(fmt::format("{} of {}", ++number, jobs_.size()), done_ / total_, job.weight / total_, run_.events);
+            JobEvents events(fmt::format("{} of {}", ++number, jobs_.size()), done_ / total_, job.weight / total_,
+                             run_.events);
             records_.push_back(record_of(job, Run{job.seed, &events, run_.stop}));
             done_ += job.weight;
             write();
         }
-        const PeerInputs inputs{suite_, options_.out, options_.weights, [&](const SuiteScene& scene) { return own_run(scene); }};
+        const PeerInputs inputs{suite_, options_.out, options_.weights,
+                                [&](const SuiteScene& scene) { return own_run(scene); }};
         for (const SuitePeer& peer : peers_)
             for (Json& record : peer_records(peer, inputs, run_)) records_.push_back(std::move(record));
         return write();
     }
 
   private:
-    // Rows that differ in what comes after the panorama are judged by the same true pictures; another preset lights its room otherwise.
+    // Rows that differ in what comes after the panorama are judged by the same true pictures; another preset lights its
+    // room otherwise.
     fs::path truth_of(const Job& job) const {
-        const std::string quality = job.scene->run.empty() ? job.variant->quality : recorded_run({job.scene->run}).request.quality;
+        const std::string quality = job.scene->run.empty() ? job.variant->quality
+                                                           : recorded_run({job.scene->run}).request.quality;
         return options_.out / "truth" / fmt::format("{}-{}-{}", job.scene->name, job.seed, quality);
     }
     std::optional<OwnRun> own_run(const SuiteScene& scene) const {
@@ -136,8 +150,13 @@ class Evaluation {
     Json record_of(const Job& job, const Run& run) {
         const RunFolder folder{job.folder(options_.out)};
         const bool given = !job.scene->run.empty();
-        Json record{{"variant", job.variant->name}, {"kind", "ours"}, {"scene", job.scene->name}, {"seed", job.seed}, {"quality", job.variant->quality},
-                    {"prompt", job.scene->source.prompt}, {"folder", fs::relative(folder.root, options_.out).generic_string()}};
+        Json record{{"variant", job.variant->name},
+                    {"kind", "ours"},
+                    {"scene", job.scene->name},
+                    {"seed", job.seed},
+                    {"quality", job.variant->quality},
+                    {"prompt", job.scene->source.prompt},
+                    {"folder", fs::relative(folder.root, options_.out).generic_string()}};
         if (!job.scene->source.picture.empty()) record["picture"] = job.scene->source.picture.string();
         try {
             if (given) record["quality"] = recorded_run(folder).request.quality;
@@ -158,19 +177,28 @@ class Evaluation {
             throw;
         } catch (const std::exception& e) {
             record["failed"] = failure_text(e);
-            run.warn(fmt::format("{}, seed {}: {}; the other scenes go on", job.scene->name, job.seed, failure_text(e)));
+            run.warn(
+                fmt::format("{}, seed {}: {}; the other scenes go on", job.scene->name, job.seed, failure_text(e)));
         }
         return record;
     }
 
     Json write() const {
-        Json results{{"suite", suite_.name}, {"title", suite_.title}, {"about", suite_.about}, {"notes", suite_.notes}, {"versions", build_json()},
-                     {"scenes_done", std::min(records_.size(), jobs_.size())}, {"scenes_all", jobs_.size()}};
+        Json results{{"suite", suite_.name},      {"title", suite_.title},
+                     {"about", suite_.about},     {"notes", suite_.notes},
+                     {"versions", build_json()},  {"scenes_done", std::min(records_.size(), jobs_.size())},
+                     {"scenes_all", jobs_.size()}};
         Json shown = Json::array();
         for (const std::string& key : suite_.columns) {
             const Column& c = column_of(key);
-            shown.push_back({{"key", c.key}, {"label", c.label}, {"unit", c.unit}, {"digits", c.digits}, {"about", c.about},
-                             {"better", c.better == Better::higher ? "higher" : c.better == Better::lower ? "lower" : "neither"}});
+            shown.push_back({{"key", c.key},
+                             {"label", c.label},
+                             {"unit", c.unit},
+                             {"digits", c.digits},
+                             {"about", c.about},
+                             {"better", c.better == Better::higher  ? "higher"
+                                        : c.better == Better::lower ? "lower"
+                                                                    : "neither"}});
         }
         results["columns"] = shown;
         results["rows"] = table_rows(suite_, records_);

@@ -29,7 +29,9 @@ class TwoScenes : public testing::Test {
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    Json results(int scenes) const { return evaluate(suite_, {folder_ / "out", folder_ / "weights", scenes, {{"Peer", folder_ / "peer"}}}, {}); }
+    Json results(int scenes) const {
+        return evaluate(suite_, {folder_ / "out", folder_ / "weights", scenes, {{"Peer", folder_ / "peer"}}}, {});
+    }
     static const Json& row_of(const Json& results, const std::string& name) {
         for (const Json& row : results.at("rows"))
             if (row.at("name") == name) return row;

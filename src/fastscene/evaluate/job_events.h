@@ -11,7 +11,8 @@ namespace fastscene {
 class JobEvents : public EventSink {
   public:
     // The scene takes `share` of the whole, from `begin` on. `sink` may be null.
-    JobEvents(std::string name, double begin, double share, EventSink* sink) : name_(std::move(name)), begin_(begin), share_(share), sink_(sink) {}
+    JobEvents(std::string name, double begin, double share, EventSink* sink)
+        : name_(std::move(name)), begin_(begin), share_(share), sink_(sink) {}
 
     void tell(const Event& event) override {
         if (!sink_) return;
@@ -20,7 +21,8 @@ class JobEvents : public EventSink {
         // Making a scene knows how far it is, and is most of it; measuring comes after and does not.
         constexpr double kMaking = 0.8;
         if (progress->overall >= 0) within_ = std::max(within_, kMaking * progress->overall);
-        sink_->tell(ProgressEvent{name_ + ": " + progress->work, progress->done, progress->total, begin_ + share_ * within_});
+        sink_->tell(
+            ProgressEvent{name_ + ": " + progress->work, progress->done, progress->total, begin_ + share_ * within_});
     }
 
   private:

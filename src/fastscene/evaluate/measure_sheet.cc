@@ -26,7 +26,8 @@ std::string fingerprint(const fs::path& pictures) {
     const auto stage = finished_stage(pictures.parent_path().parent_path(), pictures.parent_path().filename().string());
     if (stage) return stage->result;
     Hash hash;
-    for (const fs::path& file : pictures_in(pictures, "pictures")) hash.add(file.filename().string()).add(content_identity(file));
+    for (const fs::path& file : pictures_in(pictures, "pictures"))
+        hash.add(file.filename().string()).add(content_identity(file));
     return hash.hex();
 }
 
@@ -54,7 +55,8 @@ void MeasureSheet::note_all(const std::string& measure, const std::string& note)
         if (column_of(key).measure == measure) sample.notes[key].push_back(note);
 }
 
-void MeasureSheet::scores(const std::string& measure, const std::string& group, const fs::path& pictures, const fs::path& reference) {
+void MeasureSheet::scores(const std::string& measure, const std::string& group, const fs::path& pictures,
+                          const fs::path& reference) {
     const ScoreInputs all{pictures, reference, fingerprint(pictures), fingerprint(reference), "", in_.weights, ""};
     const fs::path kept = in_.work / "scores" / fmt::format("{}-{}", measure, slug_of(group.empty() ? "all" : group));
     for (const std::string& key : in_.suite->columns) {
@@ -89,31 +91,41 @@ void MeasureSheet::scores(const std::string& measure, const std::string& group, 
 
 void MeasureSheet::show_stills(const std::string& caption, const fs::path& pictures) {
     Figure figure{caption, {}, false};
-    for (const fs::path& file : some_of(pictures_in(pictures, "stills"), kShownStills)) figure.pictures.emplace_back("", fs::relative(file, in_.out));
+    for (const fs::path& file : some_of(pictures_in(pictures, "stills"), kShownStills))
+        figure.pictures.emplace_back("", fs::relative(file, in_.out));
     measured_.figures.push_back(std::move(figure));
 }
 
 void MeasureSheet::show_pairs(const std::string& caption, const Labelled& truth, const Labelled& judged, bool wide) {
     const std::vector<fs::path> files = some_of(pictures_in(truth.second, "pictures"), kShownPairs);
-    const fs::path errors = kept("errors-" + slug_of(caption), {{"truth", fingerprint(truth.second)}, {"ours", fingerprint(judged.second)}}, [&](const fs::path& to) {
-        for (const fs::path& file : files) save_png(to / file.filename(), error_map(load_rgb8(file), load_rgb8(judged.second / file.filename())));
-    });
+    const fs::path errors = kept(
+        "errors-" + slug_of(caption), {{"truth", fingerprint(truth.second)}, {"ours", fingerprint(judged.second)}},
+        [&](const fs::path& to) {
+            for (const fs::path& file : files)
+                save_png(to / file.filename(), error_map(load_rgb8(file), load_rgb8(judged.second / file.filename())));
+        });
     for (const fs::path& file : files) {
         const fs::path name = file.filename();
-        measured_.figures.push_back({file == files.front() ? caption : "", {{truth.first, fs::relative(file, in_.out)}, {judged.first, fs::relative(judged.second / name, in_.out)},
-                                                                            {"difference", fs::relative(errors / name, in_.out)}}, wide});
+        measured_.figures.push_back({file == files.front() ? caption : "",
+                                     {{truth.first, fs::relative(file, in_.out)},
+                                      {judged.first, fs::relative(judged.second / name, in_.out)},
+                                      {"difference", fs::relative(errors / name, in_.out)}},
+                                     wide});
     }
 }
 
-fs::path MeasureSheet::kept(const std::string& name, const Json& params, const std::function<void(const fs::path&)>& make) {
+fs::path MeasureSheet::kept(const std::string& name, const Json& params,
+                            const std::function<void(const fs::path&)>& make) {
     make_directories(in_.work);
     run_stage(in_.work, name, stage_key("metrics", params, {name}, 0), run_, make);
     return in_.work / name;
 }
 
-fs::path MeasureSheet::made(const std::string& name, Json params, const RunFolder& folder, const std::function<void(const fs::path&)>& make) {
+fs::path MeasureSheet::made(const std::string& name, Json params, const RunFolder& folder,
+                            const std::function<void(const fs::path&)>& make) {
     for (const std::string_view stage : kStages)
-        if (const auto record = finished_stage(folder.root, stage)) params["stage-" + std::string(stage)] = record->result;
+        if (const auto record = finished_stage(folder.root, stage))
+            params["stage-" + std::string(stage)] = record->result;
     return kept(name, params, make);
 }
 

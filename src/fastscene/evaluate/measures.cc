@@ -36,7 +36,8 @@ class SceneMeasures {
         sheet_.scores("stills", kOriginGroup, dir / "origin", "");
         sheet_.scores("stills", kInputGroup, dir / "input", "");
         sheet_.show_stills("The splats, from within " + fmt::format("{} m of panorama 0", p.radius_m), dir / "walked");
-        sheet_.show_pairs("Panorama 0's own crop, and the splats from the same place", {"panorama 0", dir / "input"}, {"splats", dir / "origin"});
+        sheet_.show_pairs("Panorama 0's own crop, and the splats from the same place", {"panorama 0", dir / "input"},
+                          {"splats", dir / "origin"});
     }
     // Another system's: as it made them, or its splats by the cameras of our own scene.
     void stills(const OtherScene& other, const std::optional<RunFolder>& ours, int width) {
@@ -48,8 +49,8 @@ class SceneMeasures {
             const auto draw = [&](const fs::path& to) {
                 const Panorama first = ours ? load_first_panorama(*ours) : Panorama{};
                 const StillsParams& p = in_.suite->stills;
-                save_walked_stills(to / "walked", load_splats(other.splats).splats, p, still_camera(p, ours ? first.color.width : width), first.range,
-                                   run_);
+                save_walked_stills(to / "walked", load_splats(other.splats).splats, p,
+                                   still_camera(p, ours ? first.color.width : width), first.range, run_);
             };
             dir = (ours ? sheet_.made("stills", params, *ours, draw) : sheet_.kept("stills", params, draw)) / "walked";
         }
@@ -58,19 +59,24 @@ class SceneMeasures {
     }
 
     void source(const RunFolder& folder) {
-        source(folder, {}, "splats", [&](int width) { return sphere_of(load_splat_ply(folder.scene_ply()), width, {}).color; });
+        source(folder, {}, "splats",
+               [&](int width) { return sphere_of(load_splat_ply(folder.scene_ply()), width, {}).color; });
     }
     void source(const OtherScene& other, const std::optional<RunFolder>& ours) {
-        if (other.sphere.empty() && other.splats.empty()) return sheet_.note_all("source", "needs source.png, or splats in our frame");
-        if (!ours) return sheet_.note_all("source", "needs our own run of the scene, whose panorama it is compared with");
+        if (other.sphere.empty() && other.splats.empty())
+            return sheet_.note_all("source", "needs source.png, or splats in our frame");
+        if (!ours)
+            return sheet_.note_all("source", "needs our own run of the scene, whose panorama it is compared with");
         const fs::path& given = other.sphere.empty() ? other.splats : other.sphere;
-        source(*ours, {{"given", content_identity(given)}, {"sphere", !other.sphere.empty()}}, "theirs", [&](int width) {
-            if (other.sphere.empty()) return sphere_of(load_splats(other.splats).splats, width, {}).color;
-            ImageRgb8 sphere = load_rgb8(other.sphere);
-            if (sphere.width != width || 2 * sphere.height != width)
-                throw Error("{}: expected {} x {} as panorama 0 of {} is, found {} x {}", other.sphere.string(), width, width / 2, ours->root.string(), sphere.width, sphere.height);
-            return sphere;
-        });
+        source(*ours, {{"given", content_identity(given)}, {"sphere", !other.sphere.empty()}}, "theirs",
+               [&](int width) {
+                   if (other.sphere.empty()) return sphere_of(load_splats(other.splats).splats, width, {}).color;
+                   ImageRgb8 sphere = load_rgb8(other.sphere);
+                   if (sphere.width != width || 2 * sphere.height != width)
+                       throw Error("{}: expected {} x {} as panorama 0 of {} is, found {} x {}", other.sphere.string(),
+                                   width, width / 2, ours->root.string(), sphere.width, sphere.height);
+                   return sphere;
+               });
     }
 
     void held_out(const RunFolder& folder) { held_out(folder, {}); }
@@ -110,7 +116,8 @@ class SceneMeasures {
     }
 
     // What `sphere` draws as wide as the folder's panorama 0, against it.
-    void source(const RunFolder& folder, const Json& params, const std::string& label, const std::function<ImageRgb8(int width)>& sphere) {
+    void source(const RunFolder& folder, const Json& params, const std::string& label,
+                const std::function<ImageRgb8(int width)>& sphere) {
         const fs::path dir = sheet_.made("source", params, folder, [&](const fs::path& to) {
             const ImageRgb8 first = load_rgb8(folder.panorama_color());
             make_directories(to / "splats");
@@ -119,7 +126,8 @@ class SceneMeasures {
             save_png(to / "panorama/sphere.png", first);
         });
         sheet_.scores("source", "", dir / "splats", dir / "panorama");
-        sheet_.show_pairs("All around, from panorama 0's place", {"panorama 0", dir / "panorama"}, {label, dir / "splats"}, true);
+        sheet_.show_pairs("All around, from panorama 0's place", {"panorama 0", dir / "panorama"},
+                          {label, dir / "splats"}, true);
     }
 
     // `theirs`: judged instead of the run's own splats.
@@ -132,7 +140,8 @@ class SceneMeasures {
         const bool several = p.radii_m.size() + p.room > 1;
         for (const double radius : p.radii_m) {
             const std::string within = fmt::format("within {} m", radius);
-            held_out_at(room, folder, theirs, near_params(radius, theirs), {fmt::format("held-out-{}", radius), several ? within : "", within});
+            held_out_at(room, folder, theirs, near_params(radius, theirs),
+                        {fmt::format("held-out-{}", radius), several ? within : "", within});
             if (several) sheet_.sample_of(within).at = radius;
         }
         if (!p.room) return;
@@ -155,7 +164,8 @@ class SceneMeasures {
     struct HeldOutPlace {
         std::string folder, group, caption;
     };
-    void held_out_at(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params, const HeldOutPlace& place) {
+    void held_out_at(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params,
+                     const HeldOutPlace& place) {
         Json key{{"views", params.views}, {"size", params.size_px}, {"bounds", params.bounds}};
         if (params.where == "near") key["radius"] = params.radius_m;
         if (!theirs.empty()) key["splats"] = content_identity(theirs);
@@ -167,7 +177,8 @@ class SceneMeasures {
                           {theirs.empty() ? "splats" : "theirs", dir / "splats"});
     }
 
-    void make_held_out(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params, const fs::path& to) {
+    void make_held_out(RunTruth& room, const RunFolder& folder, const fs::path& theirs, const TruthParams& params,
+                       const fs::path& to) {
         const HeldOutParams& p = in_.suite->held_out;
         const bool in_run = theirs.empty() && !in_.read_only;
         const fs::path strips = in_run ? folder.metrics() : in_.work / "strips";
@@ -188,7 +199,8 @@ class SceneMeasures {
     void add_truth(const std::string& group, const Json& truth, bool of_another) {
         Sample& sample = sheet_.sample_of(group);
         const auto put = [&](const char* key, const Json& from, const char* name, double scale = 1) {
-            if (from.contains(name) && from.at(name).is_number()) sample.values[key] = scale * from.at(name).get<double>();
+            if (from.contains(name) && from.at(name).is_number())
+                sample.values[key] = scale * from.at(name).get<double>();
             else sample.notes[key] = {"nothing to compare"};
         };
         put("psnr", truth, "psnr_mean");
@@ -200,15 +212,17 @@ class SceneMeasures {
         put("low_alpha", truth, "low_alpha_share", 100);
         put("floor", truth, "floor_db");
         if (!truth.contains("bounds")) {
-            const char* why = of_another ? "says something of our own trainer" : "not asked: bounds = true in [held-out]";
-            for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed", "walked", "splat_loss"}) sample.notes[key] = {why};
+            const char* why = of_another ? "says something of our own trainer"
+                                         : "not asked: bounds = true in [held-out]";
+            for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed", "walked", "splat_loss"})
+                sample.notes[key] = {why};
             return;
         }
         put("psnr_a", truth.at("bounds").at("A"), "psnr_mean");
         put("psnr_b", truth.at("bounds").at("B"), "psnr_mean");
         put("gap_a", truth, "gap_to_a_db");
         put("closed", truth, "closed_share", 100);
-        const Json at_walked = truth.value("walked_poses", Json::object());   // not in what older programs measured
+        const Json at_walked = truth.value("walked_poses", Json::object());  // not in what older programs measured
         put("walked", at_walked, "walk_psnr_mean");
         put("splat_loss", at_walked, "splat_stage_loses_db");
     }
@@ -229,7 +243,8 @@ Measured measure_scene(const MeasureInputs& inputs, const RunFolder& folder, con
     return measures.take();
 }
 
-Measured measure_other(const MeasureInputs& inputs, const OtherScene& other, const std::optional<RunFolder>& ours, int width, const Run& run) {
+Measured measure_other(const MeasureInputs& inputs, const OtherScene& other, const std::optional<RunFolder>& ours,
+                       int width, const Run& run) {
     SceneMeasures measures(inputs, run);
     if (inputs.suite->has("source")) measures.source(other, ours);
     if (inputs.suite->has("held-out")) measures.held_out(other, ours);
@@ -241,13 +256,15 @@ Json json_of(const Measured& measured) {
     Json samples = Json::array(), figures = Json::array();
     for (const Sample& s : measured.samples) {
         samples.push_back({{"group", s.group}, {"values", s.values}, {"notes", s.notes}});
-        for (const auto& [column, share] : s.pictures) samples.back()["pictures"][column] = {{"counted", share.counted}, {"of", share.of}};
+        for (const auto& [column, share] : s.pictures)
+            samples.back()["pictures"][column] = {{"counted", share.counted}, {"of", share.of}};
         if (s.shared) samples.back()["shared"] = true;
         if (s.at) samples.back().update({{"series", s.series}, {"at", *s.at}});
     }
     for (const Figure& f : measured.figures) {
         Json pictures = Json::array();
-        for (const auto& [label, file] : f.pictures) pictures.push_back({{"label", label}, {"file", file.generic_string()}});
+        for (const auto& [label, file] : f.pictures)
+            pictures.push_back({{"label", label}, {"file", file.generic_string()}});
         figures.push_back({{"caption", f.caption}, {"wide", f.wide}, {"pictures", pictures}});
     }
     return {{"samples", samples}, {"figures", figures}, {"parameters", measured.parameters}};

@@ -1,5 +1,5 @@
-// What a measure's figures hang on besides the pictures: its parameter files and networks, by content. A score is used again only where
-// they are the same.
+// What a measure's figures hang on besides the pictures: its parameter files and networks, by content. A score is used
+// again only where they are the same.
 #pragma once
 
 #include <filesystem>

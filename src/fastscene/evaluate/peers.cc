@@ -36,7 +36,9 @@ OtherScene contribution(const SuitePeer& peer, const std::string& scene) {
     return other;
 }
 
-bool is_empty(const OtherScene& other) { return other.pictures.empty() && other.sphere.empty() && other.splats.empty(); }
+bool is_empty(const OtherScene& other) {
+    return other.pictures.empty() && other.sphere.empty() && other.splats.empty();
+}
 
 // The stills without the sphere that lies beside them.
 fs::path stills_alone(const OtherScene& other, const fs::path& work) {
@@ -69,9 +71,11 @@ void add_minutes(const SuitePeer& peer, const std::string& scene, Measured& meas
     measured.samples.push_back(std::move(sample));
 }
 
-Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene& other, const PeerInputs& inputs, const Run& run) {
+Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene& other, const PeerInputs& inputs,
+               const Run& run) {
     const fs::path given = other.splats.empty() ? peer.folder / scene.name : other.splats;
-    Json record{{"variant", peer.name}, {"kind", "peer"}, {"scene", scene.name}, {"seed", 0}, {"prompt", scene.source.prompt}, {"folder", given.string()}};
+    Json record{{"variant", peer.name},          {"kind", "peer"},          {"scene", scene.name}, {"seed", 0},
+                {"prompt", scene.source.prompt}, {"folder", given.string()}};
     try {
         const fs::path work = inputs.out / "measured" / "peers" / folder_name_of(peer.name) / scene.name;
         const std::optional<OwnRun> own = inputs.own_run(scene);
@@ -97,15 +101,19 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
 }
 
 void check_peer(const SuitePeer& peer, const Suite& suite) {
-    if (!fs::is_directory(peer.folder)) throw UsageError("--peer {}: expected a folder, found none at {}", peer.name, peer.folder.string());
+    if (!fs::is_directory(peer.folder))
+        throw UsageError("--peer {}: expected a folder, found none at {}", peer.name, peer.folder.string());
     if (!suite.has("stills") && !suite.has("source") && !suite.has("held-out"))
-        throw UsageError("--peer {}: expected a suite that measures stills, source or held-out, found {}", peer.name, suite.name);
+        throw UsageError("--peer {}: expected a suite that measures stills, source or held-out, found {}", peer.name,
+                         suite.name);
     std::string names;
     for (const SuiteScene& scene : suite.scenes) {
         if (!is_empty(contribution(peer, scene.name))) return;
         names += (names.empty() ? "" : ", ") + scene.name;
     }
-    throw UsageError("--peer {}: expected pictures in {}/SCENE/ or splats in {}/SCENE.ply for a SCENE of {}, found none", peer.name, peer.folder.string(), peer.folder.string(), names);
+    throw UsageError(
+        "--peer {}: expected pictures in {}/SCENE/ or splats in {}/SCENE.ply for a SCENE of {}, found none", peer.name,
+        peer.folder.string(), peer.folder.string(), names);
 }
 
 }  // namespace
@@ -123,7 +131,8 @@ void check_peers(const std::vector<SuitePeer>& peers, const Suite& suite) {
 std::vector<Json> peer_records(const SuitePeer& peer, const PeerInputs& inputs, const Run& run) {
     std::vector<Json> records;
     for (const SuiteScene& scene : inputs.suite.scenes)
-        if (const OtherScene other = contribution(peer, scene.name); !is_empty(other)) records.push_back(record_of(peer, scene, other, inputs, run));
+        if (const OtherScene other = contribution(peer, scene.name); !is_empty(other))
+            records.push_back(record_of(peer, scene, other, inputs, run));
     return records;
 }
 

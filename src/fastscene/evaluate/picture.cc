@@ -12,7 +12,12 @@ struct Knot {
     double at, r, g, b;
 };
 // Even steps look even; darker is always less.
-constexpr std::array<Knot, 6> kRamp{{{0, 0, 0, 4}, {0.2, 59, 15, 112}, {0.4, 140, 41, 129}, {0.6, 222, 73, 104}, {0.8, 254, 159, 109}, {1, 252, 253, 191}}};
+constexpr std::array<Knot, 6> kRamp{{{0, 0, 0, 4},
+                                     {0.2, 59, 15, 112},
+                                     {0.4, 140, 41, 129},
+                                     {0.6, 222, 73, 104},
+                                     {0.8, 254, 159, 109},
+                                     {1, 252, 253, 191}}};
 
 Rgb8 ramp(double v) {
     v = std::clamp(v, 0.0, 1.0);
@@ -28,9 +33,12 @@ Rgb8 ramp(double v) {
 
 ImageRgb8 thumbnail(const ImageRgb8& image, int width) {
     if (image.width <= width) return image;
-    const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
+    const int height = std::max(1,
+                                static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
     ImageRgb8 out(width, height);
-    const auto bound = [](int i, int of, int source) { return static_cast<int>(static_cast<std::int64_t>(i) * source / of); };
+    const auto bound = [](int i, int of, int source) {
+        return static_cast<int>(static_cast<std::int64_t>(i) * source / of);
+    };
     for (int y = 0; y < height; ++y) {
         const int y0 = bound(y, height, image.height), y1 = std::max(y0 + 1, bound(y + 1, height, image.height));
         for (int x = 0; x < width; ++x) {

@@ -20,8 +20,9 @@ std::string better_hint(const Json& column) {
 std::string short_title(const Json& results, const Json& row) {
     const std::string group = row.at("group");
     const auto& rows = results.at("rows");
-    const bool alone =
-        std::none_of(rows.begin(), rows.end(), [&](const Json& r) { return r.at("kind") != "published" && r.at("name") != row.at("name"); });
+    const bool alone = std::none_of(rows.begin(), rows.end(), [&](const Json& r) {
+        return r.at("kind") != "published" && r.at("name") != row.at("name");
+    });
     return alone && !group.empty() ? group : row_title(row);
 }
 
@@ -37,10 +38,12 @@ std::string bars_html(const Json& results) {
             if (row.contains("at")) continue;
             const Json& cell = row.at("cells").at(column.at("key").get<std::string>());
             if (!cell.contains("value") || !cell.at("value").is_number()) continue;
-            bars.push_back({short_title(results, row), text_of(row, "kind"), cell.at("value"), cell_text(cell, column.at("digits"))});
+            bars.push_back({short_title(results, row), text_of(row, "kind"), cell.at("value"),
+                            cell_text(cell, column.at("digits"))});
             any_measured |= row.at("kind") != "published";
         }
-        if (bars.size() > 1 && any_measured) out += "<div>" + bar_chart(label_of(column), better_hint(column), bars) + "</div>\n";
+        if (bars.size() > 1 && any_measured)
+            out += "<div>" + bar_chart(label_of(column), better_hint(column), bars) + "</div>\n";
     }
     return out;
 }
@@ -76,7 +79,8 @@ std::string curves_html(const Json& results) {
             std::sort(found->second.points.begin(), found->second.points.end());
             curves.push_back(found->second);
         }
-        if (!curves.empty()) out += "<div>" + line_chart(title, labels[title].first, labels[title].second, curves) + "</div>\n";
+        if (!curves.empty())
+            out += "<div>" + line_chart(title, labels[title].first, labels[title].second, curves) + "</div>\n";
     }
     return out;
 }

@@ -22,8 +22,12 @@ constexpr int kStillWidth = 300, kPairWidth = 420, kSphereWidth = 1060, kJpegQua
 std::string picture_data(const fs::path& out, const fs::path& picture, int width) {
     const fs::path file = out / picture, kept = out / "measured" / "thumbnails";
     if (!fs::exists(file)) return "";  // deleted since; the page says so by its gap
-    const std::string key =
-        Hash().add(file.string()).add(fs::file_size(file)).add(fs::last_write_time(file).time_since_epoch().count()).add(width).hex();
+    const std::string key = Hash()
+                                .add(file.string())
+                                .add(fs::file_size(file))
+                                .add(fs::last_write_time(file).time_since_epoch().count())
+                                .add(width)
+                                .hex();
     const fs::path small = kept / (key + ".jpg");
     if (!fs::exists(small)) try {
             make_directories(kept);
@@ -42,7 +46,8 @@ std::string figures_html(const Json& figures, const fs::path& out) {
         const bool stills = columns == 0 && figure.at("pictures").size() > 3;
         const std::string caption = figure.at("caption");
         const std::string kind = wide ? " wide" : stills ? " stills" : columns ? " beside" : "";
-        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") + "<div class=\"row" + kind + "\"";
+        html += "<figure>" + (caption.empty() ? "" : "<figcaption>" + html_escaped(caption) + "</figcaption>") +
+                "<div class=\"row" + kind + "\"";
         html += columns ? fmt::format(" style=\"--columns: {}\">\n", columns) : ">\n";
         for (const Json& picture : figure.at("pictures")) {
             const std::string label = html_escaped(picture.at("label"));
@@ -50,12 +55,17 @@ std::string figures_html(const Json& figures, const fs::path& out) {
                 html += "<div></div>\n";
                 continue;
             }
-            const std::string file = picture.at("file"), data = picture_data(out, file, wide ? kSphereWidth : stills || columns ? kStillWidth : kPairWidth);
+            const std::string file = picture.at("file"), data = picture_data(out, file,
+                                                                             wide                ? kSphereWidth
+                                                                             : stills || columns ? kStillWidth
+                                                                                                 : kPairWidth);
             if (data.empty()) {
-                html += fmt::format("<div class=\"gone\">{}: not there, or cannot be read</div>\n", html_escaped(fs::path(file).filename().string()));
+                html += fmt::format("<div class=\"gone\">{}: not there, or cannot be read</div>\n",
+                                    html_escaped(fs::path(file).filename().string()));
                 continue;
             }
-            html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label, data, label.empty() ? "" : "<span>" + label + "</span>");
+            html += fmt::format("<div><img alt=\"{}\" src=\"{}\">{}</div>\n", label, data,
+                                label.empty() ? "" : "<span>" + label + "</span>");
         }
         html += "</div></figure>\n";
     }

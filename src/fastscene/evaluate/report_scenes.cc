@@ -1,4 +1,5 @@
-// The page's scenes: a section a room. What several rows made of it stands beside each other, what they share stands once.
+// The page's scenes: a section a room. What several rows made of it stands beside each other, what they share stands
+// once.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +28,8 @@ std::vector<RoomResults> rooms_of(const Json& results) {
         const std::string scene = record.at("scene");
         const std::uint64_t seed = record.at("seed");
         const bool peer = record.at("kind") == "peer";
-        auto room = std::find_if(rooms.begin(), rooms.end(), [&](const RoomResults& r) { return r.scene == scene && (peer || r.seed == seed); });
+        auto room = std::find_if(rooms.begin(), rooms.end(),
+                                 [&](const RoomResults& r) { return r.scene == scene && (peer || r.seed == seed); });
         if (room == rooms.end()) room = rooms.insert(rooms.end(), {scene, seed, {}});
         room->records.push_back(&record);
     }
@@ -66,12 +68,18 @@ std::string facts_html(const RoomResults& room, const Json& results) {
 // One figure of several rows: what they should be once, and beside it what each has made, over its difference.
 Json beside(const std::vector<std::pair<std::string, const Json*>>& figures) {
     const Json& first = *figures.front().second;
-    Json merged{{"caption", first.at("caption")}, {"wide", first.at("wide")}, {"columns", figures.size() + 1}, {"pictures", Json::array()}};
-    const auto add = [&](const std::string& label, const Json& picture) { merged["pictures"].push_back({{"label", label}, {"file", picture.at("file")}}); };
+    Json merged{{"caption", first.at("caption")},
+                {"wide", first.at("wide")},
+                {"columns", figures.size() + 1},
+                {"pictures", Json::array()}};
+    const auto add = [&](const std::string& label, const Json& picture) {
+        merged["pictures"].push_back({{"label", label}, {"file", picture.at("file")}});
+    };
     add(first.at("pictures")[0].at("label"), first.at("pictures")[0]);
     if (first.at("wide")) {
         for (const auto& [variant, figure] : figures)
-            for (const std::size_t i : {1u, 2u}) add(i == 1 ? variant : variant + ", difference", figure->at("pictures")[i]);
+            for (const std::size_t i : {1u, 2u})
+                add(i == 1 ? variant : variant + ", difference", figure->at("pictures")[i]);
         return merged;
     }
     for (const auto& [variant, figure] : figures) add(variant, figure->at("pictures")[1]);
@@ -115,7 +123,8 @@ std::string panoramas_html(const RoomResults& room, const fs::path& out) {
         if (!record->contains("panorama") || std::find(shown.begin(), shown.end(), quality) != shown.end()) continue;
         shown.push_back(quality);
         if (const std::string data = picture_data(out, text_of(*record, "panorama"), 1060); !data.empty())
-            html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality), data);
+            html += fmt::format("<img class=\"panorama\" alt=\"panorama 0, {}\" src=\"{}\">\n", html_escaped(quality),
+                                data);
     }
     return html;
 }
@@ -123,7 +132,8 @@ std::string panoramas_html(const RoomResults& room, const fs::path& out) {
 std::string room_html(const RoomResults& room, const Json& results, const fs::path& out) {
     const Json& first = *room.records.front();
     const std::string prompt = text_of(first, "prompt");
-    std::string html = fmt::format("<section class=\"scene\"><h3>{}</h3>\n", html_escaped(prompt.empty() ? room.scene : "“" + prompt + "”"));
+    std::string html = fmt::format("<section class=\"scene\"><h3>{}</h3>\n",
+                                   html_escaped(prompt.empty() ? room.scene : "“" + prompt + "”"));
     for (const Json* record : room.records)
         html += fmt::format("<div class=\"hint\">{}{}{}, {}</div>\n", html_escaped(text_of(*record, "variant")),
                             record->at("kind") == "ours" ? fmt::format(", seed {}", room.seed) : "",
@@ -131,14 +141,15 @@ std::string room_html(const RoomResults& room, const Json& results, const fs::pa
                             html_escaped(text_of(*record, "folder")));
     for (const Json* record : room.records)
         if (record->contains("failed"))
-            html += fmt::format("<div class=\"todo failed\"><p>{} failed</p>{}</div>\n", html_escaped(text_of(*record, "variant")),
-                                html_escaped(text_of(*record, "failed")));
+            html += fmt::format("<div class=\"todo failed\"><p>{} failed</p>{}</div>\n",
+                                html_escaped(text_of(*record, "variant")), html_escaped(text_of(*record, "failed")));
     const Json figures = figures_of(room);
     // A comparison all around shows panorama 0 anyway.
     if (std::none_of(figures.begin(), figures.end(), [](const Json& figure) { return figure.at("wide").get<bool>(); }))
         html += panoramas_html(room, out);
     html += facts_html(room, results);
-    if (!figures.empty()) html += "<details open><summary>Pictures</summary>" + figures_html(figures, out) + "</details>";
+    if (!figures.empty())
+        html += "<details open><summary>Pictures</summary>" + figures_html(figures, out) + "</details>";
     return html + "</section>\n";
 }
 

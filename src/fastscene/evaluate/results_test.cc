@@ -17,30 +17,54 @@ namespace {
 namespace fs = std::filesystem;
 
 Suite suite_of_two(const std::string& scene = "prompt = \"a\"\n") {
-    return read_suite("measures = [\"stills\", \"source\"]\ncolumns = [\"niqe\", \"clip_l14\", \"source_psnr\"]\n[[scene]]\n" + scene +
-                          "[[published]]\nname = \"Them & us_1\"\nniqe = 3.9\n",
-                      "two", "two.toml");
+    return read_suite(
+        "measures = [\"stills\", \"source\"]\ncolumns = [\"niqe\", \"clip_l14\", \"source_psnr\"]\n[[scene]]\n" +
+            scene + "[[published]]\nname = \"Them & us_1\"\nniqe = 3.9\n",
+        "two", "two.toml");
 }
 Suite suite_of_seeds() { return suite_of_two("prompt = \"a\"\nseeds = [0, 1]\n"); }
 
 Json record(const std::string& variant, double niqe, const Json& psnr, int seed = 0, const std::string& kind = "ours") {
     const Json notes{{"clip_l14", {"fetch clip-vit-large-patch14; or `fastscene models pull clip`"}}};
-    return {{"variant", variant}, {"kind", kind}, {"scene", "a"}, {"seed", seed}, {"prompt", "a <b>"}, {"folder", "x"}, {"figures", Json::array()},
+    return {{"variant", variant},
+            {"kind", kind},
+            {"scene", "a"},
+            {"seed", seed},
+            {"prompt", "a <b>"},
+            {"folder", "x"},
+            {"figures", Json::array()},
             {"samples", {{{"group", ""}, {"values", {{"niqe", niqe}, {"source_psnr", psnr}}}, {"notes", notes}}}}};
 }
 Json failed_record(const std::string& variant, int seed, const std::string& why) {
-    return {{"variant", variant}, {"kind", "ours"}, {"scene", "a"}, {"seed", seed}, {"prompt", ""}, {"folder", "x"}, {"failed", why}};
+    return {{"variant", variant}, {"kind", "ours"}, {"scene", "a"}, {"seed", seed},
+            {"prompt", ""},       {"folder", "x"},  {"failed", why}};
 }
 Json results_of(const Suite& suite, const std::vector<Json>& records) {
     Json columns = Json::array();
-    for (const std::string& key : suite.columns) columns.push_back({{"key", key}, {"label", key}, {"unit", ""}, {"digits", 2}, {"about", ""}, {"better", key == "niqe" ? "lower" : "higher"}});
-    return {{"suite", "two"}, {"title", "Two <rows>"}, {"about", ""}, {"notes", Json::array()}, {"versions", {{"fastscene", "0"}}}, {"scenes_done", records.size()}, {"scenes_all", records.size()},
-            {"columns", columns}, {"rows", table_rows(suite, records)}, {"records", records}, {"parameters", parameters_used(suite, records)}};
+    for (const std::string& key : suite.columns)
+        columns.push_back({{"key", key},
+                           {"label", key},
+                           {"unit", ""},
+                           {"digits", 2},
+                           {"about", ""},
+                           {"better", key == "niqe" ? "lower" : "higher"}});
+    return {{"suite", "two"},
+            {"title", "Two <rows>"},
+            {"about", ""},
+            {"notes", Json::array()},
+            {"versions", {{"fastscene", "0"}}},
+            {"scenes_done", records.size()},
+            {"scenes_all", records.size()},
+            {"columns", columns},
+            {"rows", table_rows(suite, records)},
+            {"records", records},
+            {"parameters", parameters_used(suite, records)}};
 }
 bool is_in(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Rows, MeansOverScenesAndReasonsWhereThereIsNothing) {
-    const Json rows = table_rows(suite_of_seeds(), {record("ours", 4, 30.0, 0), record("ours", 6, "inf", 1), record("other", 1, "inf")});
+    const Json rows = table_rows(suite_of_seeds(),
+                                 {record("ours", 4, 30.0, 0), record("ours", 6, "inf", 1), record("other", 1, "inf")});
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_EQ(rows[0]["kind"], "published");
     EXPECT_EQ(rows[0]["cells"]["niqe"]["value"], 3.9);
@@ -50,15 +74,19 @@ TEST(Rows, MeansOverScenesAndReasonsWhereThereIsNothing) {
     EXPECT_EQ(rows[1]["scenes"], 2);
     EXPECT_EQ(rows[1]["cells"]["source_psnr"]["value"], 30.0) << "an equal picture does not swallow the mean";
     EXPECT_EQ(rows[1]["cells"]["source_psnr"]["count"], 1);
-    EXPECT_EQ(rows[1]["cells"]["source_psnr"]["notes"], Json({"a, seed 1: infinite, not in the mean"})) << "and is not silent";
+    EXPECT_EQ(rows[1]["cells"]["source_psnr"]["notes"], Json({"a, seed 1: infinite, not in the mean"}))
+        << "and is not silent";
     EXPECT_EQ(rows[2]["cells"]["source_psnr"]["value"], "inf");
-    EXPECT_EQ(rows[1]["cells"]["clip_l14"]["notes"], Json({"fetch clip-vit-large-patch14; or `fastscene models pull clip`"})) << "the column stays";
+    EXPECT_EQ(rows[1]["cells"]["clip_l14"]["notes"],
+              Json({"fetch clip-vit-large-patch14; or `fastscene models pull clip`"}))
+        << "the column stays";
     EXPECT_EQ(rows[2]["of"], 2) << "of the scenes that were asked for";
 }
 
 TEST(Rows, AFailedSceneIsMissingFromTheMeansAndSaysSoEverywhere) {
     const Suite suite = suite_of_seeds();
-    const Json results = results_of(suite, {record("ours", 4, 30.0, 0), failed_record("ours", 1, "no | space, 5 % left")});
+    const Json results = results_of(suite,
+                                    {record("ours", 4, 30.0, 0), failed_record("ours", 1, "no | space, 5 % left")});
     EXPECT_EQ(results["rows"][1]["cells"]["niqe"]["value"], 4.0);
     const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results);
     EXPECT_TRUE(is_in(markdown, "| ours | 4.00 (1 of 2) | –<sup>")) << markdown;
@@ -79,7 +107,8 @@ TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
     const auto best = [](const Json& results, int row) {
         return is_best(results, results["rows"][static_cast<std::size_t>(row)], results["columns"][0]);
     };
-    const Json equal = results_of(seeds, {record("a", 4, 30.0, 0), record("a", 5, 30.0, 1), record("b", 6, 30.0, 0), record("b", 7, 30.0, 1)});
+    const Json equal = results_of(
+        seeds, {record("a", 4, 30.0, 0), record("a", 5, 30.0, 1), record("b", 6, 30.0, 0), record("b", 7, 30.0, 1)});
     EXPECT_TRUE(best(equal, 1));
     EXPECT_FALSE(best(equal, 2));
     const Json fewer = results_of(seeds, {record("a", 4, 30.0, 0), record("b", 6, 30.0, 0), record("b", 7, 30.0, 1)});
@@ -87,17 +116,21 @@ TEST(Rows, TheBestIsOneOfRowsOverTheSameScenes) {
     const Json others = results_of(seeds, {record("a", 4, 30.0, 0), record("b", 6, 30.0, 1)});
     EXPECT_FALSE(best(others, 1)) << "as many scenes, but others";
     const Suite one = suite_of_two();
-    EXPECT_FALSE(best(results_of(one, {record("a", 4.001, 30.0), record("b", 4.002, 30.0)}), 1)) << "the same at the digits that are shown";
+    EXPECT_FALSE(best(results_of(one, {record("a", 4.001, 30.0), record("b", 4.002, 30.0)}), 1))
+        << "the same at the digits that are shown";
     EXPECT_TRUE(best(results_of(one, {record("a", 4, 30.0), record("peer", 5, 30.0, 0, "peer")}), 1));
-    EXPECT_FALSE(best(results_of(seeds, {record("a", 4, 30.0, 0), record("a", 4, 30.0, 1), record("peer", 5, 30.0, 0, "peer")}), 1))
+    EXPECT_FALSE(best(
+        results_of(seeds, {record("a", 4, 30.0, 0), record("a", 4, 30.0, 1), record("peer", 5, 30.0, 0, "peer")}), 1))
         << "two seeds against one";
 }
 
 TEST(Tables, EqualIsBetterThanAnyNumber) {
-    const std::string markdown = table_markdown(results_of(suite_of_two(), {record("ours", 4, 30.0), record("same", 5, "inf", 0, "peer")}));
+    const std::string markdown = table_markdown(
+        results_of(suite_of_two(), {record("ours", 4, 30.0), record("same", 5, "inf", 0, "peer")}));
     EXPECT_TRUE(is_in(markdown, " | 30.00 |")) << markdown;
     EXPECT_TRUE(is_in(markdown, " | **inf**")) << markdown;
-    const std::string both = table_markdown(results_of(suite_of_two(), {record("ours", 4, "inf"), record("same", 5, "inf", 0, "peer")}));
+    const std::string both = table_markdown(
+        results_of(suite_of_two(), {record("ours", 4, "inf"), record("same", 5, "inf", 0, "peer")}));
     EXPECT_FALSE(is_in(both, "**inf**")) << "neither is the best: " << both;
 }
 
@@ -109,29 +142,40 @@ TEST(Rows, AVariantsOwnRowComesFirstAndItsCurvesLast) {
     };
     std::vector<Json> records{record("a", 1, 30.0), record("b", 1, 30.0)};
     for (Json& r : records)
-        r["samples"] = {sample("x +0.33", {{"series", "along x"}, {"at", 0.33}}), sample("within 0.3 m", {{"series", ""}, {"at", 0.3}}), sample("", Json::object())};
+        r["samples"] = {sample("x +0.33", {{"series", "along x"}, {"at", 0.33}}),
+                        sample("within 0.3 m", {{"series", ""}, {"at", 0.3}}), sample("", Json::object())};
     std::vector<std::string> titles;
     const Json rows = table_rows(suite_of_two(), records);
     for (const Json& row : rows)
         if (row["kind"] != "published") titles.push_back(row_title(row));
-    EXPECT_EQ(titles, (std::vector<std::string>{"a", "a, within 0.3 m", "a, x +0.33", "b", "b, within 0.3 m", "b, x +0.33"}));
+    EXPECT_EQ(titles,
+              (std::vector<std::string>{"a", "a, within 0.3 m", "a, x +0.33", "b", "b, within 0.3 m", "b, x +0.33"}));
 }
 
 TEST(Rows, AQuotedFigureHasNoDeviation) {
-    const Suite suite = read_suite("measures = [\"holes\"]\n[[scene]]\nname = \"a\"\nprompt = \"a\"\nseeds = [0, 1]\n", "two", "two.toml");
+    const Suite suite = read_suite("measures = [\"holes\"]\n[[scene]]\nname = \"a\"\nprompt = \"a\"\nseeds = [0, 1]\n",
+                                   "two", "two.toml");
     std::vector<Json> records{record("ours", 4, 30.0, 0), record("ours", 5, 30.0, 1)};
-    for (int i = 0; i < 2; ++i) records[static_cast<std::size_t>(i)]["samples"][0]["values"] = {{"holes_paper", 64.3}, {"holes", 12.0 + i}};
+    for (int i = 0; i < 2; ++i)
+        records[static_cast<std::size_t>(i)]["samples"][0]["values"] = {{"holes_paper", 64.3}, {"holes", 12.0 + i}};
     const Json cells = table_rows(suite, records)[0]["cells"];
     EXPECT_FALSE(cells["holes_paper"].contains("sd")) << cells;
     EXPECT_TRUE(cells["holes"].contains("sd")) << cells;
 }
 
 TEST(Rows, OneFigureForAllScenesHasNoDeviation) {
-    const Suite suite =
-        read_suite("measures = [\"stills\"]\ncolumns = [\"minutes\"]\n[[scene]]\nprompt = \"a\"\n[[scene]]\nprompt = \"b\"\n", "two", "two.toml");
+    const Suite suite = read_suite(
+        "measures = [\"stills\"]\ncolumns = [\"minutes\"]\n[[scene]]\nprompt = \"a\"\n[[scene]]\nprompt = \"b\"\n",
+        "two", "two.toml");
     std::vector<Json> records;
     for (const char* scene : {"a", "b"})
-        records.push_back({{"variant", "P"}, {"kind", "peer"}, {"scene", scene}, {"seed", 0}, {"samples", {{{"group", ""}, {"values", {{"minutes", 70}}}, {"notes", Json::object()}, {"shared", true}}}}});
+        records.push_back(
+            {{"variant", "P"},
+             {"kind", "peer"},
+             {"scene", scene},
+             {"seed", 0},
+             {"samples",
+              {{{"group", ""}, {"values", {{"minutes", 70}}}, {"notes", Json::object()}, {"shared", true}}}}});
     EXPECT_FALSE(table_rows(suite, records)[0]["cells"]["minutes"].contains("sd"));
     for (Json& r : records) r["samples"][0].erase("shared");
     EXPECT_EQ(table_rows(suite, records)[0]["cells"]["minutes"]["sd"], 0.0);
@@ -152,15 +196,18 @@ TEST(Rows, PicturesLeftOutAreCountedAndFilesNamed) {
     other["parameters"]["niqe"] = {{"files", {"/w/niqe.json"}}, {"identity", "fedcba9876543210"}};
     results = results_of(suite_of_two(), {with, other});
     EXPECT_TRUE(is_in(table_markdown(results), "these figures do not compare")) << table_markdown(results);
-    EXPECT_TRUE(is_in(report_html(results, fs::temp_directory_path()), "Scenes measured with different parameter files"));
+    EXPECT_TRUE(
+        is_in(report_html(results, fs::temp_directory_path()), "Scenes measured with different parameter files"));
 }
 
 TEST(Tables, SayTheSameInEveryForm) {
     const Json results = results_of(suite_of_two(), {record("ours", 4, 30.0), record("other|x^2 ~\\", 6, 31.0)});
-    const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results), scenes = scenes_csv(results);
+    const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results),
+                      scenes = scenes_csv(results);
     EXPECT_TRUE(is_in(markdown, "| ours | **4.00** | –<sup>a</sup> | 30.00 |")) << markdown;
     EXPECT_TRUE(is_in(markdown, "| other\\|x^2 \\~\\\\ | 6.00 | –<sup>a</sup> | **31.00** |")) << markdown;
-    EXPECT_TRUE(is_in(markdown, "| Them & us_1 (published) | 3.90 |")) << "published figures are never the best: " << markdown;
+    EXPECT_TRUE(is_in(markdown, "| Them & us_1 (published) | 3.90 |"))
+        << "published figures are never the best: " << markdown;
     EXPECT_TRUE(is_in(markdown, "- <sup>a</sup> clip_l14: fetch clip-vit-large-patch14")) << markdown;
     EXPECT_TRUE(is_in(latex, "Them \\& us\\_1 & 3.90 & -- & -- \\\\")) << latex;
     EXPECT_TRUE(is_in(latex, "ours & \\textbf{4.00} & --\\textsuperscript{a} & 30.00 \\\\")) << latex;
@@ -173,21 +220,29 @@ TEST(Tables, SayTheSameInEveryForm) {
 TEST(Tables, NamesStartNothing) {
     const std::string name = "[*] a_b _c_ `d` <i>e</i> \"f\", #1 50% $g$ {h}\nj|k";
     const Json results = results_of(suite_of_two(), {record(name, 4, 30.0), record("*", 5, 30.0)});
-    const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results), html = report_html(results, fs::temp_directory_path());
-    EXPECT_TRUE(is_in(markdown, "| \\[\\*] a_b \\_c\\_ \\`d\\` \\<i>e\\</i> \"f\", #1 50% $g$ {h} j\\|k | 4.00 |") || is_in(markdown, "j\\|k | **4.00** |")) << markdown;
+    const std::string markdown = table_markdown(results), latex = table_latex(results), csv = table_csv(results),
+                      html = report_html(results, fs::temp_directory_path());
+    EXPECT_TRUE(is_in(markdown, "| \\[\\*] a_b \\_c\\_ \\`d\\` \\<i>e\\</i> \"f\", #1 50% $g$ {h} j\\|k | 4.00 |") ||
+                is_in(markdown, "j\\|k | **4.00** |"))
+        << markdown;
     EXPECT_FALSE(is_in(markdown, " <i>")) << markdown;
-    EXPECT_TRUE(is_in(latex, "\n{}[*] a\\_b \\_c\\_ `d` <i>e</i> \"f\", \\#1 50\\% \\$g\\$ \\{h\\} j|k & \\textbf{4.00}")) << latex;
+    EXPECT_TRUE(
+        is_in(latex, "\n{}[*] a\\_b \\_c\\_ `d` <i>e</i> \"f\", \\#1 50\\% \\$g\\$ \\{h\\} j|k & \\textbf{4.00}"))
+        << latex;
     EXPECT_TRUE(is_in(latex, "\n{}* & 5.00")) << latex;
     for (std::size_t at = 0; (at = latex.find("\\\\\n", at)) != std::string::npos; ++at)
-        EXPECT_FALSE(latex.substr(at + 3, 1) == "[" || latex.substr(at + 3, 1) == "*") << "an argument of the row above: " << latex;
+        EXPECT_FALSE(latex.substr(at + 3, 1) == "[" || latex.substr(at + 3, 1) == "*")
+            << "an argument of the row above: " << latex;
     EXPECT_TRUE(is_in(csv, "\"[*] a_b _c_ `d` <i>e</i> \"\"f\"\", #1 50% $g$ {h}\nj|k\",\"\",ours")) << csv;
     EXPECT_FALSE(is_in(html, "<i>"));
 }
 
 TEST(Tables, SayTheDeviationBetweenScenesInEveryForm) {
-    const Json results = results_of(suite_of_seeds(), {record("ours", 4, 30.0, 0), record("ours", 5, 30.0, 1), record("peer", 6, 31.0, 0, "peer")});
+    const Json results = results_of(
+        suite_of_seeds(), {record("ours", 4, 30.0, 0), record("ours", 5, 30.0, 1), record("peer", 6, 31.0, 0, "peer")});
     const std::string markdown = table_markdown(results);
-    EXPECT_TRUE(is_in(markdown, "| ours | 2 | 4.50 ± 0.71 |")) << "and how many scenes, where rows differ: " << markdown;
+    EXPECT_TRUE(is_in(markdown, "| ours | 2 | 4.50 ± 0.71 |"))
+        << "and how many scenes, where rows differ: " << markdown;
     EXPECT_TRUE(is_in(markdown, "| peer | 1 | 6.00 |")) << markdown;
     EXPECT_TRUE(is_in(table_latex(results), "ours & 2 & 4.50 $\\pm$ 0.71 &")) << table_latex(results);
     EXPECT_TRUE(is_in(table_csv(results), "\"ours\",\"\",ours,2,2,,4.5,0.70710")) << table_csv(results);
@@ -195,7 +250,8 @@ TEST(Tables, SayTheDeviationBetweenScenesInEveryForm) {
 }
 
 TEST(Tables, PublishedIsSaidOnce) {
-    EXPECT_EQ(published_title({{"name", "FastScene (the paper)"}, {"group", ""}, {"kind", "published"}}), "FastScene (the paper, published)");
+    EXPECT_EQ(published_title({{"name", "FastScene (the paper)"}, {"group", ""}, {"kind", "published"}}),
+              "FastScene (the paper, published)");
     EXPECT_EQ(published_title({{"name", "Ours (all)"}, {"group", ""}, {"kind", "ours"}}), "Ours (all)");
 }
 
@@ -221,10 +277,12 @@ TEST(Report, StandsWithBrokenPictures) {
     Json r = record("peer", 4, 30.0, 0, "peer");
     r["panorama"] = "gone.png";
     Json pictures = Json::array();
-    for (const char* file : {"broken & co.png", "gone.png", "whole.png"}) pictures.push_back({{"label", ""}, {"file", file}});
+    for (const char* file : {"broken & co.png", "gone.png", "whole.png"})
+        pictures.push_back({{"label", ""}, {"file", file}});
     r["figures"] = {{{"caption", ""}, {"wide", false}, {"pictures", pictures}}};
     const std::string html = report_html(results_of(suite_of_two(), {r}), out);
-    for (const char* file : {"broken &amp; co.png", "gone.png"}) EXPECT_TRUE(is_in(html, std::string(file) + ": not there, or cannot be read")) << html;
+    for (const char* file : {"broken &amp; co.png", "gone.png"})
+        EXPECT_TRUE(is_in(html, std::string(file) + ": not there, or cannot be read")) << html;
     EXPECT_FALSE(is_in(html, "src=\"\"")) << html;
     EXPECT_TRUE(is_in(html, "src=\"data:image/jpeg")) << html;
 }
@@ -235,7 +293,8 @@ TEST(Report, StandsAlone) {
     fs::create_directories(out);
     save_png(out / "a.png", ImageRgb8(900, 450, Rgb8{10, 200, 30}));
     Json with_picture = record("ours", 4, 30.0);
-    with_picture["figures"] = {{{"caption", "look"}, {"wide", true}, {"pictures", {{{"label", "L"}, {"file", "a.png"}}}}}};
+    with_picture["figures"] = {
+        {{"caption", "look"}, {"wide", true}, {"pictures", {{{"label", "L"}, {"file", "a.png"}}}}}};
     with_picture["panorama"] = "a.png";
     const std::string html = report_html(results_of(suite_of_two(), {with_picture, record("other", 6, 31.0)}), out);
     EXPECT_NE(html.find("data:image/jpeg;base64,"), std::string::npos);
@@ -243,11 +302,14 @@ TEST(Report, StandsAlone) {
     EXPECT_EQ(html.find("url("), std::string::npos);
     EXPECT_NE(html.find("Two &lt;rows&gt;"), std::string::npos) << "text is escaped";
     EXPECT_NE(html.find("a &lt;b&gt;"), std::string::npos);
-    EXPECT_NE(html.find("<td class=\"none\">–<sup>a</sup></td>"), std::string::npos) << "a metric without weights keeps its column";
+    EXPECT_NE(html.find("<td class=\"none\">–<sup>a</sup></td>"), std::string::npos)
+        << "a metric without weights keeps its column";
     EXPECT_NE(html.find("<code>fastscene models pull clip</code>"), std::string::npos) << html;
-    EXPECT_EQ(html.find("fastscene models pull clip"), html.rfind("fastscene models pull clip")) << "and says what to do once";
+    EXPECT_EQ(html.find("fastscene models pull clip"), html.rfind("fastscene models pull clip"))
+        << "and says what to do once";
     EXPECT_NE(html.find("<svg"), std::string::npos);
-    EXPECT_NE(html.find(">1 room, made in 2 ways, "), std::string::npos) << "rooms are counted, not what each row made of them";
+    EXPECT_NE(html.find(">1 room, made in 2 ways, "), std::string::npos)
+        << "rooms are counted, not what each row made of them";
     EXPECT_EQ(html.find("<section"), html.rfind("<section")) << "a section a room";
     EXPECT_EQ(html.find("class=\"panorama\""), html.rfind("class=\"panorama\"")) << "and its panorama once";
     fs::remove_all(out);
@@ -271,7 +333,8 @@ TEST(Report, RowsOfARoomStandBesideEachOther) {
     }
     const std::string html = report_html(results_of(suite_of_two(), records), out);
     EXPECT_TRUE(is_in(html, "<div class=\"row beside\" style=\"--columns: 3\">")) << html;
-    EXPECT_EQ(html.find("<span>truth</span>"), html.rfind("<span>truth</span>")) << "what both are held against stands once";
+    EXPECT_EQ(html.find("<span>truth</span>"), html.rfind("<span>truth</span>"))
+        << "what both are held against stands once";
     EXPECT_LT(html.find("<span>one</span>"), html.find("<span>two</span>"));
     fs::remove_all(out);
 }
@@ -284,7 +347,8 @@ TEST(Charts, ShowWhatWasMeasuredWithLabelsInFull) {
     EXPECT_TRUE(is_in(html, ">" + std::string(54, 'x') + "</text>"));
     EXPECT_FALSE(is_in(html, "…")) << html;
     for (Json& row : results["rows"]) row["kind"] = "published";
-    EXPECT_FALSE(is_in(report_html(results, fs::temp_directory_path()), "<svg")) << "a chart of published figures alone says nothing of ours";
+    EXPECT_FALSE(is_in(report_html(results, fs::temp_directory_path()), "<svg"))
+        << "a chart of published figures alone says nothing of ours";
 }
 
 TEST(Pictures, AreReducedByMeansAndDifferencesShow) {

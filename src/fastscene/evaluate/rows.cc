@@ -23,8 +23,8 @@ struct RowKey {
 // All figures of one cell.
 struct Cell {
     std::vector<double> values;
-    std::vector<std::string> scenes, infinite;                             // which have a figure
-    std::vector<std::pair<std::string, std::vector<std::string>>> notes;   // each once, with its scenes
+    std::vector<std::string> scenes, infinite;                            // which have a figure
+    std::vector<std::pair<std::string, std::vector<std::string>>> notes;  // each once, with its scenes
     int counted = 0, pictures = 0;
     bool shared = false;
 
@@ -37,7 +37,8 @@ struct Cell {
     // `measured`: scenes of the row that did not fail.
     Json json(int of, std::size_t measured) const {
         Json cell = Json::object();
-        if (values.empty() && !infinite.empty()) cell = {{"value", "inf"}, {"count", infinite.size()}, {"of", of}, {"scenes", infinite}};
+        if (values.empty() && !infinite.empty())
+            cell = {{"value", "inf"}, {"count", infinite.size()}, {"of", of}, {"scenes", infinite}};
         if (!values.empty()) {
             double mean = 0, square = 0;
             for (const double v : values) mean += v / static_cast<double>(values.size());
@@ -48,7 +49,8 @@ struct Cell {
         std::vector<std::string> said;
         for (const auto& [text, where] : notes)
             said.push_back(where.size() < measured ? fmt::format("{}: {}", fmt::join(where, ", "), text) : text);
-        if (!values.empty() && !infinite.empty()) said.push_back(fmt::format("{}: infinite, not in the mean", fmt::join(infinite, ", ")));
+        if (!values.empty() && !infinite.empty())
+            said.push_back(fmt::format("{}: infinite, not in the mean", fmt::join(infinite, ", ")));
         if (!said.empty()) cell["notes"] = said;
         if (counted < pictures) cell["pictures"] = {{"counted", counted}, {"of", pictures}};
         return cell;
@@ -114,7 +116,13 @@ Json published_rows(const Suite& suite) {
             cells[column] = Json::object();
             if (row.values.contains(column)) cells[column]["value"] = row.values.at(column);
         }
-        out.push_back({{"name", row.name}, {"group", ""}, {"kind", "published"}, {"ours", row.ours}, {"scenes", 0}, {"of", 0}, {"cells", cells}});
+        out.push_back({{"name", row.name},
+                       {"group", ""},
+                       {"kind", "published"},
+                       {"ours", row.ours},
+                       {"scenes", 0},
+                       {"of", 0},
+                       {"cells", cells}});
     }
     return out;
 }
@@ -139,16 +147,22 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
     }
     // A variant without figures of its own beside its cost (holes, several radii) would be an empty row.
     std::erase_if(rows, [&](const Row& row) {
-        const bool has_groups =
-            std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && !r.key.group.empty(); });
-        const bool has_shown = std::any_of(suite.columns.begin(), suite.columns.end(),
-                                           [&](const std::string& c) { return row.cells.contains(c) && !row.cells.at(c).values.empty(); });
+        const bool has_groups = std::any_of(
+            rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && !r.key.group.empty(); });
+        const bool has_shown = std::any_of(suite.columns.begin(), suite.columns.end(), [&](const std::string& c) {
+            return row.cells.contains(c) && !row.cells.at(c).values.empty();
+        });
         return row.key.group.empty() && has_groups && !has_shown;
     });
     // A variant's own row stands before those of its parts, and its curves' points come last.
     const auto place_of = [&](const Row& row) {
-        const auto first = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && (r.key.kind == "peer") == (row.key.kind == "peer"); });
-        return std::pair(first - rows.begin(), row.key.group.empty() ? 0 : row.curve.contains("series") && !row.curve.at("series").get<std::string>().empty() ? 2 : 1);
+        const auto first = std::find_if(rows.begin(), rows.end(), [&](const Row& r) {
+            return r.key.name == row.key.name && (r.key.kind == "peer") == (row.key.kind == "peer");
+        });
+        return std::pair(first - rows.begin(),
+                         row.key.group.empty()                                                                ? 0
+                         : row.curve.contains("series") && !row.curve.at("series").get<std::string>().empty() ? 2
+                                                                                                              : 1);
     };
     std::vector<std::pair<decltype(place_of(rows[0])), Row>> placed;
     for (const Row& row : rows) placed.emplace_back(place_of(row), row);
@@ -161,7 +175,12 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
             const auto found = row.cells.find(column);
             cells[column] = found != row.cells.end() ? found->second.json(of, row.scenes.size()) : Json::object();
         }
-        out.push_back({{"name", row.key.name}, {"group", row.key.group}, {"kind", row.key.kind}, {"scenes", row.scenes.size()}, {"of", of}, {"cells", cells}});
+        out.push_back({{"name", row.key.name},
+                       {"group", row.key.group},
+                       {"kind", row.key.kind},
+                       {"scenes", row.scenes.size()},
+                       {"of", of},
+                       {"cells", cells}});
         out.back().update(row.curve);
     }
     return out;
@@ -174,7 +193,8 @@ Json parameters_used(const Suite& suite, const std::vector<Json>& records) {
         for (const auto& [column, used] : parameters.items()) {
             Json& list = out[column];
             if (list.is_null()) list = Json::array();
-            auto known = std::find_if(list.begin(), list.end(), [&](const Json& other) { return other.at("identity") == used.at("identity"); });
+            auto known = std::find_if(list.begin(), list.end(),
+                                      [&](const Json& other) { return other.at("identity") == used.at("identity"); });
             if (known == list.end()) {
                 list.push_back(used);
                 list.back()["scenes"] = Json::array();

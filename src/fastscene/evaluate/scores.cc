@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 // The report names every file that is, references too.
 int transparent_in(const Json& report, const fs::path& folder) {
     int count = 0;
-    for (const Json& file : report.at("transparent")) count += file.is_string() && fs::path(file.get<std::string>()).parent_path() == folder;
+    for (const Json& file : report.at("transparent"))
+        count += file.is_string() && fs::path(file.get<std::string>()).parent_path() == folder;
     return count;
 }
 
@@ -27,8 +28,8 @@ void note_undefined(const Json& report, const std::string& measure, Score& score
             if (count++ == 0) first = picture;
         }
     for (const auto& [reason, where] : reasons)
-        score.notes.push_back(
-            fmt::format("undefined for {} of {} pictures, which the mean leaves out ({}: {})", where.second, score.pictures, where.first, reason));
+        score.notes.push_back(fmt::format("undefined for {} of {} pictures, which the mean leaves out ({}: {})",
+                                          where.second, score.pictures, where.first, reason));
 }
 
 }  // namespace
@@ -43,26 +44,35 @@ Score score_from_report(const Json& report, const std::string& measure, int tran
         infinite += value.is_string();
     }
     score.value = score.counted == 0 && infinite > 0 ? Json("inf") : report.at("mean").value(measure, Json());
-    if (report.at("missing").contains(measure)) score.notes.push_back(report.at("missing").at(measure));  // its file is there, but broken
+    if (report.at("missing").contains(measure))
+        score.notes.push_back(report.at("missing").at(measure));  // its file is there, but broken
     note_undefined(report, measure, score);
     if (const Json left_out = report.value("left_out", Json::object()); !left_out.empty())
-        score.notes.push_back(fmt::format("{} of {} pictures cannot be read and are left out ({})", left_out.size(), left_out.size() + report.at("pictures").size(),
+        score.notes.push_back(fmt::format("{} of {} pictures cannot be read and are left out ({})", left_out.size(),
+                                          left_out.size() + report.at("pictures").size(),
                                           left_out.front().get<std::string>()));
     if (infinite > 0 && score.counted > 0)
         score.notes.push_back(
-            fmt::format("infinite for {} of {} pictures, which equal what they should be: the mean leaves them out", infinite, score.pictures));
+            fmt::format("infinite for {} of {} pictures, which equal what they should be: the mean leaves them out",
+                        infinite, score.pictures));
     if (transparent > 0)
-        score.notes.push_back(fmt::format("{} of {} pictures are transparent in parts: measured over black", transparent, score.pictures));
+        score.notes.push_back(fmt::format("{} of {} pictures are transparent in parts: measured over black",
+                                          transparent, score.pictures));
     return score;
 }
 
 Score score_of(const std::string& measure, const ScoreInputs& inputs, const fs::path& kept, const Run& run) {
-    const Json what{{"measure", measure}, {"pictures", inputs.pictures_key}, {"reference", inputs.reference_key}, {"prompt", inputs.prompt},
+    const Json what{{"measure", measure},
+                    {"pictures", inputs.pictures_key},
+                    {"reference", inputs.reference_key},
+                    {"prompt", inputs.prompt},
                     {"parameters", inputs.parameters}};
     make_directories(kept);
     run_stage(kept, measure, stage_key("scores", what, {}, 0), run, [&](const fs::path& to) {
         run.note(fmt::format("{}: judging {} pictures", measure, pictures_in(inputs.pictures, measure).size()));
-        const Json report = measure_images({inputs.pictures, inputs.reference, inputs.prompt, inputs.weights, {measure}}, Run{run.seed, nullptr, run.stop});
+        const Json report = measure_images(
+            {inputs.pictures, inputs.reference, inputs.prompt, inputs.weights, {measure}},
+            Run{run.seed, nullptr, run.stop});
         write_json(to / "score.json", report);
     });
     const Json report = read_json(kept / measure / "score.json");

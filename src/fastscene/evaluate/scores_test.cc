@@ -23,14 +23,16 @@ namespace fs = std::filesystem;
 struct Listener : EventSink {
     int judged = 0;
     void tell(const Event& event) override {
-        if (const auto* note = std::get_if<NoteEvent>(&event)) judged += note->text.find("judging") != std::string::npos;
+        if (const auto* note = std::get_if<NoteEvent>(&event))
+            judged += note->text.find("judging") != std::string::npos;
     }
 };
 
 ImageRgb8 grainy(std::uint64_t seed, int spread) {
     Random random(seed, "grain");
     ImageRgb8 image(200, 200);
-    for (Rgb8& p : image.pixels) p.r = p.g = p.b = static_cast<std::uint8_t>(128 + random.uniform(-1, 1) * static_cast<float>(spread));
+    for (Rgb8& p : image.pixels)
+        p.r = p.g = p.b = static_cast<std::uint8_t>(128 + random.uniform(-1, 1) * static_cast<float>(spread));
     return image;
 }
 
@@ -63,8 +65,12 @@ class Scores : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     Measured judge() {
-        const MeasureInputs inputs{
-            .suite = &suite_, .out = folder_ / "out", .work = folder_ / "out/work", .truth = {}, .weights = folder_ / "weights", .prompt = ""};
+        const MeasureInputs inputs{.suite = &suite_,
+                                   .out = folder_ / "out",
+                                   .work = folder_ / "out/work",
+                                   .truth = {},
+                                   .weights = folder_ / "weights",
+                                   .prompt = ""};
         const fastscene::Run run{0, &listener_, {}};
         MeasureSheet sheet(inputs, run);
         sheet.scores("stills", "", folder_ / "pictures", "");
@@ -72,7 +78,8 @@ class Scores : public testing::Test {
     }
 
     fs::path folder_ = fs::temp_directory_path() / "fastscene_scores_test";
-    Suite suite_ = read_suite("measures = [\"stills\"]\ncolumns = [\"niqe\"]\n[[scene]]\nprompt = \"a\"\n", "s", "s.toml");
+    Suite suite_ = read_suite("measures = [\"stills\"]\ncolumns = [\"niqe\"]\n[[scene]]\nprompt = \"a\"\n", "s",
+                              "s.toml");
     Listener listener_;
 };
 
@@ -114,10 +121,14 @@ TEST_F(Scores, PicturesThatHaveNoneAreCountedAndTransparentOnesNamed) {
     EXPECT_TRUE(sample.values.at("niqe").is_number());
     ASSERT_EQ(sample.notes.at("niqe").size(), 2u);
     EXPECT_EQ(sample.notes.at("niqe")[1], "1 of 4 pictures are transparent in parts: measured over black");
-    EXPECT_EQ(sample.notes.at("niqe")[0].find("undefined for 2 of 4 pictures, which the mean leaves out (c.png: "), 0u) << sample.notes.at("niqe")[0];
+    EXPECT_EQ(sample.notes.at("niqe")[0].find("undefined for 2 of 4 pictures, which the mean leaves out (c.png: "), 0u)
+        << sample.notes.at("niqe")[0];
     EXPECT_EQ(sample.pictures.at("niqe").counted, 2);
     EXPECT_EQ(sample.pictures.at("niqe").of, 4);
-    const Json report{{"pictures", {{{"psnr", 30.0}}, {{"psnr", "inf"}}}}, {"mean", {{"psnr", 30.0}}}, {"missing", Json::object()}, {"undefined", Json::object()}};
+    const Json report{{"pictures", {{{"psnr", 30.0}}, {{"psnr", "inf"}}}},
+                      {"mean", {{"psnr", 30.0}}},
+                      {"missing", Json::object()},
+                      {"undefined", Json::object()}};
     const Score score = score_from_report(report, "psnr", 1);
     EXPECT_EQ(score.counted, 1);
     ASSERT_EQ(score.notes.size(), 2u);
@@ -125,7 +136,8 @@ TEST_F(Scores, PicturesThatHaveNoneAreCountedAndTransparentOnesNamed) {
     EXPECT_NE(score.notes[1].find("1 of 2 pictures are transparent"), std::string::npos);
     Json without = report;
     without["left_out"] = {{"e.png", "peer/e.png: expected a whole PNG picture"}};
-    EXPECT_EQ(score_from_report(without, "psnr", 0).notes[0], "1 of 3 pictures cannot be read and are left out (peer/e.png: expected a whole PNG picture)");
+    EXPECT_EQ(score_from_report(without, "psnr", 0).notes[0],
+              "1 of 3 pictures cannot be read and are left out (peer/e.png: expected a whole PNG picture)");
 }
 
 TEST(Parameters, ContentIsWhatCounts) {
@@ -144,7 +156,8 @@ TEST(Parameters, ContentIsWhatCounts) {
     for (char& c : bytes) c = 'v';
     bytes.front() = 'w', bytes.back() = 'w';
     write_file(folder / "two/model", bytes);
-    EXPECT_NE(content_identity(folder / "one"), content_identity(folder / "two")) << "nor do equal ends make an equal network";
+    EXPECT_NE(content_identity(folder / "one"), content_identity(folder / "two"))
+        << "nor do equal ends make an equal network";
     fs::remove_all(folder);
 }
 

@@ -24,15 +24,16 @@ constexpr float kPitchesDeg[] = {0.f, -15.f, 10.f};
 // How far one may go in a direction: the least range near it, less the clearance.
 float free_way(const ImageF& range, Vec3f direction) {
     const Vec2f at = pixel_of_direction(direction, {range.width, range.height});
-    const int x = static_cast<int>(at.x), y = std::min(static_cast<int>(at.y), range.height - 1), reach = std::max(1, range.width / 64);
+    const int x = static_cast<int>(at.x), y = std::min(static_cast<int>(at.y), range.height - 1),
+              reach = std::max(1, range.width / 64);
     float least = 1e9f;
     for (int v = std::max(0, y - reach); v <= std::min(range.height - 1, y + reach); ++v)
         for (int u = x - reach; u <= x + reach; ++u) least = std::min(least, range.at(wrap_column(u, range.width), v));
     return std::max(0.f, least - kClearance);
 }
 
-void save_all(const std::filesystem::path& folder, const std::string& work, const std::vector<Rigid>& poses, const Run& run,
-              const std::function<ImageRgb8(const Rigid&)>& picture) {
+void save_all(const std::filesystem::path& folder, const std::string& work, const std::vector<Rigid>& poses,
+              const Run& run, const std::function<ImageRgb8(const Rigid&)>& picture) {
     make_directories(folder);
     Progress progress(run, work, static_cast<std::int64_t>(poses.size()));
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -59,7 +60,8 @@ std::vector<Rigid> still_poses(const StillsParams& params, const ImageF& range) 
         float far = length(p) * static_cast<float>(params.radius_m);
         const Vec3f direction = normalize(p);
         if (!range.empty()) far = std::min(far, free_way(range, direction));
-        poses.push_back(world_from_camera_at(direction * far, 360.f * static_cast<float>(i) / static_cast<float>(params.count), kPitchesDeg[i % 3]));
+        poses.push_back(world_from_camera_at(
+            direction * far, 360.f * static_cast<float>(i) / static_cast<float>(params.count), kPitchesDeg[i % 3]));
     }
     return poses;
 }
@@ -67,23 +69,26 @@ std::vector<Rigid> still_poses(const StillsParams& params, const ImageF& range) 
 Pinhole still_camera(const StillsParams& params, int panorama_width) {
     const double focal = panorama_width / (2 * std::numbers::pi);
     const double native = 2 * focal * std::tan(params.fov_deg * std::numbers::pi / 360);
-    const int side = params.size_px > 0 ? params.size_px : std::max(64, 64 * static_cast<int>(std::lround(native / 64)));
+    const int side = params.size_px > 0 ? params.size_px
+                                        : std::max(64, 64 * static_cast<int>(std::lround(native / 64)));
     return Pinhole::with_fov(side, side, static_cast<float>(params.fov_deg));
 }
 
-void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera,
-                        const ImageF& range, const Run& run) {
-    save_all(folder, "stills", still_poses(params, range), run, [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
+void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,
+                        const Pinhole& camera, const ImageF& range, const Run& run) {
+    save_all(folder, "stills", still_poses(params, range), run,
+             [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
 }
-void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params, const Pinhole& camera,
-                        const Run& run) {
+void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,
+                        const Pinhole& camera, const Run& run) {
     save_all(folder, "stills at the origin", still_poses(at_origin(params), {}), run,
              [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
 }
-void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params, const Pinhole& camera,
-                       const Run& run) {
-    save_all(folder, "the panorama's own crops", still_poses(at_origin(params), {}), run,
-             [&](const Rigid& pose) { return srgb8_from_linear(pinhole_from_equirect(first.color, camera, pose.rotation)); });
+void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params,
+                       const Pinhole& camera, const Run& run) {
+    save_all(folder, "the panorama's own crops", still_poses(at_origin(params), {}), run, [&](const Rigid& pose) {
+        return srgb8_from_linear(pinhole_from_equirect(first.color, camera, pose.rotation));
+    });
 }
 
 }  // namespace fastscene

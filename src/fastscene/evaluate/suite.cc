@@ -41,7 +41,8 @@ fs::path below(const fs::path& folder, const std::string& path) {
 // A setting that names a file.
 std::string weights_file(const TomlTable& table, const std::string& name, const fs::path& folder) {
     const std::string text = table.text(name), file = below(folder, text).string();
-    if (!text.empty() && !fs::is_regular_file(file)) table.fail(name, fmt::format("expected a file, found none at {}", file));
+    if (!text.empty() && !fs::is_regular_file(file))
+        table.fail(name, fmt::format("expected a file, found none at {}", file));
     return file;
 }
 
@@ -51,11 +52,14 @@ void apply_settings(const TomlTable& table, const fs::path& folder, SceneParams&
         using T = std::decay_t<decltype(value)>;
         if (!table.has(name)) return;
         if constexpr (std::is_same_v<T, bool>) value = table.flag(name, value);
-        else if constexpr (std::is_same_v<T, std::string>) value = name.ends_with("weights") ? weights_file(table, name, folder) : table.text(name);
-        else if constexpr (std::is_integral_v<T>) value = static_cast<T>(table.whole(name, 0, -2'000'000'000, 2'000'000'000));
+        else if constexpr (std::is_same_v<T, std::string>)
+            value = name.ends_with("weights") ? weights_file(table, name, folder) : table.text(name);
+        else if constexpr (std::is_integral_v<T>)
+            value = static_cast<T>(table.whole(name, 0, -2'000'000'000, 2'000'000'000));
         else value = static_cast<T>(table.number(name, 0, -1e30, 1e30));
     });
-    if (table.has("splat-count") && !table.has("splat-per-m2")) params.splat.per_m2 = 0;   // who names a number of Gaussians means it
+    if (table.has("splat-count") && !table.has("splat-per-m2"))
+        params.splat.per_m2 = 0;  // who names a number of Gaussians means it
     try {
         check_params(params);
     } catch (const UsageError& e) {  // "--walk-steps: expected …": the same name stands in the table
@@ -73,8 +77,8 @@ class Reader {
   public:
     Reader(const toml::table& document, std::string name, fs::path file, std::string quality)
         : top_(document, file.string(), "",
-               {"title", "about", "measures", "columns", "notes", "quality", "diffusion360", "settings", "stills", "held-out", "scene", "variant",
-                "published", "peer"}),
+               {"title", "about", "measures", "columns", "notes", "quality", "diffusion360", "settings", "stills",
+                "held-out", "scene", "variant", "published", "peer"}),
           name_(std::move(name)),
           file_(std::move(file)),
           forced_quality_(std::move(quality)) {}
@@ -85,7 +89,8 @@ class Reader {
         suite_.about = top_.text("about");
         suite_.notes = top_.texts("notes");
         suite_.measures = chosen("measures", measure_names());
-        if (suite_.measures.empty()) top_.fail_missing("measures", fmt::format("a list of {}", fmt::join(measure_names(), ", ")));
+        if (suite_.measures.empty())
+            top_.fail_missing("measures", fmt::format("a list of {}", fmt::join(measure_names(), ", ")));
         suite_.columns = chosen("columns", column_keys());
         if (suite_.columns.empty())
             for (const Column& column : columns())
@@ -97,11 +102,13 @@ class Reader {
         if (!painter.empty() && !fs::is_directory(painter))
             top_.fail("diffusion360", fmt::format("expected a folder, found none at {}", painter.string()));
         for (const toml::table* variant : top_.tables("variant")) read_variant(*variant);
-        if (suite_.variants.empty()) suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
+        if (suite_.variants.empty())
+            suite_.variants.push_back({"ours", quality_of(top_), params_of(top_, nullptr), suite_.held_out.bounds});
         for (const SuiteVariant& variant : suite_.variants) row_names_.push_back(variant.name);
         settle_forced_quality();
         for (const toml::table* scene : top_.tables("scene")) read_scene(*scene);
-        if (suite_.scenes.empty()) top_.fail_missing("scene", "at least one [[scene]] with a prompt, a panorama or a run");
+        if (suite_.scenes.empty())
+            top_.fail_missing("scene", "at least one [[scene]] with a prompt, a panorama or a run");
         check_rooms();
         for (const toml::table* row : top_.tables("published")) read_published(*row);
         for (const toml::table* peer : top_.tables("peer")) read_peer(*peer);
@@ -114,23 +121,30 @@ class Reader {
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (std::find(known.begin(), known.end(), names[i]) == known.end())
                 top_.fail_item(key, i, fmt::format("unknown \"{}\"{}", names[i], meant(names[i], known)));
-            if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i))
+            if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+                names.begin() + static_cast<std::ptrdiff_t>(i))
                 top_.fail_item(key, i, fmt::format("expected each once, found \"{}\" twice", names[i]));
         }
         return names;
     }
     void check_columns() const {
         for (std::size_t i = 0; i < suite_.columns.size(); ++i)
-            if (const Column& column = column_of(suite_.columns[i]); column.measure != "cost" && !suite_.has(column.measure))
-                top_.fail_item("columns", i, fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}", column.key, column.measure,
-                                                         fmt::join(suite_.measures, ", ")));
+            if (const Column& column = column_of(suite_.columns[i]);
+                column.measure != "cost" && !suite_.has(column.measure))
+                top_.fail_item("columns", i,
+                               fmt::format("\"{}\" is filled by the measure \"{}\": expected it in measures, found {}",
+                                           column.key, column.measure, fmt::join(suite_.measures, ", ")));
     }
 
-    // Held-out poses are asked of a room: a suite that measures nothing else and has none would make its scenes for an empty table.
+    // Held-out poses are asked of a room: a suite that measures nothing else and has none would make its scenes for an
+    // empty table.
     void check_rooms() const {
-        const bool any = std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SuiteScene& s) { return s.source.has_room(); });
+        const bool any = std::any_of(suite_.scenes.begin(), suite_.scenes.end(),
+                                     [](const SuiteScene& s) { return s.source.has_room(); });
         if (!any && suite_.measures == std::vector<std::string>{"held-out"})
-            top_.fail_item("measures", 0, "\"held-out\" needs a room behind a scene: expected a scene from a prompt, found only pictures and paintings");
+            top_.fail_item("measures", 0,
+                           "\"held-out\" needs a room behind a scene: expected a scene from a prompt, found only "
+                           "pictures and paintings");
     }
 
     void read_stills() {
@@ -153,20 +167,25 @@ class Reader {
         h.bounds = table.flag("bounds", h.bounds);
         h.room = table.flag("room", h.room);
         if (table.has("radii")) h.radii_m = table.numbers("radii");
-        if (h.radii_m.empty() && !h.room) table.fail("radii", "expected at least one radius in metres, or room = true, found neither");
+        if (h.radii_m.empty() && !h.room)
+            table.fail("radii", "expected at least one radius in metres, or room = true, found neither");
         for (const double r : h.radii_m)
-            if (!(r >= 0.01 && r <= 10)) table.fail("radii", fmt::format("expected metres from 0.01 to 10, found {}", r));
-            else if (std::count(h.radii_m.begin(), h.radii_m.end(), r) > 1) table.fail("radii", fmt::format("expected each once, found {} twice", r));
+            if (!(r >= 0.01 && r <= 10))
+                table.fail("radii", fmt::format("expected metres from 0.01 to 10, found {}", r));
+            else if (std::count(h.radii_m.begin(), h.radii_m.end(), r) > 1)
+                table.fail("radii", fmt::format("expected each once, found {} twice", r));
     }
 
     void read_scene(const toml::table& found) {
-        const TomlTable table(found, file_.string(), "[[scene]]", {"name", "prompt", "panorama", "range", "seeds", "run", "variant"});
+        const TomlTable table(found, file_.string(), "[[scene]]",
+                              {"name", "prompt", "panorama", "range", "seeds", "run", "variant"});
         SuiteScene scene;
         if (table.has("run")) read_run(table, scene);
         else read_source(table, scene);
         const fs::path file = scene.run.empty() ? scene.source.picture.stem() : scene.run.filename();
         scene.name = folder_name_of(table.text("name", file.empty() ? scene.source.prompt : file.string()));
-        if (!names_.insert(scene.name).second) table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
+        if (!names_.insert(scene.name).second)
+            table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
         suite_.scenes.push_back(std::move(scene));
     }
     void read_source(const TomlTable& table, SuiteScene& scene) {
@@ -174,9 +193,12 @@ class Reader {
         scene.source.picture = path_of(table.text("panorama"));
         scene.source.range_map = path_of(table.text("range"));
         if (scene.source.picture.empty()) scene.source.weights = path_of(top_.text("diffusion360"));
-        if (scene.source.prompt.empty() && scene.source.picture.empty()) table.fail_missing("prompt", "a prompt, a panorama or a run");
-        if (scene.source.picture.empty() && !scene.source.range_map.empty()) table.fail("range", "expected together with panorama, found alone");
-        if (table.has("variant")) table.fail("variant", "expected together with run, found alone: what is made is made for every row");
+        if (scene.source.prompt.empty() && scene.source.picture.empty())
+            table.fail_missing("prompt", "a prompt, a panorama or a run");
+        if (scene.source.picture.empty() && !scene.source.range_map.empty())
+            table.fail("range", "expected together with panorama, found alone");
+        if (table.has("variant"))
+            table.fail("variant", "expected together with run, found alone: what is made is made for every row");
         for (const char* key : {"panorama", "range"})
             if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path)))
                 table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));
@@ -207,10 +229,13 @@ class Reader {
             table.fail("run", e.what());
         }
         if (const std::string last = last_stage_of(suite_); !finished_stage(scene.run, last))
-            table.fail("run", fmt::format("expected a run finished as far as {}, found one that is not: {}", last, scene.run.string()));
+            table.fail("run", fmt::format("expected a run finished as far as {}, found one that is not: {}", last,
+                                          scene.run.string()));
         if (table.has("prompt")) scene.source.prompt = table.text("prompt");
         scene.variant = table.text("variant", row_names_.size() == 1 ? row_names_[0] : "");
-        if (scene.variant.empty()) table.fail_missing("variant", fmt::format("the row that the run belongs to, one of {}", fmt::join(row_names_, ", ")));
+        if (scene.variant.empty())
+            table.fail_missing("variant",
+                               fmt::format("the row that the run belongs to, one of {}", fmt::join(row_names_, ", ")));
         if (std::find(row_names_.begin(), row_names_.end(), scene.variant) == row_names_.end())
             table.fail("variant", fmt::format("unknown \"{}\"{}", scene.variant, meant(scene.variant, row_names_)));
     }
@@ -223,22 +248,28 @@ class Reader {
             where.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
         return forced_quality_.empty() ? quality : forced_quality_;
     }
-    // Rows that name presets of their own lose what they are called by when --quality takes their place. One that then is another row again is left out;
-    // of the others the table says it.
+    // Rows that name presets of their own lose what they are called by when --quality takes their place. One that then
+    // is another row again is left out; of the others the table says it.
     void settle_forced_quality() {
         std::vector<std::string> left_out, changed;
         for (const std::string& name : replaced_) {
-            const auto row = std::find_if(suite_.variants.begin(), suite_.variants.end(), [&](const SuiteVariant& v) { return v.name == name; });
+            const auto row = std::find_if(suite_.variants.begin(), suite_.variants.end(),
+                                          [&](const SuiteVariant& v) { return v.name == name; });
             const bool again = std::any_of(suite_.variants.begin(), suite_.variants.end(), [&](const SuiteVariant& v) {
-                return &v != &*row && v.bounds == row->bounds && json_of_params(v.params) == json_of_params(row->params) &&
+                return &v != &*row && v.bounds == row->bounds &&
+                       json_of_params(v.params) == json_of_params(row->params) &&
                        std::find(replaced_.begin(), replaced_.end(), v.name) == replaced_.end();
             });
             (again ? left_out : changed).push_back(name);
             if (again) suite_.variants.erase(row);
         }
-        if (!left_out.empty()) suite_.notes.push_back(fmt::format("Made with --quality {}, so without the rows of other presets: {}.", forced_quality_, fmt::join(left_out, "; ")));
+        if (!left_out.empty())
+            suite_.notes.push_back(fmt::format("Made with --quality {}, so without the rows of other presets: {}.",
+                                               forced_quality_, fmt::join(left_out, "; ")));
         if (!changed.empty())
-            suite_.notes.push_back(fmt::format("Made with --quality {}, which is not the preset that these rows name: {}.", forced_quality_, fmt::join(changed, "; ")));
+            suite_.notes.push_back(
+                fmt::format("Made with --quality {}, which is not the preset that these rows name: {}.",
+                            forced_quality_, fmt::join(changed, "; ")));
     }
     SceneParams params_of(const TomlTable& table, const toml::table* own) const {
         SceneParams params = params_of_quality(quality_of(table));
@@ -254,8 +285,8 @@ class Reader {
         if (!rows_.insert(folder_name_of(table.text("name"))).second)
             table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", table.text("name")));
         if (table.has("quality") && quality_of(table) != table.text("quality")) replaced_.push_back(table.text("name"));
-        suite_.variants.push_back(
-            {table.text("name"), quality_of(table), params_of(table, table.table("settings")), table.flag("bounds", suite_.held_out.bounds)});
+        suite_.variants.push_back({table.text("name"), quality_of(table), params_of(table, table.table("settings")),
+                                   table.flag("bounds", suite_.held_out.bounds)});
     }
 
     void read_published(const toml::table& found) {
@@ -307,9 +338,13 @@ std::string folder_name_of(std::string_view text) {
     return out.empty() ? "scene" : out;
 }
 
-bool Suite::has(std::string_view measure) const { return std::find(measures.begin(), measures.end(), measure) != measures.end(); }
+bool Suite::has(std::string_view measure) const {
+    return std::find(measures.begin(), measures.end(), measure) != measures.end();
+}
 
-std::string last_stage_of(const Suite& suite) { return suite.measures == std::vector<std::string>{"holes"} ? "depth" : "splat"; }
+std::string last_stage_of(const Suite& suite) {
+    return suite.measures == std::vector<std::string>{"holes"} ? "depth" : "splat";
+}
 
 const std::vector<std::string>& measure_names() {
     static const std::vector<std::string> names{"stills", "source", "held-out", "holes"};
@@ -321,7 +356,8 @@ Suite read_suite(std::string_view text, const std::string& name, const fs::path&
     try {
         document = toml::parse(text, file.string());
     } catch (const toml::parse_error& e) {
-        throw Error("{}:{}: expected TOML: {}", file.string(), static_cast<unsigned>(e.source().begin.line), e.description());
+        throw Error("{}:{}: expected TOML: {}", file.string(), static_cast<unsigned>(e.source().begin.line),
+                    e.description());
     }
     return Reader(document, name, file, quality).read();
 }
@@ -339,10 +375,13 @@ SuiteText find_suite(const std::string& name_or_file) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < kSuiteCount; ++i) {
         names.emplace_back(kSuiteTexts[i].first);
-        if (names.back() == name_or_file) return {names.back(), std::string(kSuiteTexts[i].second), "suites/" + names.back() + ".toml"};
+        if (names.back() == name_or_file)
+            return {names.back(), std::string(kSuiteTexts[i].second), "suites/" + names.back() + ".toml"};
     }
-    if (fs::is_regular_file(name_or_file)) return {fs::path(name_or_file).stem().string(), read_file(name_or_file), name_or_file};
-    throw UsageError("evaluate: expected a suite file or the name of a suite that ships, found \"{}\"{}", name_or_file, meant(name_or_file, names));
+    if (fs::is_regular_file(name_or_file))
+        return {fs::path(name_or_file).stem().string(), read_file(name_or_file), name_or_file};
+    throw UsageError("evaluate: expected a suite file or the name of a suite that ships, found \"{}\"{}", name_or_file,
+                     meant(name_or_file, names));
 }
 
 }  // namespace fastscene

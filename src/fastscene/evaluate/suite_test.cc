@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 const std::string kHead = "title = \"T\"\nmeasures = [\"stills\"]\n";
 const std::string kScene = "[[scene]]\nprompt = \"a bedroom\"\n";
 
-Suite read(const std::string& text, const std::string& quality = "") { return read_suite(text, "mine", "mine.toml", quality); }
+Suite read(const std::string& text, const std::string& quality = "") {
+    return read_suite(text, "mine", "mine.toml", quality);
+}
 
 // What the error of a wrong suite says; empty when there is none.
 std::string complaint(const std::string& text) {
@@ -31,8 +33,8 @@ std::string complaint(const std::string& text) {
 TEST(Suite, EveryOneThatShipsIsWhole) {
     std::vector<std::string> names;
     for (const auto& [name, title] : shipped_suites()) names.push_back(name);
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"depth", "inpainters", "paper-table1", "paper-table2", "paper-table3", "paper-table4", "resolutions", "truth"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"depth", "inpainters", "paper-table1", "paper-table2", "paper-table3",
+                                               "paper-table4", "resolutions", "truth"}));
     for (const std::string& name : names) {
         const SuiteText found = find_suite(name);
         const Suite suite = read_suite(found.text, found.name, found.file);
@@ -52,7 +54,8 @@ TEST(Suite, EveryOneThatShipsIsWhole) {
 
 TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
     const std::string text = kHead +
-                             "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname = \"a\"\n[[variant]]\nname = "
+                             "quality = \"draft\"\n[settings]\nsplat-steps = 7\nwalk-viewpoints = 3\n[[variant]]\nname "
+                             "= \"a\"\n[[variant]]\nname = "
                              "\"b\"\nquality = \"standard\"\n"
                              "settings = { walk = \"paper\", splat-steps = 9 }\nbounds = true\n" +
                              kScene;
@@ -66,10 +69,12 @@ TEST(Suite, SettingsComeFromTheQualityThenTheSuiteThenTheRow) {
     EXPECT_EQ(suite.variants[1].params.walk.kind, "paper");
     EXPECT_TRUE(suite.variants[1].bounds);
     EXPECT_FALSE(suite.variants[0].bounds);
-    EXPECT_EQ(read(text, "draft").variants[1].params.panorama.width, params_of_quality("draft").panorama.width) << "--quality wins";
+    EXPECT_EQ(read(text, "draft").variants[1].params.panorama.width, params_of_quality("draft").panorama.width)
+        << "--quality wins";
     EXPECT_TRUE(read(text, "standard").notes.empty());
     ASSERT_EQ(read(text, "draft").notes.size(), 1u) << "and the table says so";
-    EXPECT_NE(read(text, "draft").notes[0].find("not the preset that these rows name: b"), std::string::npos) << read(text, "draft").notes[0];
+    EXPECT_NE(read(text, "draft").notes[0].find("not the preset that these rows name: b"), std::string::npos)
+        << read(text, "draft").notes[0];
 }
 
 TEST(Suite, RowsThatArePresetsAreNotMadeTwiceUnderOtherNames) {
@@ -77,8 +82,10 @@ TEST(Suite, RowsThatArePresetsAreNotMadeTwiceUnderOtherNames) {
     for (const std::string& quality : qualities()) {
         const Suite suite = read_suite(shipped.text, shipped.name, shipped.file, quality);
         ASSERT_EQ(suite.variants.size(), 1u) << quality;
-        EXPECT_NE(suite.variants[0].name.find(quality), std::string::npos) << suite.variants[0].name << " is not made with " << quality;
-        EXPECT_NE(suite.notes.back().find("without the rows of other presets"), std::string::npos) << suite.notes.back();
+        EXPECT_NE(suite.variants[0].name.find(quality), std::string::npos)
+            << suite.variants[0].name << " is not made with " << quality;
+        EXPECT_NE(suite.notes.back().find("without the rows of other presets"), std::string::npos)
+            << suite.notes.back();
     }
     EXPECT_EQ(read_suite(shipped.text, shipped.name, shipped.file).variants.size(), 3u);
 }
@@ -87,7 +94,8 @@ TEST(Suite, NamesOfEveryAlphabetAreNames) {
     EXPECT_EQ(folder_name_of("Rote Küche"), "rote-küche");
     EXPECT_EQ(folder_name_of(" ../../etc/passwd "), "etc-passwd");
     EXPECT_EQ(folder_name_of("..."), "scene");
-    for (const char* plain : {"A cozy bedroom, 3 chairs!", "x", "", "--a--"}) EXPECT_EQ(folder_name_of(plain), slug_of(plain));
+    for (const char* plain : {"A cozy bedroom, 3 chairs!", "x", "", "--a--"})
+        EXPECT_EQ(folder_name_of(plain), slug_of(plain));
     std::string letters;
     for (int i = 0; i < 99; ++i) letters += "寝";
     for (std::size_t before = 0; before < 4; ++before) {
@@ -95,20 +103,26 @@ TEST(Suite, NamesOfEveryAlphabetAreNames) {
         EXPECT_LE(name.size(), 60u);
         EXPECT_EQ((name.size() - before) % 3, 0u) << "no letter is cut in two: " << name;
     }
-    const Suite suite = read(kHead + "[[scene]]\nname = \"部屋\"\nprompt = \"a\"\n[[scene]]\nname = \"寝室\"\nprompt = \"a\"\n");
+    const Suite suite = read(
+        kHead + "[[scene]]\nname = \"部屋\"\nprompt = \"a\"\n[[scene]]\nname = \"寝室\"\nprompt = \"a\"\n");
     EXPECT_EQ(suite.scenes[1].name, "寝室");
 }
 
 TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
     const auto expect = [](const std::string& text, std::initializer_list<const char*> parts) {
         const std::string said = complaint(text);
-        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+        for (const char* part : parts)
+            EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
     };
-    expect(kHead + "[[scene]]\npromt = \"a bedroom\"\n", {"mine.toml:4:", "promt", "[[scene]]", "did you mean prompt?"});
+    expect(kHead + "[[scene]]\npromt = \"a bedroom\"\n",
+           {"mine.toml:4:", "promt", "[[scene]]", "did you mean prompt?"});
     expect("titel = \"T\"\n" + kHead + kScene, {"mine.toml:1:", "titel", "did you mean title?"});
-    expect(kHead + "[settings]\nwalk-viewpoint = 3\n" + kScene, {"mine.toml:4:", "walk-viewpoint", "did you mean walk-viewpoints?"});
-    expect(kHead + "[settings]\nwalk-viewpoints = \"many\"\n" + kScene, {"mine.toml:4:", "walk-viewpoints", "expected a number", "many"});
-    expect(kHead + "[settings]\nwalk-viewpoints = 100000\n" + kScene, {"mine.toml:4:", "walk-viewpoints", "from 0 to 200"});
+    expect(kHead + "[settings]\nwalk-viewpoint = 3\n" + kScene,
+           {"mine.toml:4:", "walk-viewpoint", "did you mean walk-viewpoints?"});
+    expect(kHead + "[settings]\nwalk-viewpoints = \"many\"\n" + kScene,
+           {"mine.toml:4:", "walk-viewpoints", "expected a number", "many"});
+    expect(kHead + "[settings]\nwalk-viewpoints = 100000\n" + kScene,
+           {"mine.toml:4:", "walk-viewpoints", "from 0 to 200"});
     expect(kHead + "[settings]\nsplat-steps = 2.5\n" + kScene, {"mine.toml:4:", "whole number"});
     expect(kHead + "quality = \"drat\"\n" + kScene, {"mine.toml:3:", "quality", "did you mean draft?"});
     expect("measures = [\"stils\"]\n" + kScene, {"mine.toml:1:", "measures", "did you mean stills?"});
@@ -129,7 +143,8 @@ TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
     expect(kHead + kScene + "[[peer]]\nname = \"P\"\nfolder = \"p\"\n[[peer]]\nname = \"p\"\nfolder = \"q\"\n",
            {"mine.toml:9: [[peer]]: name", "twice"});
     expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
-    expect(kHead + "quality = \"drat\"\n[[variant]]\nname = \"a\"\n" + kScene, {"mine.toml:3: quality: unknown \"drat\""});  // its own line, not the row's
+    expect(kHead + "quality = \"drat\"\n[[variant]]\nname = \"a\"\n" + kScene,
+           {"mine.toml:3: quality: unknown \"drat\""});  // its own line, not the row's
     expect(kHead + kScene + "[held-out]\nradii = [0.3, 0.6, 0.3]\n", {"[held-out]", "radii", "0.3 twice"});
     expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
 }
@@ -158,7 +173,10 @@ class SuiteFiles : public testing::Test {
     // A finished run, as far as a suite asks.
     void make_run(const std::string& name, const std::string& last_stage) const {
         make_directories(folder_ / name);
-        write_json(folder_ / name / "run.json", {{"prompt", "a loft"}, {"seed", 7}, {"quality", "draft"}, {"params", json_of_params(params_of_quality("draft"))}});
+        write_json(folder_ / name / "run.json", {{"prompt", "a loft"},
+                                                 {"seed", 7},
+                                                 {"quality", "draft"},
+                                                 {"params", json_of_params(params_of_quality("draft"))}});
         run_stage(folder_ / name, last_stage, "key", {}, [](const fs::path& out) { write_file(out / "file", "x"); });
     }
     fs::path folder_ = fs::temp_directory_path() / "fastscene_suite_test";
@@ -169,14 +187,17 @@ TEST_F(SuiteFiles, PathsStartAtTheSuitesFolderAndMustBeThere) {
     EXPECT_EQ(read_there(weights).variants[0].params.walk.inpaint_weights, (folder_ / "weights.pt").string());
     const auto expect = [&](const std::string& text, std::initializer_list<const char*> parts) {
         const std::string said = complaint_there(text);
-        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+        for (const char* part : parts)
+            EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
     };
     expect(kHead + "[settings]\nwalk-inpaint-weights = \"none.pt\"\n" + kScene,
            {"mine.toml:4: [settings]: walk-inpaint-weights", "expected a file", "none.pt"});
-    expect(kHead + "[settings]\ndepth-weights = \"/none.pkl\"\n" + kScene, {"mine.toml:4: [settings]: depth-weights", "/none.pkl"});
+    expect(kHead + "[settings]\ndepth-weights = \"/none.pkl\"\n" + kScene,
+           {"mine.toml:4: [settings]: depth-weights", "/none.pkl"});
     expect(kHead + "[[variant]]\nname = \"v\"\nsettings = { walk-inpaint-weights = \"none.pt\" }\n" + kScene,
            {"mine.toml:5: settings: walk-inpaint-weights"});
-    expect("diffusion360 = \"painter\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder", "painter"});
+    expect("diffusion360 = \"painter\"\n" + kHead + kScene,
+           {"mine.toml:1: diffusion360", "expected a folder", "painter"});
     expect("diffusion360 = \"weights.pt\"\n" + kHead + kScene, {"mine.toml:1: diffusion360", "expected a folder"});
 }
 
@@ -203,13 +224,15 @@ TEST_F(SuiteFiles, ARunIsASceneAsItIs) {
     EXPECT_EQ(complaint_there("measures = [\"holes\"]\n[[scene]]\nrun = \"half\"\n"), "") << "holes need no splats";
     const auto expect = [&](const std::string& text, std::initializer_list<const char*> parts) {
         const std::string said = complaint_there(text);
-        for (const char* part : parts) EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
+        for (const char* part : parts)
+            EXPECT_NE(said.find(part), std::string::npos) << "said: " << said << "\nof:\n" << text;
     };
     expect(kHead + "[[scene]]\nrun = \"half\"\n", {"mine.toml:4: [[scene]]: run", "finished as far as splat"});
     expect(kHead + "[[scene]]\nrun = \"none\"\n", {"mine.toml:4: [[scene]]: run", "no run.json"});
     expect(kHead + "[[scene]]\nrun = \"loft\"\nseeds = [1]\n", {"mine.toml:5: [[scene]]: seeds", "without run"});
     expect(kHead + rows + "[[scene]]\nrun = \"loft\"\n", {"mine.toml:7: [[scene]]: variant", "one of A, B"});
-    expect(kHead + rows + "[[scene]]\nrun = \"loft\"\nvariant = \"C\"\n", {"mine.toml:9: [[scene]]: variant", "known: A, B"});
+    expect(kHead + rows + "[[scene]]\nrun = \"loft\"\nvariant = \"C\"\n",
+           {"mine.toml:9: [[scene]]: variant", "known: A, B"});
     expect(kHead + kScene + "variant = \"ours\"\n", {"mine.toml:5: [[scene]]: variant", "together with run"});
 }
 

@@ -16,7 +16,8 @@ unsigned line_of(const toml::node& node) { return static_cast<unsigned>(node.sou
 
 std::string meant(const std::string& word, const std::vector<std::string>& known) {
     const std::string guess = nearest_word(word, known);
-    return guess.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : fmt::format("; did you mean {}?", guess);
+    return guess.empty() ? fmt::format("; known: {}", fmt::join(known, ", "))
+                         : fmt::format("; did you mean {}?", guess);
 }
 
 std::string shown(const toml::node& node) {
@@ -25,18 +26,21 @@ std::string shown(const toml::node& node) {
     return text.str();
 }
 
-TomlTable::TomlTable(const toml::table& table, std::string file, std::string where, const std::vector<std::string>& keys)
+TomlTable::TomlTable(const toml::table& table, std::string file, std::string where,
+                     const std::vector<std::string>& keys)
     : table_(table), file_(std::move(file)), where_(std::move(where)) {
     for (const auto& [key, value] : table_) {
         const std::string name(key.str());
         if (std::find(keys.begin(), keys.end(), name) == keys.end())
-            throw Error("{}:{}: unknown key \"{}\"{}{}", file_, static_cast<unsigned>(key.source().begin.line), name, where_.empty() ? "" : " in " + where_, meant(name, keys));
+            throw Error("{}:{}: unknown key \"{}\"{}{}", file_, static_cast<unsigned>(key.source().begin.line), name,
+                        where_.empty() ? "" : " in " + where_, meant(name, keys));
     }
 }
 
 std::string TomlTable::place(std::string_view key) const {
     const toml::node* found = node(key);
-    return fmt::format("{}:{}: {}{}", file_, line_of(found ? *found : static_cast<const toml::node&>(table_)), where_.empty() ? "" : where_ + ": ", key);
+    return fmt::format("{}:{}: {}{}", file_, line_of(found ? *found : static_cast<const toml::node&>(table_)),
+                       where_.empty() ? "" : where_ + ": ", key);
 }
 void TomlTable::fail(std::string_view key, const std::string& text) const { throw Error("{}: {}", place(key), text); }
 void TomlTable::fail_item(std::string_view key, std::size_t index, const std::string& text) const {
@@ -44,7 +48,9 @@ void TomlTable::fail_item(std::string_view key, std::size_t index, const std::st
     if (!list || index >= list->size()) fail(key, text);
     throw Error("{}:{}: {}{}: {}", file_, line_of((*list)[index]), where_.empty() ? "" : where_ + ": ", key, text);
 }
-void TomlTable::fail_missing(std::string_view key, const std::string& expected) const { fail(key, "expected " + expected + ", found none"); }
+void TomlTable::fail_missing(std::string_view key, const std::string& expected) const {
+    fail(key, "expected " + expected + ", found none");
+}
 
 std::string TomlTable::text(std::string_view key, const std::string& otherwise) const {
     const toml::node* found = node(key);
@@ -59,7 +65,8 @@ double TomlTable::number(std::string_view key, double otherwise, double low, dou
     if (!found) return otherwise;
     if (!found->is_number()) fail(key, "expected a number, found " + shown(*found));
     const auto value = found->value<double>();
-    if (!value || !(*value >= low && *value <= high)) fail(key, fmt::format("expected a number from {} to {}, found {}", low, high, shown(*found)));
+    if (!value || !(*value >= low && *value <= high))
+        fail(key, fmt::format("expected a number from {} to {}, found {}", low, high, shown(*found)));
     return *value;
 }
 
@@ -85,7 +92,8 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
     if (!list) fail(key, "expected a list of texts, found " + shown(*found));
     for (const toml::node& item : *list) {
         const auto value = item.value_exact<std::string>();
-        if (!value) throw Error("{}:{}: {}: expected a text in quotes, found {}", file_, line_of(item), key, shown(item));
+        if (!value)
+            throw Error("{}:{}: {}: expected a text in quotes, found {}", file_, line_of(item), key, shown(item));
         out.push_back(*value);
     }
     return out;
@@ -98,7 +106,8 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
     const toml::array* list = found->as_array();
     if (!list) fail(key, "expected a list of numbers, found " + shown(*found));
     for (const toml::node& item : *list) {
-        if (!item.is_number()) throw Error("{}:{}: {}: expected a number, found {}", file_, line_of(item), key, shown(item));
+        if (!item.is_number())
+            throw Error("{}:{}: {}: expected a number, found {}", file_, line_of(item), key, shown(item));
         out.push_back(*item.value<double>());
     }
     return out;
@@ -109,7 +118,9 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
     const toml::node* found = node(key);
     if (!found) return out;
     const toml::array* list = found->as_array();
-    if (!list) fail(key, fmt::format("expected [[{}]], found {}", key, found->is_table() ? fmt::format("[{}]", key) : shown(*found)));
+    if (!list)
+        fail(key, fmt::format("expected [[{}]], found {}", key,
+                              found->is_table() ? fmt::format("[{}]", key) : shown(*found)));
     for (const toml::node& item : *list) {
         if (!item.is_table()) fail(key, fmt::format("expected [[{}]], found {}", key, shown(item)));
         out.push_back(item.as_table());

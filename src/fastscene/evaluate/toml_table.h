@@ -1,4 +1,5 @@
-// A TOML table as it is read: every key that is asked for is known, and a key that nobody asked for is a typo. Errors name file, line and key.
+// A TOML table as it is read: every key that is asked for is known, and a key that nobody asked for is a typo. Errors
+// name file, line and key.
 #pragma once
 
 #include <set>

@@ -19,8 +19,8 @@ Mat3f pano_from_face(CubeFace face);
 CubeFace face_of_direction(Vec3f direction);
 
 ImageColor face_from_equirect(const ImageColor& equirect, CubeFace face, const Pinhole& camera);
-// Back to the sphere: each pixel from the face it looks through, a mean of several samples where the faces are finer. All six pictures were
-// taken with `camera`.
+// Back to the sphere: each pixel from the face it looks through, a mean of several samples where the faces are finer.
+// All six pictures were taken with `camera`.
 ImageColor equirect_from_faces(const std::array<ImageColor, 6>& faces, const Pinhole& camera, EquirectSize size);
 
 }  // namespace fastscene

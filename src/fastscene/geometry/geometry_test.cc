@@ -54,8 +54,8 @@ TEST(Reproject, SamplingKnowsTheSeamAndThePoles) {
     Random r(2, "reproject");
     for (int i = 0; i < 2000; ++i) {
         Vec3f d = random_direction(r);
-        if (i % 3 == 0) d = normalize(Vec3f{0.01f * d.x, d.y, 0.01f * d.z});   // near the poles
-        if (i % 3 == 1) d = normalize(Vec3f{0.003f * d.x, d.y, -1});           // near the seam
+        if (i % 3 == 0) d = normalize(Vec3f{0.01f * d.x, d.y, 0.01f * d.z});  // near the poles
+        if (i % 3 == 1) d = normalize(Vec3f{0.003f * d.x, d.y, -1});          // near the seam
         EXPECT_LT(length(sample_equirect(picture, pixel_of_direction(d, kSize)) - soft_color(d)), 2e-3f);
     }
 }
@@ -65,9 +65,10 @@ TEST(Cubemap, RoundTripKeepsSoftPictures) {
     for (const float fov : {90.f, 104.f}) {
         const Pinhole camera = Pinhole::with_fov(192, 192, fov);
         std::array<ImageColor, 6> faces;
-        for (const CubeFace face : kCubeFaces) faces[static_cast<std::size_t>(face)] = face_from_equirect(picture, face, camera);
+        for (const CubeFace face : kCubeFaces)
+            faces[static_cast<std::size_t>(face)] = face_from_equirect(picture, face, camera);
         const ImageColor back = equirect_from_faces(faces, camera, kSize);
-        EXPECT_LT(greatest_difference(back, picture), 0.0056f);   // 45 dB everywhere
+        EXPECT_LT(greatest_difference(back, picture), 0.0056f);  // 45 dB everywhere
     }
 }
 
@@ -79,7 +80,7 @@ TEST(Cubemap, FacesLookWhereTheirNamesSay) {
     EXPECT_EQ(axis(CubeFace::down), (Vec3f{0, 1, 0}));
     for (const CubeFace f : kCubeFaces) {
         const Mat3f m = pano_from_face(f);
-        EXPECT_EQ(cross(m.column(0), m.column(1)), m.column(2)) << name_of(f);   // no mirror images
+        EXPECT_EQ(cross(m.column(0), m.column(1)), m.column(2)) << name_of(f);  // no mirror images
         EXPECT_EQ(face_of_direction(axis(f)), f);
     }
 }

@@ -9,9 +9,11 @@ namespace fastscene {
 ImageMask grown(const ImageMask& mask, int reach, bool wraps) {
     const int w = mask.width, h = mask.height;
     ImageMask wide(w, h), out(w, h);
-    const auto marked = [&](int x, int y) { return wraps ? mask.at(wrap_column(x, w), y) != 0 : x >= 0 && x < w && mask.at(x, y) != 0; };
+    const auto marked = [&](int x, int y) {
+        return wraps ? mask.at(wrap_column(x, w), y) != 0 : x >= 0 && x < w && mask.at(x, y) != 0;
+    };
     for (int y = 0; y < h; ++y) {
-        int near = 0;   // marked ones among those within reach of x
+        int near = 0;  // marked ones among those within reach of x
         for (int x = -reach; x < reach; ++x) near += marked(x, y);
         for (int x = 0; x < w; ++x) {
             near += marked(x + reach, y);

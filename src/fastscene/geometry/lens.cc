@@ -64,12 +64,15 @@ double bent_radius(const Lens& lens, double r) {
 }  // namespace
 
 bool Lens::is_pinhole() const {
-    const auto none = [](const auto& values) { return std::all_of(values.begin(), values.end(), [](double v) { return v == 0; }); };
+    const auto none = [](const auto& values) {
+        return std::all_of(values.begin(), values.end(), [](double v) { return v == 0; });
+    };
     return kind == LensKind::perspective && p1 == 0 && p2 == 0 && none(k) && none(s);
 }
 
 Pinhole Lens::pinhole() const {
-    return {width, height, static_cast<float>(fx), static_cast<float>(fy), static_cast<float>(cx), static_cast<float>(cy)};
+    return {
+        width, height, static_cast<float>(fx), static_cast<float>(fy), static_cast<float>(cx), static_cast<float>(cy)};
 }
 
 Lens Lens::resized(int new_width, int new_height) const {
@@ -84,7 +87,9 @@ double Lens::reach() const {
     constexpr double kFarthest = 20, kStep = 1e-3;  // 87 degrees
     constexpr double kAll = std::numeric_limits<double>::infinity();
     if (kind == LensKind::division) return k[0] > 0 ? 0.5 / std::sqrt(k[0]) : kAll;  // beyond it the root has no value
-    if (is_pinhole() || kind == LensKind::equirectangular || kind == LensKind::field_of_view || kind == LensKind::unified) return kAll;
+    if (is_pinhole() || kind == LensKind::equirectangular || kind == LensKind::field_of_view ||
+        kind == LensKind::unified)
+        return kAll;
     double before = 0;
     for (double r = kStep; r < kFarthest; r += kStep * std::max(1.0, r)) {
         const double now = bent_radius(*this, r);

@@ -30,7 +30,8 @@ struct Level {
 Level coarser(const Level& fine) {
     const int w = fine.color.width, h = fine.color.height;
     const int across = w > 1 ? 2 : 1, down = w == 1 ? 2 : 1;
-    Level out{ImageColor((w + across - 1) / across, (h + down - 1) / down), ImageMask((w + across - 1) / across, (h + down - 1) / down)};
+    Level out{ImageColor((w + across - 1) / across, (h + down - 1) / down),
+              ImageMask((w + across - 1) / across, (h + down - 1) / down)};
     for (int y = 0; y < out.color.height; ++y)
         for (int x = 0; x < out.color.width; ++x) {
             Vec3f sum;
@@ -47,7 +48,8 @@ Level coarser(const Level& fine) {
     return out;
 }
 
-// Between row y and the next: do both lie in one layer? Two rows do when their means differ by less than what is seen within each.
+// Between row y and the next: do both lie in one layer? Two rows do when their means differ by less than what is seen
+// within each.
 std::vector<float> weights_across(const Level& level) {
     const int w = level.color.width, h = level.color.height;
     std::vector<Vec3f> mean(static_cast<std::size_t>(h));
@@ -75,8 +77,8 @@ std::vector<float> weights_across(const Level& level) {
     return out;
 }
 
-// Every unknown pixel becomes the mean of its neighbours, again and again: the rows close at the seam. All even rows, then all odd ones, so
-// that rows of one kind may be done at the same time.
+// Every unknown pixel becomes the mean of its neighbours, again and again: the rows close at the seam. All even rows,
+// then all odd ones, so that rows of one kind may be done at the same time.
 void relax(Level& level) {
     const int w = level.color.width, h = level.color.height;
     const std::vector<float> across = weights_across(level);
@@ -100,14 +102,16 @@ void relax(Level& level) {
 }
 
 void solve(Level& level) {
-    const bool whole = std::all_of(level.known.pixels.begin(), level.known.pixels.end(), [](std::uint8_t v) { return v != 0; });
+    const bool whole = std::all_of(level.known.pixels.begin(), level.known.pixels.end(),
+                                   [](std::uint8_t v) { return v != 0; });
     if (whole || level.color.size() == 1) return;
     Level coarse = coarser(level);
     solve(coarse);
     const int w = level.color.width, h = level.color.height;
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            if (!level.known.at(x, y)) level.color.at(x, y) = coarse.color.at(x * coarse.color.width / w, y * coarse.color.height / h);
+            if (!level.known.at(x, y))
+                level.color.at(x, y) = coarse.color.at(x * coarse.color.width / w, y * coarse.color.height / h);
     relax(level);
 }
 
@@ -125,7 +129,9 @@ ImageColor outside_picture(const ImageColor& color, const ImageF& range) {
         return any;
     };
     // Where all of the outside is slits and specks, their mixed colors must do.
-    if (!mark([&](int x, int y) { return is_outside(range, x, y); }) && !mark([&](int x, int y) { return !std::isfinite(range.at(x, y)); })) return {};
+    if (!mark([&](int x, int y) { return is_outside(range, x, y); }) &&
+        !mark([&](int x, int y) { return !std::isfinite(range.at(x, y)); }))
+        return {};
     solve(level);
     return level.color;
 }

@@ -26,11 +26,13 @@ TEST(Outlook, GoesOnAlongTheRows) {
             EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                           // nothing of the wall
         }
     EXPECT_FLOAT_EQ(out.at(0, 0).z, 1.f);
-    for (const Vec3f& c : out.pixels) EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);  // what was seen with nothing else about it
+    for (const Vec3f& c : out.pixels)
+        EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);  // what was seen with nothing else about it
     EXPECT_EQ(out.at(30, 16), color.at(30, 16));
 }
 
-// A hedge behind a window: what a curtain hides of it is as bright as the hedge, and no streaks begin at the window's rim.
+// A hedge behind a window: what a curtain hides of it is as bright as the hedge, and no streaks begin at the window's
+// rim.
 TEST(Outlook, WhatWasNotSeenIsSmoothAndAsBright) {
     ImageColor color(256, 128, Vec3f{1, 1, 1});
     ImageF range(256, 128, 2.f);

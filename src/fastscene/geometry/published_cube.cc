@@ -43,16 +43,20 @@ Mat3d published_rotation(CubeFace face) {
 float position_of(float place, int n) { return (place + 1.f) * (static_cast<float>(n - 1) / 2.f); }
 
 float multiply_add(float a, float w, float sum) { return std::fma(a, w, sum); }
-Vec3f multiply_add(Vec3f a, float w, Vec3f sum) { return {std::fma(a.x, w, sum.x), std::fma(a.y, w, sum.y), std::fma(a.z, w, sum.z)}; }
+Vec3f multiply_add(Vec3f a, float w, Vec3f sum) {
+    return {std::fma(a.x, w, sum.x), std::fma(a.y, w, sum.y), std::fma(a.z, w, sum.z)};
+}
 
-// Values outside the picture are zero. The four products are rounded as the official program's library rounds them (one after the
-// other, fused): the last bit decides where a value is cut to a byte afterwards.
+// Values outside the picture are zero. The four products are rounded as the official program's library rounds them (one
+// after the other, fused): the last bit decides where a value is cut to a byte afterwards.
 template <class T>
 T bilinear(const Image<T>& image, Vec2f place) {
     const float px = position_of(place.x, image.width), py = position_of(place.y, image.height);
     const float left = std::floor(px), top = std::floor(py), u = px - left, v = py - top;
     const int x = static_cast<int>(left), y = static_cast<int>(top);
-    const auto at = [&](int i, int j) { return i >= 0 && j >= 0 && i < image.width && j < image.height ? image.at(i, j) : T{}; };
+    const auto at = [&](int i, int j) {
+        return i >= 0 && j >= 0 && i < image.width && j < image.height ? image.at(i, j) : T{};
+    };
     T sum = at(x, y) * ((1 - u) * (1 - v));
     sum = multiply_add(at(x + 1, y), u * (1 - v), sum);
     sum = multiply_add(at(x, y + 1), (1 - u) * v, sum);
@@ -70,14 +74,15 @@ template <class T>
 Image<T> face_of(const Image<T>& equirect, CubeFace face, int size, PublishedSampling sampling) {
     const Image<Vec2f> grid = published_face_grid(face, size);
     Image<T> out(size, size);
-    std::transform(grid.pixels.begin(), grid.pixels.end(), out.pixels.begin(),
-                   [&](Vec2f place) { return sampling == PublishedSampling::bilinear ? bilinear(equirect, place) : nearest(equirect, place); });
+    std::transform(grid.pixels.begin(), grid.pixels.end(), out.pixels.begin(), [&](Vec2f place) {
+        return sampling == PublishedSampling::bilinear ? bilinear(equirect, place) : nearest(equirect, place);
+    });
     return out;
 }
 
 struct FaceHit {
     int face = 0;
-    double t = 0;   // distance along the direction to the face's plane at distance 1
+    double t = 0;  // distance along the direction to the face's plane at distance 1
     Vec3d in_face;
 };
 // The first of the nearest planes in front.
@@ -127,7 +132,8 @@ ImageF published_face(const ImageF& equirect, CubeFace face, int size, Published
 ImageMask published_face_index(int height) {
     ImageMask index(2 * height, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < 2 * height; ++x) index.at(x, y) = static_cast<std::uint8_t>(hit_of_pixel(x, y, 2 * height, height).face);
+        for (int x = 0; x < 2 * height; ++x)
+            index.at(x, y) = static_cast<std::uint8_t>(hit_of_pixel(x, y, 2 * height, height).face);
     return index;
 }
 
@@ -139,11 +145,12 @@ ImageColor published_equirect(const std::array<ImageColor, 6>& faces, int cube_l
             for (int x = 0; x < out.width; ++x) {
                 const FaceHit hit = hit_of_pixel(x, y, out.width, height);
                 const double half = cube_length / 2.0, last = cube_length - 1;
-                const auto place = [&](double along) {   // in single precision from the pixel on, as published
+                const auto place = [&](double along) {  // in single precision from the pixel on, as published
                     const auto pixel = static_cast<float>(std::clamp(half * hit.t * along + last / 2, 0.0, last));
                     return (pixel / static_cast<float>(last) - 0.5f) * 2.f;
                 };
-                out.at(x, y) = bilinear(faces[static_cast<std::size_t>(hit.face)], {place(hit.in_face.x), place(hit.in_face.y)});
+                out.at(x, y) = bilinear(faces[static_cast<std::size_t>(hit.face)],
+                                        {place(hit.in_face.x), place(hit.in_face.y)});
             }
     });
     return out;

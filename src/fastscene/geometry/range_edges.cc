@@ -32,7 +32,9 @@ ImageMask range_edges(const ImageF& range) {
     parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y) {
             // Pixels of one row come closer towards the poles.
-            const float right = std::fmax(0.2f, std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(h) * std::numbers::pi_v<float>)) * down;
+            const float right = std::fmax(0.2f, std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(h) *
+                                                         std::numbers::pi_v<float>)) *
+                                down;
             const auto q = [&](int x, int row) { return inverse.at(wrap_column(x, w), std::clamp(row, 0, h - 1)); };
             for (int x = 0; x < w; ++x) {
                 std::uint8_t bits = 0;

@@ -7,10 +7,10 @@
 namespace fastscene {
 
 // Bits of a pixel in the map of cuts.
-inline constexpr std::uint8_t kCutRight = 1;   // no surface between this pixel and the one to its right
-inline constexpr std::uint8_t kCutDown = 2;    // nor the one below
-inline constexpr std::uint8_t kFarSide = 4;    // lies behind a neighbour across a cut: its color is mixed with it
-inline constexpr std::uint8_t kNearSide = 8;   // lies in front of one
+inline constexpr std::uint8_t kCutRight = 1;  // no surface between this pixel and the one to its right
+inline constexpr std::uint8_t kCutDown = 2;   // nor the one below
+inline constexpr std::uint8_t kFarSide = 4;   // lies behind a neighbour across a cut: its color is mixed with it
+inline constexpr std::uint8_t kNearSide = 8;  // lies in front of one
 
 // 1/metres; the sky (+inf) becomes the farthest surface that still has a place.
 inline constexpr float kFarthestRange = 10000.f;

@@ -38,15 +38,18 @@ Vec3f sample_flat(const ImageColor& picture, Vec2f pixel) {
 ImageColor pinhole_from_equirect(const ImageColor& equirect, const Pinhole& camera, const Mat3f& pano_from_camera) {
     const int n = samples_a_side(1.0 / static_cast<double>(camera.fx), 2 * std::numbers::pi / equirect.width);
     const EquirectSize size{equirect.width, equirect.height};
-    return averaged(camera.width, camera.height, n,
-                    [&](Vec2f at) { return sample_equirect(equirect, pixel_of_direction(pano_from_camera * camera.direction_at(at), size)); });
+    return averaged(camera.width, camera.height, n, [&](Vec2f at) {
+        return sample_equirect(equirect, pixel_of_direction(pano_from_camera * camera.direction_at(at), size));
+    });
 }
 
 ImageColor equirect_from_equirect(const ImageColor& equirect, EquirectSize size, const Mat3f& source_from_target) {
-    const int n = std::max(samples_a_side(1.0 / size.width, 1.0 / equirect.width), samples_a_side(1.0 / size.height, 1.0 / equirect.height));
+    const int n = std::max(samples_a_side(1.0 / size.width, 1.0 / equirect.width),
+                           samples_a_side(1.0 / size.height, 1.0 / equirect.height));
     const EquirectSize source{equirect.width, equirect.height};
-    return averaged(size.width, size.height, n,
-                    [&](Vec2f at) { return sample_equirect(equirect, pixel_of_direction(source_from_target * direction_at(at, size), source)); });
+    return averaged(size.width, size.height, n, [&](Vec2f at) {
+        return sample_equirect(equirect, pixel_of_direction(source_from_target * direction_at(at, size), source));
+    });
 }
 
 }  // namespace fastscene

@@ -10,13 +10,15 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMostSamples = 64;        // a side, of a pixel that is longer in columns than in rows: next to a pole it may hold them all
+constexpr int kMostSamples =
+    64;  // a side, of a pixel that is longer in columns than in rows: next to a pole it may hold them all
 constexpr int kCubicSamples = 8;
-constexpr std::size_t kTapsAtOnce = 1 << 20;   // what a pixel that holds half a picture gathers before equal ones are put together
+constexpr std::size_t kTapsAtOnce =
+    1 << 20;  // what a pixel that holds half a picture gathers before equal ones are put together
 constexpr float kUnit = 65536.f;
 // Next to the poles and in turned pictures the source is read along columns, which no processor foresees.
 constexpr std::size_t kPrefetchAhead = 96;
-constexpr int kGrain = 8;               // rows a piece
+constexpr int kGrain = 8;  // rows a piece
 
 }  // namespace
 
@@ -24,7 +26,8 @@ SpherePicture equirect_picture(EquirectSize size, const Mat3f& world_from_pictur
     return {SpherePicture::Kind::equirect, size.width, size.height, {}, world_from_picture};
 }
 SpherePicture cube_picture(int face_size, float fov_deg, const Mat3f& world_from_picture) {
-    return {SpherePicture::Kind::cube, face_size, 6 * face_size, Pinhole::with_fov(face_size, face_size, fov_deg), world_from_picture};
+    return {SpherePicture::Kind::cube, face_size, 6 * face_size, Pinhole::with_fov(face_size, face_size, fov_deg),
+            world_from_picture};
 }
 SpherePicture perspective_picture(const Pinhole& camera, const Mat3f& world_from_camera) {
     return {SpherePicture::Kind::perspective, camera.width, camera.height, camera, world_from_camera};
@@ -36,7 +39,7 @@ struct ResamplePlan::Build {
     const SpherePicture& target;
     Filter filter;
     float feather_deg;
-    std::vector<std::vector<Tap>> rows;   // general rows, in order of their pixels
+    std::vector<std::vector<Tap>> rows;  // general rows, in order of their pixels
 
     struct Samples {
         int nx, ny;
@@ -47,10 +50,15 @@ struct ResamplePlan::Build {
         const Vec2f angle = pixel_angles(target, here);
         const float pitch = pitch_at(source, here);
         // A lens has directions that it hardly shows, and any number of samples there; a sphere shows all of them.
-        const int most_of_all = source.kind == SpherePicture::Kind::perspective ? kMostSamples : std::max(kMostSamples, 2 * std::max(source.width, source.height));
+        const int most_of_all = source.kind == SpherePicture::Kind::perspective
+                                    ? kMostSamples
+                                    : std::max(kMostSamples, 2 * std::max(source.width, source.height));
         const auto count = [&](float ratio) {
-            // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them for whole ratios.
-            const float wanted = filter == Filter::area && ratio > 1.05f ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f) : ratio;
+            // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them
+            // for whole ratios.
+            const float wanted = filter == Filter::area && ratio > 1.05f
+                                     ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f)
+                                     : ratio;
             return static_cast<int>(std::clamp(std::ceil(wanted - 0.05f), 1.f, static_cast<float>(most_of_all)));
         };
         Samples n{count(angle.x / pitch), count(angle.y / pitch)};
@@ -79,7 +87,9 @@ struct ResamplePlan::Build {
         const Samples n = samples_at(x, y, here);
         const bool one = n.nx == 1 && n.ny == 1;
         // Of many samples a pixel, how each is made no longer shows.
-        const int side = filter == Filter::bicubic && n.nx * n.ny <= kCubicSamples ? 4 : filter == Filter::area && !one ? 1 : 2;
+        const int side = filter == Filter::bicubic && n.nx * n.ny <= kCubicSamples ? 4
+                         : filter == Filter::area && !one                          ? 1
+                                                                                   : 2;
         std::array<SourcePlace, 6> places;
         if (one) {
             const int count = places_of(source, here, feather_deg, places);
@@ -111,15 +121,19 @@ struct ResamplePlan::Build {
     Quad quad_of(const SourcePlace& place) const {
         const int part_height = source.kind == SpherePicture::Kind::cube ? source.width : source.height;
         const auto fixed = [](float v) { return static_cast<std::int64_t>(std::lround((v - 0.5f) * kUnit)); };
-        const std::int64_t fx = std::clamp<std::int64_t>(fixed(place.pixel.x), 0, (static_cast<std::int64_t>(source.width) - 1) * 65536 - 1);
-        const std::int64_t fy = std::clamp<std::int64_t>(fixed(place.pixel.y), 0, (static_cast<std::int64_t>(part_height) - 1) * 65536 - 1);
+        const std::int64_t fx = std::clamp<std::int64_t>(fixed(place.pixel.x), 0,
+                                                         (static_cast<std::int64_t>(source.width) - 1) * 65536 - 1);
+        const std::int64_t fy = std::clamp<std::int64_t>(fixed(place.pixel.y), 0,
+                                                         (static_cast<std::int64_t>(part_height) - 1) * 65536 - 1);
         const auto x = static_cast<std::int32_t>(fx >> 16), y = static_cast<std::int32_t>(fy >> 16);
-        return {(place.part * part_height + y) * source.width + x, static_cast<std::uint16_t>(fx & 0xffff), static_cast<std::uint16_t>(fy & 0xffff)};
+        return {(place.part * part_height + y) * source.width + x, static_cast<std::uint16_t>(fx & 0xffff),
+                static_cast<std::uint16_t>(fy & 0xffff)};
     }
 
     // One tap a pixel.
     static void merge(std::vector<SourceTap>& taps) {
-        std::stable_sort(taps.begin(), taps.end(), [](const SourceTap& a, const SourceTap& b) { return a.pixel < b.pixel; });
+        std::stable_sort(taps.begin(), taps.end(),
+                         [](const SourceTap& a, const SourceTap& b) { return a.pixel < b.pixel; });
         std::size_t count = 0;
         for (const SourceTap& tap : taps) {
             if (count > 0 && taps[count - 1].pixel == tap.pixel) taps[count - 1].weight += tap.weight;
@@ -133,20 +147,26 @@ struct ResamplePlan::Build {
         for (const SourceTap& tap : taps) sum += static_cast<double>(tap.weight);
         std::vector<Tap> out;
         out.reserve(taps.size());
-        for (const SourceTap& tap : taps) out.push_back({tap.pixel, static_cast<float>(static_cast<double>(tap.weight) / sum)});
+        for (const SourceTap& tap : taps)
+            out.push_back({tap.pixel, static_cast<float>(static_cast<double>(tap.weight) / sum)});
         return out;
     }
 };
 
 ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& target, Filter filter, float feather_deg)
-    : source_width_(source.width), source_height_(source.height), width_(target.width), height_(target.height), cubic_(filter == Filter::bicubic),
+    : source_width_(source.width),
+      source_height_(source.height),
+      width_(target.width),
+      height_(target.height),
+      cubic_(filter == Filter::bicubic),
       quads_(static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height)) {
     FASTSCENE_CHECK(source.width >= 1 && source.height >= 1 && target.width >= 1 && target.height >= 1);
     for (const SpherePicture* p : {&source, &target}) {
         if (p->kind == SpherePicture::Kind::equirect) continue;
-        FASTSCENE_CHECK(p->camera.fx > 0 && p->camera.fy > 0);   // an angle of view below 180 degrees
+        FASTSCENE_CHECK(p->camera.fx > 0 && p->camera.fy > 0);  // an angle of view below 180 degrees
         // Faces that look less far leave gaps between them.
-        FASTSCENE_CHECK(p->kind != SpherePicture::Kind::cube || 2 * p->camera.fx <= 1.0001f * static_cast<float>(p->camera.width));
+        FASTSCENE_CHECK(p->kind != SpherePicture::Kind::cube ||
+                        2 * p->camera.fx <= 1.0001f * static_cast<float>(p->camera.width));
     }
     FASTSCENE_CHECK(static_cast<std::int64_t>(source.width) * source.height < std::numeric_limits<std::int32_t>::max());
     const std::size_t pieces = (static_cast<std::size_t>(height_) + kGrain - 1) / kGrain;
@@ -155,7 +175,8 @@ ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& tar
         Build& build = builds[static_cast<std::size_t>(begin) / kGrain];
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < width_; ++x)
-                quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] = build.plan_pixel(x, y);
+                quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] =
+                    build.plan_pixel(x, y);
     });
     begin_.push_back(0);
     for (std::size_t piece = 0; piece < pieces; ++piece) {
@@ -177,13 +198,15 @@ template <class T>
     T sum{};
     if (quad.first < 0) {
         const auto row = static_cast<std::size_t>(-1 - quad.first);
-        for (std::uint32_t k = begin_[row]; k < begin_[row + 1]; ++k) sum = sum + pixel(taps_[k].pixel) * taps_[k].weight;
+        for (std::uint32_t k = begin_[row]; k < begin_[row + 1]; ++k)
+            sum = sum + pixel(taps_[k].pixel) * taps_[k].weight;
         return sum;
     }
     const float u = static_cast<float>(quad.u) / kUnit, v = static_cast<float>(quad.v) / kUnit;
     const std::int64_t w = source_width_, first = quad.first;
     if (!cubic_) {
-        const T top = pixel(first) + (pixel(first + 1) - pixel(first)) * u, low = pixel(first + w) + (pixel(first + w + 1) - pixel(first + w)) * u;
+        const T top = pixel(first) + (pixel(first + 1) - pixel(first)) * u,
+                low = pixel(first + w) + (pixel(first + w + 1) - pixel(first + w)) * u;
         return top + (low - top) * v;
     }
     const auto wu = catmull_rom(u), wv = catmull_rom(v);
@@ -196,12 +219,13 @@ template <class T>
 }
 
 namespace {
-// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them; and such pairs of two targets.
+// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them; and such pairs of two
+// targets.
 using Lanes = float __attribute__((vector_size(32)));
 using TwoLanes = float __attribute__((vector_size(64)));
-constexpr std::int64_t kLanePixels = 3;   // pixels that a load of Lanes touches
-constexpr std::size_t kAtOnce = 4;        // targets
-using Wholes = std::uint32_t __attribute__((vector_size(2 * kAtOnce * 4)));   // first and v << 16 | u of each target
+constexpr std::int64_t kLanePixels = 3;                                      // pixels that a load of Lanes touches
+constexpr std::size_t kAtOnce = 4;                                           // targets
+using Wholes = std::uint32_t __attribute__((vector_size(2 * kAtOnce * 4)));  // first and v << 16 | u of each target
 
 inline Lanes lanes_at(const Vec3f* p) {
     Lanes out;
@@ -226,9 +250,11 @@ inline void blend_four(const Quad* quads, const Vec3f* pixels, std::int64_t row,
     const Lanes v = __builtin_convertvector(words >> 16, Lanes) * (1.f / kUnit);
     const Vec3f *const a = pixels + quads[0].first, *const b = pixels + quads[1].first;
     const Vec3f *const c = pixels + quads[2].first, *const d = pixels + quads[3].first;
-    const TwoLanes ab = blend(two(a, b), two(a + row, b + row), __builtin_shufflevector(u, u, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3, 3, 3),
+    const TwoLanes ab = blend(two(a, b), two(a + row, b + row),
+                              __builtin_shufflevector(u, u, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3, 3, 3),
                               __builtin_shufflevector(v, v, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 3, 3, 3));
-    const TwoLanes cd = blend(two(c, d), two(c + row, d + row), __builtin_shufflevector(u, u, 5, 5, 5, 5, 5, 5, 5, 5, 7, 7, 7, 7, 7, 7, 7, 7),
+    const TwoLanes cd = blend(two(c, d), two(c + row, d + row),
+                              __builtin_shufflevector(u, u, 5, 5, 5, 5, 5, 5, 5, 5, 7, 7, 7, 7, 7, 7, 7, 7),
                               __builtin_shufflevector(v, v, 5, 5, 5, 5, 5, 5, 5, 5, 7, 7, 7, 7, 7, 7, 7, 7));
     const Lanes first = __builtin_shufflevector(ab, cd, 0, 1, 2, 8, 9, 10, 16, 17);
     const auto last = __builtin_shufflevector(ab, cd, 18, 24, 25, 26);
@@ -238,9 +264,12 @@ inline void blend_four(const Quad* quads, const Vec3f* pixels, std::int64_t row,
 }  // namespace
 
 void ResamplePlan::apply_to(const ImageColor& source, ImageColor& out) const {
-    FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_ && out.width == width_ && out.height == height_);
+    FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_ && out.width == width_ &&
+                    out.height == height_);
     // Wide loads must not end beyond the picture.
-    const std::int64_t wide = cubic_ ? 0 : std::max<std::int64_t>(0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);
+    const std::int64_t wide = cubic_ ? 0
+                                     : std::max<std::int64_t>(
+                                           0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);
     const auto plain = [wide](const Quad& quad) { return quad.first >= 0 && quad.first < wide; };
     parallel_for(height_, kGrain, [&](std::int64_t begin, std::int64_t end) {
         const std::size_t from = static_cast<std::size_t>(begin) * static_cast<std::size_t>(width_),
@@ -285,9 +314,11 @@ ImageF ResamplePlan::apply(const ImageF& source) const {
 
 float ResamplePlan::heaviest(const ImageF& source, const Quad& quad) const {
     if (quad.first >= 0)
-        return source.pixels[static_cast<std::size_t>(quad.first + (quad.u >= kUnit / 2) + (quad.v >= kUnit / 2) * static_cast<std::int64_t>(source_width_))];
+        return source.pixels[static_cast<std::size_t>(
+            quad.first + (quad.u >= kUnit / 2) + (quad.v >= kUnit / 2) * static_cast<std::int64_t>(source_width_))];
     const auto row = static_cast<std::size_t>(-1 - quad.first);
-    const auto tap = std::max_element(taps_.begin() + begin_[row], taps_.begin() + begin_[row + 1], [](const Tap& a, const Tap& b) { return a.weight < b.weight; });
+    const auto tap = std::max_element(taps_.begin() + begin_[row], taps_.begin() + begin_[row + 1],
+                                      [](const Tap& a, const Tap& b) { return a.weight < b.weight; });
     return source.pixels[static_cast<std::size_t>(tap->pixel)];
 }
 
@@ -295,13 +326,17 @@ ImageMask ResamplePlan::covered() const {
     ImageMask out(width_, height_);
     for (std::size_t i = 0; i < quads_.size(); ++i) {
         const std::int32_t first = quads_[i].first;
-        out.pixels[i] = first >= 0 || begin_[static_cast<std::size_t>(-1 - first)] < begin_[static_cast<std::size_t>(-first)] ? 255 : 0;
+        out.pixels[i] = first >= 0 ||
+                                begin_[static_cast<std::size_t>(-1 - first)] < begin_[static_cast<std::size_t>(-first)]
+                            ? 255
+                            : 0;
     }
     return out;
 }
 
 Vec2f ResamplePlan::place(int x, int y) const {
-    const Quad quad = quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    const Quad quad =
+        quads_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
     if (quad.first < 0) return {std::nanf(""), std::nanf("")};
     return {static_cast<float>(quad.first % source_width_) + static_cast<float>(quad.u) / kUnit + 0.5f,
             static_cast<float>(quad.first / source_width_) + static_cast<float>(quad.v) / kUnit + 0.5f};

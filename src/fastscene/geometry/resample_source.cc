@@ -34,7 +34,7 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
             return;
         }
         y = std::clamp(y < 0 ? -1 - y : 2 * h - 1 - y, 0, h - 1);
-        for (const int half_turn : {w / 2, w - w / 2})   // of an odd number of columns: half a turn ends between two
+        for (const int half_turn : {w / 2, w - w / 2})  // of an odd number of columns: half a turn ends between two
             taps.push_back({y * w + wrap_column(x + half_turn, w), 0.5f * weight});
         return;
     }
@@ -47,14 +47,17 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
     const Vec3f d = pano_from_face(kCubeFaces[static_cast<std::size_t>(part)]) *
                     s.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
     const auto other = static_cast<int>(face_of_direction(d));
-    const Vec2f at = s.camera.project(transpose(pano_from_face(kCubeFaces[static_cast<std::size_t>(other)])) * d).value_or(Vec2f{});
-    const float px = std::clamp(at.x - 0.5f, 0.f, static_cast<float>(w - 1)), py = std::clamp(at.y - 0.5f, 0.f, static_cast<float>(h - 1));
+    const Vec2f at = s.camera.project(transpose(pano_from_face(kCubeFaces[static_cast<std::size_t>(other)])) * d)
+                         .value_or(Vec2f{});
+    const float px = std::clamp(at.x - 0.5f, 0.f, static_cast<float>(w - 1)),
+                py = std::clamp(at.y - 0.5f, 0.f, static_cast<float>(h - 1));
     const int ix = static_cast<int>(px), iy = static_cast<int>(py);
     const float u = px - static_cast<float>(ix), v = py - static_cast<float>(iy);
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
             const float part_weight = weight * (i ? u : 1 - u) * (j ? v : 1 - v);
-            if (part_weight != 0) taps.push_back({(other * h + std::min(iy + j, h - 1)) * w + std::min(ix + i, w - 1), part_weight});
+            if (part_weight != 0)
+                taps.push_back({(other * h + std::min(iy + j, h - 1)) * w + std::min(ix + i, w - 1), part_weight});
         }
 }
 
@@ -77,7 +80,8 @@ Vec3f direction_in(const SpherePicture& p, Vec2f point) {
     if (p.kind == Kind::perspective) return p.world_from_picture * normalize(p.camera.direction_at(point));
     const int face = std::clamp(static_cast<int>(point.y / static_cast<float>(p.width)), 0, 5);
     const Vec2f in_face{point.x, point.y - static_cast<float>(face * p.width)};
-    return p.world_from_picture * (pano_from_face(kCubeFaces[static_cast<std::size_t>(face)]) * normalize(p.camera.direction_at(in_face)));
+    return p.world_from_picture *
+           (pano_from_face(kCubeFaces[static_cast<std::size_t>(face)]) * normalize(p.camera.direction_at(in_face)));
 }
 
 int places_of(const SpherePicture& s, Vec3f direction, float feather_deg, std::array<SourcePlace, 6>& out) {
@@ -88,7 +92,9 @@ int places_of(const SpherePicture& s, Vec3f direction, float feather_deg, std::a
     }
     if (s.kind == Kind::perspective) {
         const auto at = s.camera.project(d);
-        if (!at || !(at->x >= 0 && at->y >= 0 && at->x <= static_cast<float>(s.width) && at->y <= static_cast<float>(s.height))) return 0;
+        if (!at || !(at->x >= 0 && at->y >= 0 && at->x <= static_cast<float>(s.width) &&
+                     at->y <= static_cast<float>(s.height)))
+            return 0;
         out[0] = {*at, 0, 1};
         return 1;
     }
@@ -112,26 +118,32 @@ int places_of(const SpherePicture& s, Vec3f direction, float feather_deg, std::a
 }
 
 float pitch_at(const SpherePicture& s, Vec3f direction) {
-    if (s.kind == Kind::equirect) return std::numbers::pi_v<float> / static_cast<float>(std::max(s.height, s.width / 2));
+    if (s.kind == Kind::equirect)
+        return std::numbers::pi_v<float> / static_cast<float>(std::max(s.height, s.width / 2));
     const Vec3f d = transpose(s.world_from_picture) * direction;
-    const float z = s.kind == Kind::perspective ? std::fabs(d.z) : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    return z * z / s.camera.fx;   // away from the axis a pixel sees less
+    const float z = s.kind == Kind::perspective ? std::fabs(d.z)
+                                                : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    return z * z / s.camera.fx;  // away from the axis a pixel sees less
 }
 
 float crowding(const SpherePicture& s, Vec3f direction) {
     const float sine = dot(s.world_from_picture.column(1), direction);
-    const float columns = 2 * std::numbers::pi_v<float> / static_cast<float>(s.width) * std::sqrt(std::fmax(0.f, 1 - sine * sine));
+    const float columns = 2 * std::numbers::pi_v<float> / static_cast<float>(s.width) *
+                          std::sqrt(std::fmax(0.f, 1 - sine * sine));
     return std::fmax(1.f, pitch_at(s, direction) / std::fmax(columns, 1e-5f));
 }
 
 Vec2f columns_across(const SpherePicture& s, const SpherePicture& t, Vec2f corner) {
     const auto w = static_cast<float>(s.width);
     const auto column = [&](float x, float y) {
-        return pixel_of_direction(transpose(s.world_from_picture) * direction_in(t, corner + Vec2f{x, y}), EquirectSize{s.width, s.height}).x;
+        return pixel_of_direction(transpose(s.world_from_picture) * direction_in(t, corner + Vec2f{x, y}),
+                                  EquirectSize{s.width, s.height})
+            .x;
     };
     const auto between = [&](float a, float b) { return std::fmin(std::fabs(a - b), w - std::fabs(a - b)); };
-    constexpr float kIn = 0.001f;   // so that both ends are on the same face
-    return Vec2f{between(column(kIn, 0.5f), column(1 - kIn, 0.5f)), between(column(0.5f, kIn), column(0.5f, 1 - kIn))} * (1 / (1 - 2 * kIn));
+    constexpr float kIn = 0.001f;  // so that both ends are on the same face
+    return Vec2f{between(column(kIn, 0.5f), column(1 - kIn, 0.5f)), between(column(0.5f, kIn), column(0.5f, 1 - kIn))} *
+           (1 / (1 - 2 * kIn));
 }
 
 Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
@@ -141,7 +153,8 @@ Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
                     column = 2 * std::numbers::pi_v<float> / static_cast<float>(t.width);
         return {column * std::sqrt(std::fmax(0.f, 1 - d.y * d.y)), row};
     }
-    const float z = t.kind == Kind::perspective ? std::fabs(d.z) : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    const float z = t.kind == Kind::perspective ? std::fabs(d.z)
+                                                : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     // The larger of its two angles away from the axis; a pixel of a very wide camera is no wider than its half space.
     return {2 * std::atan(0.5f * z / t.camera.fx), 2 * std::atan(0.5f * z / t.camera.fy)};
 }

@@ -11,8 +11,8 @@ struct SourceTap {
 };
 // A direction's place in the source.
 struct SourcePlace {
-    Vec2f pixel;        // picture point in the part, pixel centers at +0.5
-    int part = 0;       // face of a cube, else 0
+    Vec2f pixel;   // picture point in the part, pixel centers at +0.5
+    int part = 0;  // face of a cube, else 0
     float weight = 1;
 };
 
@@ -22,9 +22,11 @@ Vec3f direction_in(const SpherePicture& picture, Vec2f point);
 int places_of(const SpherePicture& source, Vec3f direction, float feather_deg, std::array<SourcePlace, 6>& out);
 // Smallest angle between neighbouring pixels about a place, radians.
 float pitch_at(const SpherePicture& source, Vec3f direction);
-// How much closer than `pitch_at` says neighbours in a row of an equirectangular source lie there: at least 1, very many at the poles.
+// How much closer than `pitch_at` says neighbours in a row of an equirectangular source lie there: at least 1, very
+// many at the poles.
 float crowding(const SpherePicture& source, Vec3f direction);
-// How many columns of an equirectangular source a target's pixel (its left top corner) spans from its left to its right side, and from top to bottom.
+// How many columns of an equirectangular source a target's pixel (its left top corner) spans from its left to its right
+// side, and from top to bottom.
 Vec2f columns_across(const SpherePicture& source, const SpherePicture& target, Vec2f corner);
 // Width and height of a target's pixel as angles, radians, where it looks along `direction`.
 Vec2f pixel_angles(const SpherePicture& target, Vec3f direction);
@@ -35,7 +37,8 @@ void add_taps(const SpherePicture& source, const SourcePlace& place, int side, s
 
 // Catmull-Rom weights of the four pixels about a place t between the middle two.
 inline std::array<float, 4> catmull_rom(float t) {
-    return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)), t * t * (-0.5f + 0.5f * t)};
+    return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)),
+            t * t * (-0.5f + 0.5f * t)};
 }
 
 }  // namespace fastscene

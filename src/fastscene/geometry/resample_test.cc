@@ -49,7 +49,8 @@ double psnr_between(const ImageColor& a, const ImageColor& b, const ImageMask* m
 const Mat3f kTilted = rotation_about(normalize(Vec3f{1, 2, -0.5f}), 1.1f);
 
 TEST(Resample, EveryKindFromEveryOther) {
-    const SpherePicture pictures[] = {equirect_picture({192, 96}), equirect_picture({180, 90}, kTilted), cube_picture(56), cube_picture(70, 100, kTilted),
+    const SpherePicture pictures[] = {equirect_picture({192, 96}), equirect_picture({180, 90}, kTilted),
+                                      cube_picture(56), cube_picture(70, 100, kTilted),
                                       perspective_picture(Pinhole::with_fov(90, 60, 80), kTilted)};
     for (const SpherePicture& source : pictures)
         for (const SpherePicture& target : pictures)
@@ -59,8 +60,10 @@ TEST(Resample, EveryKindFromEveryOther) {
                 if (source.kind != SpherePicture::Kind::perspective) {
                     EXPECT_EQ(std::count(covered.pixels.begin(), covered.pixels.end(), 0), 0);
                 }
-                EXPECT_GT(psnr_between(plan.apply(painted(source)), painted(target), &covered), filter == Filter::bicubic ? 45 : 36)
-                    << static_cast<int>(source.kind) << ' ' << static_cast<int>(target.kind) << ' ' << static_cast<int>(filter);
+                EXPECT_GT(psnr_between(plan.apply(painted(source)), painted(target), &covered),
+                          filter == Filter::bicubic ? 45 : 36)
+                    << static_cast<int>(source.kind) << ' ' << static_cast<int>(target.kind) << ' '
+                    << static_cast<int>(filter);
             }
 }
 
@@ -71,9 +74,10 @@ TEST(Resample, RoundTripThroughTheCubeKeepsBandLimitedPictures) {
             const SpherePicture pano = equirect_picture({width, width / 2}), cube = cube_picture(face, fov);
             const ImageColor picture = painted(pano);
             for (const Filter filter : {Filter::bilinear, Filter::bicubic}) {
-                const ImageColor back = ResamplePlan(cube, pano, filter, feather).apply(ResamplePlan(pano, cube, filter).apply(picture));
+                const ImageColor back = ResamplePlan(cube, pano, filter, feather)
+                                            .apply(ResamplePlan(pano, cube, filter).apply(picture));
                 EXPECT_GT(psnr_between(back, picture), 45) << width << ' ' << face << ' ' << feather;
-                EXPECT_LT(greatest_difference(back, picture), 0.02f);   // also at seams, corners and poles
+                EXPECT_LT(greatest_difference(back, picture), 0.02f);  // also at seams, corners and poles
             }
         }
 }
@@ -84,8 +88,10 @@ TEST(Resample, SeamAndPolesAreExact) {
     // A camera that looks at the seam, one at each pole.
     for (const Vec3f forward : {Vec3f{0, 0, -1}, Vec3f{0, 1, 0}, Vec3f{0, -1, 0}}) {
         const Vec3f right = std::fabs(forward.y) > 0.5f ? Vec3f{1, 0, 0} : Vec3f{-1, 0, 0};
-        const SpherePicture view = perspective_picture(Pinhole::with_fov(120, 120, 30), Mat3f::from_columns(right, cross(forward, right), forward));
-        EXPECT_LT(greatest_difference(ResamplePlan(source, view, Filter::bicubic).apply(picture), painted(view)), 0.004f);
+        const SpherePicture view = perspective_picture(Pinhole::with_fov(120, 120, 30),
+                                                       Mat3f::from_columns(right, cross(forward, right), forward));
+        EXPECT_LT(greatest_difference(ResamplePlan(source, view, Filter::bicubic).apply(picture), painted(view)),
+                  0.004f);
     }
     // The same size and orientation is the same picture.
     EXPECT_LT(greatest_difference(ResamplePlan(source, source, Filter::bicubic).apply(picture), picture), 2e-4f);
@@ -96,14 +102,17 @@ TEST(Resample, ShrinkingNeverSkips) {
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 1024; ++x) stripes.at(x, y) = ((x ^ y) & 1) ? Vec3f{1, 1, 1} : Vec3f{};
     const SpherePicture pano = equirect_picture({1024, 512});
-    for (const SpherePicture& target : {equirect_picture({64, 32}), equirect_picture({100, 50}), cube_picture(24), perspective_picture(Pinhole::with_fov(30, 20, 90))})
+    for (const SpherePicture& target : {equirect_picture({64, 32}), equirect_picture({100, 50}), cube_picture(24),
+                                        perspective_picture(Pinhole::with_fov(30, 20, 90))})
         for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area})
-            for (const Vec3f& c : ResamplePlan(pano, target, filter).apply(stripes).pixels) ASSERT_NEAR(c.x, 0.5f, 0.1f) << static_cast<int>(filter);
+            for (const Vec3f& c : ResamplePlan(pano, target, filter).apply(stripes).pixels)
+                ASSERT_NEAR(c.x, 0.5f, 0.1f) << static_cast<int>(filter);
     // Whole factors are plain means.
     Random r(3, "resample");
     ImageColor noise(128, 64);
     for (Vec3f& c : noise.pixels) c = {r.uniform(), r.uniform(), r.uniform()};
-    const ImageColor small = ResamplePlan(equirect_picture({128, 64}), equirect_picture({32, 16}), Filter::area).apply(noise);
+    const ImageColor small = ResamplePlan(equirect_picture({128, 64}), equirect_picture({32, 16}), Filter::area)
+                                 .apply(noise);
     for (int y = 4; y < 12; ++y)
         for (int x = 0; x < 32; ++x) {
             Vec3f mean;
@@ -116,7 +125,8 @@ TEST(Resample, ShrinkingNeverSkips) {
 TEST(Resample, AnySizeMakesAnyOther) {
     const auto pictures = [] {
         std::vector<SpherePicture> out;
-        for (const EquirectSize size : {EquirectSize{1, 1}, {3, 2}, {17, 9}, {60, 11}, {5, 34}}) out.push_back(equirect_picture(size, kTilted));
+        for (const EquirectSize size : {EquirectSize{1, 1}, {3, 2}, {17, 9}, {60, 11}, {5, 34}})
+            out.push_back(equirect_picture(size, kTilted));
         for (const int face : {1, 2, 9}) out.push_back(cube_picture(face, face == 2 ? 90.f : 120.f));
         out.push_back(perspective_picture(Pinhole::with_fov(9, 7, 179.5f)));
         return out;
@@ -124,12 +134,14 @@ TEST(Resample, AnySizeMakesAnyOther) {
     for (const SpherePicture& source : pictures)
         for (const SpherePicture& target : pictures)
             for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::point, Filter::area}) {
-                const ResamplePlan plan(source, target, filter, source.camera.fx > 0 && filter == Filter::bilinear ? 5.f : 0.f);
+                const ResamplePlan plan(source, target, filter,
+                                        source.camera.fx > 0 && filter == Filter::bilinear ? 5.f : 0.f);
                 const ImageMask covered = plan.covered();
                 const ImageColor out = plan.apply(ImageColor(source.width, source.height, Vec3f{0.25f, 0.5f, 1.f}));
-                for (std::size_t i = 0; i < out.size(); ++i)   // an even picture stays even
+                for (std::size_t i = 0; i < out.size(); ++i)  // an even picture stays even
                     ASSERT_LT(length(out.pixels[i] - (covered.pixels[i] ? Vec3f{0.25f, 0.5f, 1.f} : Vec3f{})), 1e-4f)
-                        << source.width << 'x' << source.height << " to " << target.width << 'x' << target.height << " pixel " << i;
+                        << source.width << 'x' << source.height << " to " << target.width << 'x' << target.height
+                        << " pixel " << i;
                 if (source.kind == SpherePicture::Kind::perspective) continue;
                 ASSERT_EQ(std::count(covered.pixels.begin(), covered.pixels.end(), 0), 0);
             }
@@ -141,7 +153,8 @@ TEST(Resample, WholeFactorsArePlainMeansAtThePolesToo) {
         const EquirectSize small{12, 6}, large{small.width * across, small.height * down};
         ImageColor noise(large.width, large.height);
         for (Vec3f& c : noise.pixels) c = {r.uniform(), r.uniform(), r.uniform()};
-        const ImageColor out = ResamplePlan(equirect_picture(large), equirect_picture(small), Filter::area).apply(noise);
+        const ImageColor out = ResamplePlan(equirect_picture(large), equirect_picture(small), Filter::area)
+                                   .apply(noise);
         for (int y = 0; y < small.height; ++y)
             for (int x = 0; x < small.width; ++x) {
                 Vec3d mean{};
@@ -162,22 +175,28 @@ TEST(Resample, ShrinkingSkipsNoColumns) {
         ImageColor stripes(size.width, size.height);
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) stripes.at(x, y) = x & 1 ? Vec3f{1, 1, 1} : Vec3f{};
-        for (const SpherePicture& target : {equirect_picture({40, 20}), equirect_picture({33, 9}), cube_picture(9), equirect_picture({3, 2})})
+        for (const SpherePicture& target :
+             {equirect_picture({40, 20}), equirect_picture({33, 9}), cube_picture(9), equirect_picture({3, 2})})
             for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area}) {
                 const ImageColor out = ResamplePlan(equirect_picture(size), target, filter).apply(stripes);
                 for (std::size_t i = 0; i < out.size(); ++i)
-                    ASSERT_NEAR(out.pixels[i].x, 0.5f, 0.2f) << size.width << 'x' << size.height << " to " << target.width << 'x' << target.height << ", filter "
-                                                              << static_cast<int>(filter) << ", pixel " << i;
+                    ASSERT_NEAR(out.pixels[i].x, 0.5f, 0.2f)
+                        << size.width << 'x' << size.height << " to " << target.width << 'x' << target.height
+                        << ", filter " << static_cast<int>(filter) << ", pixel " << i;
             }
     }
 }
 
 TEST(Resample, OddColumnsGoOnOverThePoleToo) {
     for (const float down : {-1.f, 1.f}) {
-        const SpherePicture view = perspective_picture(Pinhole::with_fov(60, 60, 8), Mat3f::from_columns({1, 0, 0}, {0, 0, -down}, {0, down, 0}));
+        const SpherePicture view = perspective_picture(Pinhole::with_fov(60, 60, 8),
+                                                       Mat3f::from_columns({1, 0, 0}, {0, 0, -down}, {0, down, 0}));
         for (const int width : {200, 201}) {
             const SpherePicture source = equirect_picture({width, 100});
-            EXPECT_LT(greatest_difference(ResamplePlan(source, view, Filter::bilinear).apply(painted(source)), painted(view)), 0.004f) << width;
+            EXPECT_LT(
+                greatest_difference(ResamplePlan(source, view, Filter::bilinear).apply(painted(source)), painted(view)),
+                0.004f)
+                << width;
         }
     }
 }
@@ -188,7 +207,8 @@ TEST(Resample, TheSkyOfARangeMapStaysTheSky) {
     for (int y = 0; y < 11; ++y)
         for (int x = 0; x < 64; ++x) range.at(x, y) = sky;
     range.at(20, 25) = std::nanf("");
-    for (const SpherePicture& target : {equirect_picture({64, 32}), equirect_picture({90, 45}, kTilted), equirect_picture({16, 8}), cube_picture(20)})
+    for (const SpherePicture& target :
+         {equirect_picture({64, 32}), equirect_picture({90, 45}, kTilted), equirect_picture({16, 8}), cube_picture(20)})
         for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area}) {
             std::size_t skies = 0, unknown = 0;
             const ImageF out = ResamplePlan(equirect_picture({64, 32}), target, filter).apply(range);
@@ -199,16 +219,20 @@ TEST(Resample, TheSkyOfARangeMapStaysTheSky) {
             }
             EXPECT_GT(skies, out.size() / 5);
             EXPECT_LT(skies, out.size() / 2);
-            EXPECT_LE(unknown, 4u);   // one pixel's worth, not its whole neighbourhood
+            EXPECT_LE(unknown, 4u);  // one pixel's worth, not its whole neighbourhood
         }
-    EXPECT_TRUE(std::isnan(ResamplePlan(equirect_picture({64, 32}), equirect_picture({64, 32}), Filter::bilinear).apply(range).at(20, 25)));
+    EXPECT_TRUE(std::isnan(ResamplePlan(equirect_picture({64, 32}), equirect_picture({64, 32}), Filter::bilinear)
+                               .apply(range)
+                               .at(20, 25)));
 }
 
 TEST(Resample, CamerasThatCannotBeAreRefused) {
     const SpherePicture pano = equirect_picture({64, 32});
-    EXPECT_THROW(ResamplePlan(pano, perspective_picture(Pinhole::with_fov(20, 20, 180)), Filter::bilinear), CheckFailed);
-    EXPECT_THROW(ResamplePlan(perspective_picture(Pinhole::with_fov(20, 20, 200)), pano, Filter::bilinear), CheckFailed);
-    EXPECT_THROW(ResamplePlan(cube_picture(20, 80), pano, Filter::bilinear), CheckFailed);   // there would be gaps
+    EXPECT_THROW(ResamplePlan(pano, perspective_picture(Pinhole::with_fov(20, 20, 180)), Filter::bilinear),
+                 CheckFailed);
+    EXPECT_THROW(ResamplePlan(perspective_picture(Pinhole::with_fov(20, 20, 200)), pano, Filter::bilinear),
+                 CheckFailed);
+    EXPECT_THROW(ResamplePlan(cube_picture(20, 80), pano, Filter::bilinear), CheckFailed);  // there would be gaps
     EXPECT_THROW(ResamplePlan(pano, pano, Filter::bilinear).apply(ImageColor(32, 16)), CheckFailed);
 }
 
@@ -216,11 +240,13 @@ TEST(Resample, FeatheringBlendsWhereFacesDisagree) {
     const SpherePicture cube = cube_picture(100, 110), pano = equirect_picture({400, 200});
     ImageColor faces(cube.width, cube.height);
     for (int y = 0; y < faces.height; ++y)
-        for (int x = 0; x < faces.width; ++x) faces.at(x, y) = Vec3f{1, 1, 1} * (static_cast<float>(y / 100) / 5.f);   // each face its own gray
+        for (int x = 0; x < faces.width; ++x)
+            faces.at(x, y) = Vec3f{1, 1, 1} * (static_cast<float>(y / 100) / 5.f);  // each face its own gray
     const auto steepest = [&](float feather) {
         const ImageColor out = ResamplePlan(cube, pano, Filter::bilinear, feather).apply(faces);
         float most = 0;
-        for (int x = 0; x + 1 < out.width; ++x) most = std::max(most, std::fabs(out.at(x + 1, 100).x - out.at(x, 100).x));
+        for (int x = 0; x + 1 < out.width; ++x)
+            most = std::max(most, std::fabs(out.at(x + 1, 100).x - out.at(x, 100).x));
         return most;
     };
     EXPECT_GT(steepest(0), 0.15f);
@@ -229,7 +255,9 @@ TEST(Resample, FeatheringBlendsWhereFacesDisagree) {
 
 TEST(Resample, RangeMapsToo) {
     ImageF range(64, 32, 3.f);
-    for (const float r : ResamplePlan(equirect_picture({64, 32}), cube_picture(20), Filter::bilinear).apply(range).pixels) ASSERT_NEAR(r, 3.f, 1e-5f);
+    for (const float r :
+         ResamplePlan(equirect_picture({64, 32}), cube_picture(20), Filter::bilinear).apply(range).pixels)
+        ASSERT_NEAR(r, 3.f, 1e-5f);
 }
 
 TEST(Resample, SameBytesForAnyNumberOfThreads) {

@@ -35,12 +35,14 @@ Vec2<F> pixel_of_direction(Vec3<F> d, EquirectSize size) {
     using std::atan2;
     using std::sqrt;
     const F lon = atan2(d.x, d.z), lat = atan2(-d.y, sqrt(d.x * d.x + d.z * d.z));
-    return {(lon / F(2 * std::numbers::pi) + F(0.5)) * F(size.width), (F(0.5) - lat / F(std::numbers::pi)) * F(size.height)};
+    return {(lon / F(2 * std::numbers::pi) + F(0.5)) * F(size.width),
+            (F(0.5) - lat / F(std::numbers::pi)) * F(size.height)};
 }
 // Solid angle of a pixel in row y; all pixels together make 4 pi.
 inline double pixel_solid_angle(int y, EquirectSize size) {
     const double pi = std::numbers::pi;
-    const double top = (0.5 - static_cast<double>(y) / size.height) * pi, bottom = (0.5 - static_cast<double>(y + 1) / size.height) * pi;
+    const double top = (0.5 - static_cast<double>(y) / size.height) * pi,
+                 bottom = (0.5 - static_cast<double>(y + 1) / size.height) * pi;
     return (std::sin(top) - std::sin(bottom)) * 2 * pi / size.width;
 }
 // A column outside [0, width) continues on the other side of the seam.

@@ -13,10 +13,10 @@ inline float srgb_from_linear(float v) {
     v = v > 0.f ? v : 0.f;  // NaN becomes 0
     return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.f / 2.4f) - 0.055f;
 }
-inline float linear_from_srgb(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+inline float linear_from_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
+inline std::uint8_t byte_from_unit(float v) {
+    return static_cast<std::uint8_t>(std::clamp(v, 0.f, 1.f) * 255.f + 0.5f);
 }
-inline std::uint8_t byte_from_unit(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.f, 1.f) * 255.f + 0.5f); }
 
 inline Vec3f srgb_from_linear(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
 // sRGB values as floats in [0, 1]; light brighter than white is white.
@@ -41,22 +41,26 @@ inline Vec3f unit_from_srgb8(Rgb8 c) {
 
 inline ImageColor unit_from_linear(const ImageColor& image) {
     ImageColor out(image.width, image.height);
-    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Vec3f c) { return unit_from_linear(c); });
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(),
+                   [](Vec3f c) { return unit_from_linear(c); });
     return out;
 }
 inline ImageRgb8 srgb8_from_unit(const ImageColor& image) {
     ImageRgb8 out(image.width, image.height);
-    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Vec3f c) { return srgb8_from_unit(c); });
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(),
+                   [](Vec3f c) { return srgb8_from_unit(c); });
     return out;
 }
 inline ImageRgb8 srgb8_from_linear(const ImageColor& image) {
     ImageRgb8 out(image.width, image.height);
-    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Vec3f c) { return srgb8_from_linear(c); });
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(),
+                   [](Vec3f c) { return srgb8_from_linear(c); });
     return out;
 }
 inline ImageColor linear_from_srgb8(const ImageRgb8& image) {
     ImageColor out(image.width, image.height);
-    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](Rgb8 c) { return linear_from_srgb8(c); });
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(),
+                   [](Rgb8 c) { return linear_from_srgb8(c); });
     return out;
 }
 

@@ -28,18 +28,24 @@ struct Image {
     }
     bool empty() const { return pixels.empty(); }
     std::size_t size() const { return pixels.size(); }
-    T& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
-    const T& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+    T& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+    const T& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
     T* row(int y) { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
     const T* row(int y) const { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
     template <class U>
-    bool same_size(const Image<U>& other) const { return width == other.width && height == other.height; }
+    bool same_size(const Image<U>& other) const {
+        return width == other.width && height == other.height;
+    }
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-using ImageF = Image<float>;       // range in metres, weights …
-using ImageColor = Image<Vec3f>;   // linear color, 1 = white
-using ImageRgb8 = Image<Rgb8>;     // sRGB, as in files
+using ImageF = Image<float>;      // range in metres, weights …
+using ImageColor = Image<Vec3f>;  // linear color, 1 = white
+using ImageRgb8 = Image<Rgb8>;    // sRGB, as in files
 using ImageMask = Image<std::uint8_t>;
 
 }  // namespace fastscene

@@ -25,9 +25,7 @@ TEST(Color, EveryByteSurvivesTheWayToLinearAndBack) {
     }
 }
 
-TEST(Color, ValuesOutsideAreClampedAndNanIsBlack) {
-    EXPECT_EQ(srgb8_from_linear({-1.f, 2.f, NAN}), (Rgb8{0, 255, 0}));
-}
+TEST(Color, ValuesOutsideAreClampedAndNanIsBlack) { EXPECT_EQ(srgb8_from_linear({-1.f, 2.f, NAN}), (Rgb8{0, 255, 0})); }
 
 TEST(Psnr, KnownDifference) {
     const ImageRgb8 a(8, 4, Rgb8{100, 100, 100}), b(8, 4, Rgb8{110, 110, 110});

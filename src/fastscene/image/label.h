@@ -10,8 +10,8 @@ namespace fastscene {
 // Glyphs are 5 x 7 dots with one dot between them; a dot is `scale` pixels wide.
 inline constexpr int kGlyphWidth = 6, kGlyphHeight = 7;
 
-// Writes at (x, y), the text's top left corner. Letters, digits and -._, are known, others leave a gap; what lies outside of
-// the picture is cut off.
+// Writes at (x, y), the text's top left corner. Letters, digits and -._, are known, others leave a gap; what lies
+// outside of the picture is cut off.
 void draw_label(ImageRgb8& image, std::string_view text, int x, int y, Rgb8 color, int scale = 1);
 
 // Copies `part` into `image` with its top left corner at (x, y); what lies outside is cut off.

@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-
 namespace fastscene {
 namespace {
 
@@ -17,13 +16,14 @@ using Window = std::array<double, 2 * kRadius + 1>;
 Window gaussian_window() {
     Window w{};
     double sum = 0;
-    for (int i = -kRadius; i <= kRadius; ++i) sum += w[static_cast<std::size_t>(i + kRadius)] = std::exp(-i * i / (2 * 1.5 * 1.5));
+    for (int i = -kRadius; i <= kRadius; ++i)
+        sum += w[static_cast<std::size_t>(i + kRadius)] = std::exp(-i * i / (2 * 1.5 * 1.5));
     for (double& v : w) v /= sum;
     return w;
 }
-// The code of the splatting papers makes its window in single precision, and libtorch adds its eleven numbers up in four lanes. By the
-// last bit of that sum the window falls short of 1 by 7e-8, which even areas notice: the score moves in the fifth decimal. There it is 11 x 11
-// products, rounded too; here it stays separable, with their sum.
+// The code of the splatting papers makes its window in single precision, and libtorch adds its eleven numbers up in
+// four lanes. By the last bit of that sum the window falls short of 1 by 7e-8, which even areas notice: the score moves
+// in the fifth decimal. There it is 11 x 11 products, rounded too; here it stays separable, with their sum.
 Window single_window() {
     std::array<float, 2 * kRadius + 1> w{};
     std::array<float, 4> lanes{};
@@ -87,7 +87,11 @@ Plane product(const Plane& a, const Plane& b) {
 struct Moments {
     Plane mx, my, xx, yy, xy;
     Moments(const Plane& x, const Plane& y, const Window& w)
-        : mx(blur(x, w)), my(blur(y, w)), xx(blur(product(x, x), w)), yy(blur(product(y, y), w)), xy(blur(product(x, y), w)) {}
+        : mx(blur(x, w)),
+          my(blur(y, w)),
+          xx(blur(product(x, x), w)),
+          yy(blur(product(y, y), w)),
+          xy(blur(product(x, y), w)) {}
 };
 struct Factors {
     double a, b, a1, a2, b1, b2;
@@ -114,7 +118,8 @@ double mean_squared_error(const ImageRgb8& a, const ImageRgb8& b, const ImageMas
         sum += r * r + g * g + bl * bl;
         ++count;
     }
-    return count ? static_cast<double>(sum) / (3.0 * 255 * 255 * static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
+    return count ? static_cast<double>(sum) / (3.0 * 255 * 255 * static_cast<double>(count))
+                 : std::numeric_limits<double>::quiet_NaN();
 }
 
 double psnr_of_mse(double mse) { return mse == 0 ? std::numeric_limits<double>::infinity() : -10 * std::log10(mse); }
@@ -126,7 +131,11 @@ double ssim_of_channel(const Image<double>& x, const Image<double>& y, double pe
     double sum = 0;
     for (int v = edge; v < x.height - edge; ++v)
         for (int u = edge; u < x.width - edge; ++u)
-            sum += Factors(moments, static_cast<std::size_t>(v) * static_cast<std::size_t>(x.width) + static_cast<std::size_t>(u), peak).ssim();
+            sum += Factors(
+                       moments,
+                       static_cast<std::size_t>(v) * static_cast<std::size_t>(x.width) + static_cast<std::size_t>(u),
+                       peak)
+                       .ssim();
     return sum / (static_cast<double>(x.width - 2 * edge) * (x.height - 2 * edge));
 }
 
@@ -145,7 +154,8 @@ Image<double> ssim_gradient(const Image<double>& x, const Image<double>& y) {
     }
     p = blur(p, window), q = blur(q, window), r = blur(r, window);
     for (std::size_t i = 0; i < x.size(); ++i)
-        p.pixels[i] = (p.pixels[i] + 2 * x.pixels[i] * q.pixels[i] + y.pixels[i] * r.pixels[i]) / static_cast<double>(x.size());
+        p.pixels[i] = (p.pixels[i] + 2 * x.pixels[i] * q.pixels[i] + y.pixels[i] * r.pixels[i]) /
+                      static_cast<double>(x.size());
     return p;
 }
 

@@ -1,6 +1,6 @@
-// Likeness of two pictures: PSNR and SSIM (Wang, Bovik, Sheikh, Simoncelli 2004), 11x11 Gaussian window, sigma 1.5, K1 = 0.01,
-// K2 = 0.03. Three definitions are in use and differ in the second decimal, so each has a name (Ssim).
-// splat/ has a fast SSIM with gradient; this is the readable one that it is tested against.
+// Likeness of two pictures: PSNR and SSIM (Wang, Bovik, Sheikh, Simoncelli 2004), 11x11 Gaussian window, sigma 1.5, K1
+// = 0.01, K2 = 0.03. Three definitions are in use and differ in the second decimal, so each has a name (Ssim). splat/
+// has a fast SSIM with gradient; this is the readable one that it is tested against.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -21,7 +21,8 @@ enum class Ssim {
     valid,   // scikit-image with Gaussian weights: per channel, only windows inside the picture
     wang,    // the 2004 paper's code: gray = 0.299 R + 0.587 G + 0.114 B, only windows inside the picture
 };
-// Mean of the SSIM map over pixels and channels, in [-1, 1]. Sizes must be equal; `valid` and `wang` need 11 x 11 pixels.
+// Mean of the SSIM map over pixels and channels, in [-1, 1]. Sizes must be equal; `valid` and `wang` need 11 x 11
+// pixels.
 double ssim(const ImageRgb8& a, const ImageRgb8& b, Ssim kind = Ssim::splats);
 
 // The same for one channel of any numbers; `peak` is the largest value that a pixel can have.

@@ -19,8 +19,8 @@ constexpr int kLargestCrop = 512;
 constexpr std::int64_t kMostPixels = 2 * 512 * 512;
 // How far the correction at a hole's rim reaches inward.
 constexpr float kFeather_px = 24;
-// A network that adds to the harmonic fill continues what it sees at the rim; farther in than this it only guesses, and the fill does no worse:
-// that of linear light, which is how shades fade on a wall.
+// A network that adds to the harmonic fill continues what it sees at the rim; farther in than this it only guesses, and
+// the fill does no worse: that of linear light, which is how shades fade on a wall.
 constexpr float kSure_px = 4, kUnsure_px = 6;
 
 // Distance of each hole pixel to the nearest known one, in pixels (two sweeps, at most 8 % long); 0 for known pixels.
@@ -38,7 +38,8 @@ ImageF distance_to_known(const ImageMask& hole) {
             relax(x, y, -1, 0, 1), relax(x, y, 0, -1, 1), relax(x, y, -1, -1, kDiagonal), relax(x, y, 1, -1, kDiagonal);
         }
     for (int y = h; y-- > 0;)
-        for (int x = w; x-- > 0;) relax(x, y, 1, 0, 1), relax(x, y, 0, 1, 1), relax(x, y, 1, 1, kDiagonal), relax(x, y, -1, 1, kDiagonal);
+        for (int x = w; x-- > 0;)
+            relax(x, y, 1, 0, 1), relax(x, y, 0, 1, 1), relax(x, y, 1, 1, kDiagonal), relax(x, y, -1, 1, kDiagonal);
     return d;
 }
 
@@ -69,15 +70,18 @@ struct Canvas {
 };
 
 // What the network makes of the surroundings of all holes; crops of one size go through it together.
-Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageMask& hole, const std::vector<Crop>& crops, const Run& run) {
+Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageMask& hole,
+                     const std::vector<Crop>& crops, const Run& run) {
     std::map<std::pair<int, int>, std::vector<Crop>> by_size;
     for (const Crop& crop : crops) by_size[{crop.width, crop.height}].push_back(crop);
     Canvas canvas{ImageColor(srgb.width, srgb.height), ImageF(srgb.width, srgb.height)};
     for (const auto& [size, group] : by_size) {
-        const auto together = static_cast<std::size_t>(std::max<std::int64_t>(1, kMostPixels / (std::int64_t{size.first} * size.second)));
+        const auto together = static_cast<std::size_t>(
+            std::max<std::int64_t>(1, kMostPixels / (std::int64_t{size.first} * size.second)));
         for (std::size_t begin = 0; begin < group.size(); begin += together) {
-            const std::vector<Crop> some(group.begin() + static_cast<std::ptrdiff_t>(begin),
-                                         group.begin() + static_cast<std::ptrdiff_t>(std::min(group.size(), begin + together)));
+            const std::vector<Crop> some(
+                group.begin() + static_cast<std::ptrdiff_t>(begin),
+                group.begin() + static_cast<std::ptrdiff_t>(std::min(group.size(), begin + together)));
             std::vector<Aotgan::Picture> pictures;
             for (const Crop& crop : some) pictures.push_back(cut(srgb, hole, crop));
             const std::vector<ImageColor> painted = network.paint(pictures, run);
@@ -119,12 +123,14 @@ ImageColor AotganInpainter::fill(const ImageColor& color, const ImageMask& hole,
     ImageColor srgb = unit_from_linear(color);
     if (network_.adds_to_fill()) srgb = HarmonicInpainter{}.fill(srgb, hole, run);
     Canvas canvas = painted_crops(network_, srgb, hole, crops, run);
-    if (network_.adds_to_fill()) trust_near_the_rim(canvas, unit_from_linear(HarmonicInpainter{}.fill(color, hole, run)), hole);
+    if (network_.adds_to_fill())
+        trust_near_the_rim(canvas, unit_from_linear(HarmonicInpainter{}.fill(color, hole, run)), hole);
     else meet_the_known(canvas, srgb, hole, run);
     ImageColor out = color;
     for (std::size_t i = 0; i < out.size(); ++i)
         if (hole.pixels[i])
-            for (std::size_t c = 0; c < 3; ++c) out.pixels[i][c] = linear_from_srgb(std::clamp(canvas.sum.pixels[i][c], 0.f, 1.f));
+            for (std::size_t c = 0; c < 3; ++c)
+                out.pixels[i][c] = linear_from_srgb(std::clamp(canvas.sum.pixels[i][c], 0.f, 1.f));
     return out;
 }
 

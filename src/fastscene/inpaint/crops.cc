@@ -8,7 +8,9 @@ namespace {
 struct Box {
     int left, top, right, bottom;  // right and bottom are outside
 };
-bool overlap(const Box& a, const Box& b) { return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; }
+bool overlap(const Box& a, const Box& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
 Box hull(const Box& a, const Box& b) {
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
@@ -26,8 +28,8 @@ std::vector<Box> boxes_of(const ImageMask& hole, int margin) {
                 for (int x = left; x < std::min(left + kCell, hole.width); ++x)
                     if (hole.at(x, y)) box = hull(box, {x, y, x + 1, y + 1});
             if (box.right == 0) continue;
-            box = {std::max(0, box.left - margin), std::max(0, box.top - margin), std::min(hole.width, box.right + margin),
-                   std::min(hole.height, box.bottom + margin)};
+            box = {std::max(0, box.left - margin), std::max(0, box.top - margin),
+                   std::min(hole.width, box.right + margin), std::min(hole.height, box.bottom + margin)};
             // The united box may touch others again: start over with it.
             for (std::size_t i = 0; i < boxes.size();)
                 if (overlap(boxes[i], box)) {

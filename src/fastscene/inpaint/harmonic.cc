@@ -38,7 +38,8 @@ void relax(Level& level) {
     const int w = level.color.width, h = level.color.height;
     std::vector<int> rows;
     for (int y = 0; y < h; ++y)
-        if (std::any_of(level.hole.row(y), level.hole.row(y) + w, [](std::uint8_t v) { return v != 0; })) rows.push_back(y);
+        if (std::any_of(level.hole.row(y), level.hole.row(y) + w, [](std::uint8_t v) { return v != 0; }))
+            rows.push_back(y);
     for (int sweep = 0; sweep < kSweeps; ++sweep)
         for (int parity = 0; parity < 2; ++parity)
             for (const int y : rows)
@@ -55,7 +56,8 @@ void relax(Level& level) {
 }
 
 void solve(Level& level) {
-    const bool any_hole = std::any_of(level.hole.pixels.begin(), level.hole.pixels.end(), [](std::uint8_t v) { return v != 0; });
+    const bool any_hole = std::any_of(level.hole.pixels.begin(), level.hole.pixels.end(),
+                                      [](std::uint8_t v) { return v != 0; });
     if (!any_hole || (level.color.width <= 1 && level.color.height <= 1)) return;
     Level coarse = coarser(level);
     solve(coarse);

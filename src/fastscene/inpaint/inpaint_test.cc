@@ -35,7 +35,8 @@ Picture noisy_picture(int w, int h) {
 // A small network with hashed weights, as a file.
 const std::filesystem::path& small_weights() {
     static const std::filesystem::path path = [] {
-        const auto file = std::filesystem::temp_directory_path() / ("fastscene-inpaint-test-" + std::to_string(::getpid()) + ".safetensors");
+        const auto file = std::filesystem::temp_directory_path() /
+                          ("fastscene-inpaint-test-" + std::to_string(::getpid()) + ".safetensors");
         save_safetensors(file, hashed_aotgan(4, 2));
         return file;
     }();
@@ -65,7 +66,7 @@ TEST(Inpainters, AllKeepTheContract) {
             if (p.hole.pixels[i]) other.pixels[i] = {9, 9, 9};
         EXPECT_EQ(out, inpainter->fill(other, p.hole, {})) << name;
         EXPECT_EQ(p.color, inpainter->fill(p.color, ImageMask(97, 61), {})) << name;
-        (void)inpainter->fill(p.color, ImageMask(97, 61, std::uint8_t{1}), {});   // nothing known: no crash
+        (void)inpainter->fill(p.color, ImageMask(97, 61, std::uint8_t{1}), {});  // nothing known: no crash
     }
 }
 
@@ -91,9 +92,7 @@ TEST(Harmonic, ContinuesARampExactly) {
     for (std::size_t i = 0; i < out.size(); ++i) EXPECT_LT(length(out.pixels[i] - color.pixels[i]), 0.02f);
 }
 
-TEST(Inpainters, AnUnknownNameIsRefused) {
-    EXPECT_THROW(make_inpainter("crayon"), UsageError);
-}
+TEST(Inpainters, AnUnknownNameIsRefused) { EXPECT_THROW(make_inpainter("crayon"), UsageError); }
 
 // Boards and discs of even color, slightly out of focus, torn as walks tear: a band along an edge, cracks a pixel wide.
 Picture torn_boards(std::uint64_t seed) {
@@ -102,12 +101,14 @@ Picture torn_boards(std::uint64_t seed) {
     Random r(seed, "torn boards");
     for (int k = 0; k < 14; ++k) {
         const Vec3f color{r.uniform(0.02f, 0.9f), r.uniform(0.02f, 0.9f), r.uniform(0.02f, 0.9f)};
-        const float cx = r.uniform(0, kSize), cy = r.uniform(0, kSize), turn = r.uniform(0, 3), a = r.uniform(10, 50), b = r.uniform(6, 40);
+        const float cx = r.uniform(0, kSize), cy = r.uniform(0, kSize), turn = r.uniform(0, 3), a = r.uniform(10, 50),
+                    b = r.uniform(6, 40);
         const bool disc = r.chance(0.3f);
         for (int y = 0; y < kSize; ++y)
             for (int x = 0; x < kSize; ++x) {
                 const float dx = static_cast<float>(x) - cx, dy = static_cast<float>(y) - cy;
-                const float u = dx * std::cos(turn) + dy * std::sin(turn), v = dy * std::cos(turn) - dx * std::sin(turn);
+                const float u = dx * std::cos(turn) + dy * std::sin(turn),
+                            v = dy * std::cos(turn) - dx * std::sin(turn);
                 const float out = disc ? std::hypot(u, v) - a : std::max(std::fabs(u) - a, std::fabs(v) - b);
                 p.color.at(x, y) = lerp(color, p.color.at(x, y), std::clamp(out / 2 + 0.5f, 0.f, 1.f));
             }
@@ -135,14 +136,17 @@ double psnr_in_holes(const Picture& p, const ImageColor& made) {
     return -10 * std::log10(squares / count);
 }
 
-// Nothing but what it learned from rooms can make it better than the fill it begins with: edges must go on through the holes.
+// Nothing but what it learned from rooms can make it better than the fill it begins with: edges must go on through the
+// holes.
 TEST(ShippedAotgan, CarriesEdgesThroughHoles) {
     const auto aotgan = make_inpainter("aotgan"), harmonic = make_inpainter("harmonic");
     double gain = 0;
     constexpr int kPictures = 6;
     for (int i = 0; i < kPictures; ++i) {
         const Picture p = torn_boards(static_cast<std::uint64_t>(i));
-        gain += (psnr_in_holes(p, aotgan->fill(p.color, p.hole, {})) - psnr_in_holes(p, harmonic->fill(p.color, p.hole, {}))) / kPictures;
+        gain += (psnr_in_holes(p, aotgan->fill(p.color, p.hole, {})) -
+                 psnr_in_holes(p, harmonic->fill(p.color, p.hole, {}))) /
+                kPictures;
     }
     RecordProperty("gain_db", fmt::format("{:.2f}", gain));
     EXPECT_GT(gain, 0.8);
@@ -159,7 +163,8 @@ TEST(ShippedAotgan, SameBytesForAnyThreads) {
 }
 
 std::string refusal(const Weights& weights) {
-    const auto file = std::filesystem::temp_directory_path() / ("fastscene-inpaint-refused-" + std::to_string(::getpid()) + ".safetensors");
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("fastscene-inpaint-refused-" + std::to_string(::getpid()) + ".safetensors");
     save_safetensors(file, weights);
     std::string text;
     try {
@@ -183,7 +188,8 @@ TEST(Aotgan, WeightsThatDoNotFitAreNamed) {
     EXPECT_NE(refusal({{}, {{"x", weights.at("encoder.1.bias")}}, {}, {}}).find("encoder.1.weight"), std::string::npos);
 }
 
-// What the network paints meets what is known: in a flat picture no seam is higher than a part of the step between network and picture.
+// What the network paints meets what is known: in a flat picture no seam is higher than a part of the step between
+// network and picture.
 TEST(Aotgan, SeamsAreFeathered) {
     ImageColor color(192, 128, Vec3f{0.5f, 0.2f, 0.05f});
     ImageMask hole(192, 128);
@@ -201,14 +207,15 @@ TEST(Crops, CoverEveryHole) {
     for (int round = 0; round < 60; ++round) {
         ImageMask hole(40 + r.index(1200), 40 + r.index(700));
         for (int k = r.index(6); k >= 0; --k) {
-            const int left = r.index(hole.width), top = r.index(hole.height), w = 1 + r.index(hole.width), h = 1 + r.index(hole.height);
+            const int left = r.index(hole.width), top = r.index(hole.height), w = 1 + r.index(hole.width),
+                      h = 1 + r.index(hole.height);
             for (int y = top; y < std::min(hole.height, top + h); ++y)
                 for (int x = left; x < std::min(hole.width, left + w); ++x) hole.at(x, y) = 1;
         }
         ImageMask covered(hole.width, hole.height);
         for (const Crop& crop : crops_around(hole, 48, 8, 64, 512)) {
-            EXPECT_TRUE(crop.width % 8 == 0 && crop.height % 8 == 0 && crop.width >= 64 && crop.height >= 64 && crop.width <= 512 &&
-                        crop.height <= 512);
+            EXPECT_TRUE(crop.width % 8 == 0 && crop.height % 8 == 0 && crop.width >= 64 && crop.height >= 64 &&
+                        crop.width <= 512 && crop.height <= 512);
             EXPECT_TRUE(crop.x >= 0 && crop.y >= 0);
             for (int y = crop.y; y < std::min(hole.height, crop.y + crop.height); ++y)
                 for (int x = crop.x; x < std::min(hole.width, crop.x + crop.width); ++x) covered.at(x, y) = 1;

@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTries = 200;             // draws until an example must have been found
+constexpr int kTries = 200;  // draws until an example must have been found
 constexpr int kCropTries = 10;
-constexpr double kLeastOpen = 0.002;    // a crop with fewer holes teaches nothing
+constexpr double kLeastOpen = 0.002;  // a crop with fewer holes teaches nothing
 
 struct Square {
     ImageRgb8 truth;
@@ -25,7 +25,8 @@ struct Square {
 };
 
 double share_of(const ImageMask& hole) {
-    return static_cast<double>(std::count_if(hole.pixels.begin(), hole.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+    return static_cast<double>(
+               std::count_if(hole.pixels.begin(), hole.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
            static_cast<double>(hole.size());
 }
 
@@ -48,18 +49,21 @@ void shrink(ImageRgb8& image, ImageMask& mask) {
     mask = ImageMask(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            int r = 2, g = 2, b = 2;   // rounds
+            int r = 2, g = 2, b = 2;  // rounds
             for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
                 const Rgb8 c = large.at(2 * x + i, 2 * y + j);
                 r += c.r, g += c.g, b += c.b;
                 mask.at(x, y) |= torn.at(2 * x + i, 2 * y + j);
             }
-            image.at(x, y) = {static_cast<std::uint8_t>(r / 4), static_cast<std::uint8_t>(g / 4), static_cast<std::uint8_t>(b / 4)};
+            image.at(x, y) = {static_cast<std::uint8_t>(r / 4), static_cast<std::uint8_t>(g / 4),
+                              static_cast<std::uint8_t>(b / 4)};
         }
 }
 
-// A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face is whole.
-std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params, bool still, Random& dice) {
+// A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face
+// is whole.
+std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params,
+                                     bool still, Random& dice) {
     std::optional<Square> best;
     double most = 0;
     for (int i = 0; i < kCropTries; ++i) {
@@ -77,11 +81,13 @@ std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& ma
 // Another camera's idea of the same colors.
 void jitter_colors(ImageRgb8& image, float strength, Random& dice) {
     const float bright = 1 + strength * dice.uniform(-1, 1), contrast = 1 + strength * dice.uniform(-1, 1);
-    const Vec3f balance{1 + strength * dice.uniform(-1, 1), 1 + strength * dice.uniform(-1, 1), 1 + strength * dice.uniform(-1, 1)};
+    const Vec3f balance{1 + strength * dice.uniform(-1, 1), 1 + strength * dice.uniform(-1, 1),
+                        1 + strength * dice.uniform(-1, 1)};
     std::array<std::array<std::uint8_t, 256>, 3> table{};
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t v = 0; v < 256; ++v)
-            table[c][v] = byte_from_unit(((static_cast<float>(v) / 255.f - 0.5f) * contrast + 0.5f) * bright * balance[c]);
+            table[c][v] = byte_from_unit(((static_cast<float>(v) / 255.f - 0.5f) * contrast + 0.5f) * bright *
+                                         balance[c]);
     for (Rgb8& p : image.pixels) p = {table[0][p.r], table[1][p.g], table[2][p.b]};
 }
 
@@ -91,7 +97,8 @@ InpaintExample with_fill(Square square, bool harmonic) {
     out.filled = ImageColor(out.truth.width, out.truth.height);
     for (std::size_t i = 0; i < out.truth.size(); ++i) {
         const Rgb8 c = out.truth.pixels[i];
-        out.filled.pixels[i] = Vec3f{static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)} * (1 / 255.f);
+        out.filled.pixels[i] = Vec3f{static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)} *
+                               (1 / 255.f);
     }
     out.filled = HarmonicInpainter{}.fill(out.filled, out.hole, {});
     return out;
@@ -104,11 +111,13 @@ const fs::path& one_of(const std::vector<fs::path>& paths, Random& dice) {
 void add_holes(ImageMask& mask, const fs::path& path) {
     const ImageMask more = load_mask_png(path);
     if (!more.same_size(mask))
-        throw Error("{}: expected the size of its picture, {} x {}, found {} x {}", path.string(), mask.width, mask.height, more.width, more.height);
+        throw Error("{}: expected the size of its picture, {} x {}, found {} x {}", path.string(), mask.width,
+                    mask.height, more.width, more.height);
     for (std::size_t i = 0; i < mask.size(); ++i) mask.pixels[i] = mask.pixels[i] || more.pixels[i] ? 255 : 0;
 }
 
-std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice) {
+std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrainParams& params, bool still,
+                                          Random& dice) {
     const auto any_face = [&]() -> const HoleSet::Face& {
         return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))];
     };
@@ -116,11 +125,14 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
     ImageRgb8 image = load_rgb8(face.image);
     ImageMask mask(image.width, image.height);
     add_holes(mask, one_of(face.masks, dice));
-    if (!still && dice.chance(static_cast<float>(params.strange_masks))) add_holes(mask, one_of(any_face().masks, dice));
-    if (!still && std::min(image.width, image.height) >= 2 * params.size && dice.chance(static_cast<float>(params.shrunk))) shrink(image, mask);
+    if (!still && dice.chance(static_cast<float>(params.strange_masks)))
+        add_holes(mask, one_of(any_face().masks, dice));
+    if (!still && std::min(image.width, image.height) >= 2 * params.size &&
+        dice.chance(static_cast<float>(params.shrunk)))
+        shrink(image, mask);
     if (image.width < params.size || image.height < params.size)
-        throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(), std::min(image.width, image.height),
-                         params.size);
+        throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(),
+                         std::min(image.width, image.height), params.size);
     std::optional<Square> square = crop_with_hole(image, mask, params, still, dice);
     if (!square) return {};
     if (!still) jitter_colors(square->truth, static_cast<float>(params.jitter), dice);
@@ -130,9 +142,11 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
 // A handful of panoramas may leave no place to hold out: the figures are of pictures trained on then, which is said.
 HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) {
     if (fs::exists(data / "held-out")) return find_holes(data / "held-out");
-    run.warn(fmt::format("{}: expected held-out faces, found none (inpaint dataset --held-out PERCENT, of more places): the figures are of faces that are "
-                         "trained on",
-                         (data / "held-out").string()));
+    run.warn(
+        fmt::format("{}: expected held-out faces, found none (inpaint dataset --held-out PERCENT, of more places): the "
+                    "figures are of faces that are "
+                    "trained on",
+                    (data / "held-out").string()));
     return train;
 }
 
@@ -140,9 +154,13 @@ HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) 
 
 HoleSet find_holes(const fs::path& part) {
     if (!fs::is_directory(part / "images") || !fs::is_directory(part / "masks"))
-        throw UsageError("{}: expected a folder with images/ and masks/, as `fastscene inpaint dataset` makes it, found none", part.string());
-    std::map<std::string, HoleSet::Face> by_name;   // "shard-00000/00000042-front"
-    const auto name_in = [](const fs::path& path, const fs::path& root) { return (fs::relative(path.parent_path(), root) / path.stem()).string(); };
+        throw UsageError(
+            "{}: expected a folder with images/ and masks/, as `fastscene inpaint dataset` makes it, found none",
+            part.string());
+    std::map<std::string, HoleSet::Face> by_name;  // "shard-00000/00000042-front"
+    const auto name_in = [](const fs::path& path, const fs::path& root) {
+        return (fs::relative(path.parent_path(), root) / path.stem()).string();
+    };
     for (const auto& entry : fs::recursive_directory_iterator(part / "images"))
         if (entry.is_regular_file()) by_name[name_in(entry.path(), part / "images")].image = entry.path();
     for (const auto& entry : fs::recursive_directory_iterator(part / "masks")) {
@@ -155,11 +173,14 @@ HoleSet find_holes(const fs::path& part) {
         std::sort(face.masks.begin(), face.masks.end());
         if (!face.masks.empty()) set.faces.push_back(std::move(face));
     }
-    if (set.faces.empty()) throw UsageError("{}: expected faces (images/NAME.png) with masks (masks/NAME-00.png), found none", part.string());
+    if (set.faces.empty())
+        throw UsageError("{}: expected faces (images/NAME.png) with masks (masks/NAME-00.png), found none",
+                         part.string());
     return set;
 }
 
-InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice, std::atomic<std::int64_t>& broken) {
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice,
+                            std::atomic<std::int64_t>& broken) {
     std::string last;
     for (int i = 0; i < kTries; ++i) {
         try {
@@ -171,15 +192,18 @@ InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params
             last = e.what();
         }
     }
-    throw Error("inpaint train: expected faces of which {:.1f} to {:.0f} % is holes, found none in {} tries{}", 100 * kLeastOpen,
-                100 * params.most_open, kTries, last.empty() ? "" : "; the last trouble: " + last);
+    throw Error("inpaint train: expected faces of which {:.1f} to {:.0f} % is holes, found none in {} tries{}",
+                100 * kLeastOpen, 100 * params.most_open, kTries, last.empty() ? "" : "; the last trouble: " + last);
 }
 
-std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params, const fs::path& folder,
-                                                            const Run& run) {
+std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data, const InpaintTrainParams& params,
+                                                            const fs::path& folder, const Run& run) {
     if (params.size % 8 != 0) throw UsageError("--size: expected a multiple of 8, found {}", params.size);
     if (fs::exists(data / "held-out") && !fs::exists(data / "train"))
-        throw UsageError("{}: expected faces to train on, found held-out ones only: `fastscene inpaint dataset` with more places, or less --held-out", data.string());
+        throw UsageError(
+            "{}: expected faces to train on, found held-out ones only: `fastscene inpaint dataset` with more places, "
+            "or less --held-out",
+            data.string());
     const HoleSet train = find_holes(data / "train"), held_out = held_out_of(data, train, run);
     std::atomic<std::int64_t> broken{0};
     InpaintExamples examples;
@@ -189,7 +213,11 @@ std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data
         examples.held_out.push_back(draw_example(held_out, params, true, dice, broken));
     }
 
-    examples.about = {{"size", params.size}, {"strange-masks", params.strange_masks}, {"shrunk", params.shrunk}, {"most-open", params.most_open}, {"jitter", params.jitter}};
+    examples.about = {{"size", params.size},
+                      {"strange-masks", params.strange_masks},
+                      {"shrunk", params.shrunk},
+                      {"most-open", params.most_open},
+                      {"jitter", params.jitter}};
     const auto figures = train_aotgan(params.network, examples, folder, run);
     if (broken > 0) run.warn(fmt::format("{} reads of broken pictures or masks were passed over", broken.load()));
     return figures;

@@ -1,4 +1,5 @@
-// Training of AOT-GAN on hole masks of walks (walk/hole_dataset.h makes them; official AOT-GAN folders of pictures and masks will do).
+// Training of AOT-GAN on hole masks of walks (walk/hole_dataset.h makes them; official AOT-GAN folders of pictures and
+// masks will do).
 #pragma once
 
 #include <atomic>
@@ -23,7 +24,8 @@ struct InpaintTrainParams {
 template <class V>
 void visit_fields(InpaintTrainParams& p, V&& v) {
     v("size", p.size, Bounds{64, 2048}, "Side of the crops about holes that are trained on; a multiple of 8.");
-    v("strange-masks", p.strange_masks, Bounds{0, 1}, "Share of the examples that have another picture's holes besides their own.");
+    v("strange-masks", p.strange_masks, Bounds{0, 1},
+      "Share of the examples that have another picture's holes besides their own.");
     v("shrunk", p.shrunk, Bounds{0, 1},
       "Share of the examples at half their size: faces of a small panorama are soft, those of a large one are not.");
     v("most-open", p.most_open, Bounds{0.01, 1}, "Crops with a larger share of holes are left out.");
@@ -40,15 +42,19 @@ struct HoleSet {
     };
     std::vector<Face> faces;
 };
-// `part`: the folder with images/ and masks/: DIR/train, DIR/held-out. Throws UsageError when there is no face with a mask.
+// `part`: the folder with images/ and masks/: DIR/train, DIR/held-out. Throws UsageError when there is no face with a
+// mask.
 HoleSet find_holes(const std::filesystem::path& part);
 
-// An example from the set, by the dice: a crop with a hole in it, flipped at times. Broken pictures are passed over, and counted in `broken`.
-// `still`: no flips, colors as they are, masks of the face itself.
-InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice, std::atomic<std::int64_t>& broken);
+// An example from the set, by the dice: a crop with a hole in it, flipped at times. Broken pictures are passed over,
+// and counted in `broken`. `still`: no flips, colors as they are, masks of the face itself.
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice,
+                            std::atomic<std::int64_t>& broken);
 
-// `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out examples.
-std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data, const InpaintTrainParams& params,
+// `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out
+// examples.
+std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data,
+                                                            const InpaintTrainParams& params,
                                                             const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

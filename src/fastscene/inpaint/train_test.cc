@@ -90,7 +90,8 @@ TEST(InpaintTraining, BeatsTheHarmonicFillItBeginsFrom) {
         for (std::size_t i = 0; i < out.size(); ++i) sum += length(out.pixels[i] - truth.pixels[i]);
         return sum;
     };
-    EXPECT_LT(error_of(*make_inpainter("aotgan", data.path / "run/generator.safetensors")), 0.9f * error_of(*make_inpainter("harmonic")));
+    EXPECT_LT(error_of(*make_inpainter("aotgan", data.path / "run/generator.safetensors")),
+              0.9f * error_of(*make_inpainter("harmonic")));
     set_threads(0);
 }
 
@@ -154,17 +155,21 @@ TEST(InpaintTraining, WeightsOfAnotherNetworkOrWithoutNumbersAreRefused) {
     WeightTensor& bias = weights.tensors.at("middle.0.fuse.1.bias");
     auto bytes = std::make_shared<std::vector<std::byte>>(bias.bytes.begin(), bias.bytes.end());
     (*bytes)[0] = std::byte{0x00};
-    (*bytes)[1] = std::byte{0x7e};   // half precision's NaN
+    (*bytes)[1] = std::byte{0x7e};  // half precision's NaN
     bias.bytes = *bytes;
     bias.owner = bytes;
     save_safetensors(data.path / "nan.safetensors", weights);
-    EXPECT_NE(complaint([&] { make_inpainter("aotgan", data.path / "nan.safetensors"); }).find("nan.safetensors: middle.0.fuse.1.bias: expected numbers, found NaN"),
+    EXPECT_NE(complaint([&] {
+                  make_inpainter("aotgan", data.path / "nan.safetensors");
+              }).find("nan.safetensors: middle.0.fuse.1.bias: expected numbers, found NaN"),
               std::string::npos);
 
     Weights other{{}, {{"patch_embed.0.weight", weights.tensors.at("encoder.1.weight")}}, {}, {}};
     save_safetensors(data.path / "other.safetensors", other);
     p.network.start = (data.path / "other.safetensors").string();
-    EXPECT_NE(complaint([&] { train_inpainter(data.path, p, data.path / "run2", seeded(1)); }).find("other.safetensors: expected the tensor \"encoder.1.weight\""),
+    EXPECT_NE(complaint([&] {
+                  train_inpainter(data.path, p, data.path / "run2", seeded(1));
+              }).find("other.safetensors: expected the tensor \"encoder.1.weight\""),
               std::string::npos);
     set_threads(0);
 }
@@ -173,9 +178,9 @@ TEST(InpaintTraining, OddRequestsAreRefused) {
     const Blocks data;
     InpaintTrainParams p = small("harmonic", 1);
     p.size = 72;
-    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);   // larger than the faces
+    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);  // larger than the faces
     p.size = 60;
-    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);   // no multiple of 8
+    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);  // no multiple of 8
     EXPECT_THROW(find_holes(data.path / "nowhere"), UsageError);
     fs::remove_all(data.path / "train/masks");
     make_directories(data.path / "train/masks");

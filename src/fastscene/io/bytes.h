@@ -48,7 +48,9 @@ class ByteReader {
     // A 64-bit count of things that take at least `least` bytes each.
     std::size_t count(std::size_t least) {
         const auto n = get<std::uint64_t>();
-        if (n > (bytes_.size() - at_) / least) refuse(fmt::format("expected {} entries of {} bytes or more, found {} bytes", n, least, bytes_.size() - at_));
+        if (n > (bytes_.size() - at_) / least)
+            refuse(
+                fmt::format("expected {} entries of {} bytes or more, found {} bytes", n, least, bytes_.size() - at_));
         return static_cast<std::size_t>(n);
     }
     void skip(std::size_t bytes) {
@@ -57,11 +59,14 @@ class ByteReader {
     }
     std::size_t at() const { return at_; }
     std::size_t left() const { return bytes_.size() - at_; }
-    [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: byte {}: {}", path_.string(), at_, what); }
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Error("{}: byte {}: {}", path_.string(), at_, what);
+    }
 
   private:
     void need(std::size_t wanted) const {
-        if (bytes_.size() - at_ < wanted) refuse(fmt::format("expected {} more bytes, found {}", wanted, bytes_.size() - at_));
+        if (bytes_.size() - at_ < wanted)
+            refuse(fmt::format("expected {} more bytes, found {}", wanted, bytes_.size() - at_));
     }
     std::filesystem::path path_;
     std::string_view bytes_;

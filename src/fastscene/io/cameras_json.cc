@@ -1,5 +1,6 @@
-// cameras.json as INRIA's trainer writes it and SuperSplat, SIBR and others read it: a list with, for each picture, its size and focal
-// lengths in pixels, its place in the world, and the rotation from the camera's axes (x right, y down, z forward) to the world's, in rows.
+// cameras.json as INRIA's trainer writes it and SuperSplat, SIBR and others read it: a list with, for each picture, its
+// size and focal lengths in pixels, its place in the world, and the rotation from the camera's axes (x right, y down, z
+// forward) to the world's, in rows.
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,8 @@ constexpr const char* kSphere = "EQUIRECTANGULAR";
 Json json_of(const Photo& photo, std::size_t id) {
     const Rigidd& pose = photo.world_from_camera;
     Json rows = Json::array();
-    for (const Vec3d& row : {pose.rotation.row0, pose.rotation.row1, pose.rotation.row2}) rows.push_back({row.x, row.y, row.z});
+    for (const Vec3d& row : {pose.rotation.row0, pose.rotation.row1, pose.rotation.row2})
+        rows.push_back({row.x, row.y, row.z});
     const Lens& lens = photo.lens;
     const bool sphere = lens.kind == LensKind::equirectangular;
     const double around = lens.width / (2 * std::numbers::pi);  // pixels a radian
@@ -39,7 +41,8 @@ Photo photo_of(const Json& json) {
     photo.name = json.at("img_name").get<std::string>();
     Lens& lens = photo.lens;
     const double width = json.at("width"), height = json.at("height");
-    if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536)) throw Error("expected a picture size, found {} x {}", width, height);
+    if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536))
+        throw Error("expected a picture size, found {} x {}", width, height);
     lens.width = static_cast<int>(width), lens.height = static_cast<int>(height);
     lens.fx = json.at("fx"), lens.fy = json.at("fy"), lens.cx = width / 2, lens.cy = height / 2;
     if (json.value("camera_model", "") == kSphere) lens.kind = LensKind::equirectangular;
@@ -68,7 +71,8 @@ Capture load_cameras_json(const fs::path& path) {
     for (std::size_t i = 0; i < list.size(); ++i) try {
             capture.photos.push_back(photo_of(list[i]));
         } catch (const Json::exception& e) {
-            throw Error("{}: [{}]: expected img_name, width, height, position, rotation, fx and fy: {}", path.string(), i, e.what());
+            throw Error("{}: [{}]: expected img_name, width, height, position, rotation, fx and fy: {}", path.string(),
+                        i, e.what());
         } catch (const Error& e) {
             throw Error("{}: [{}]: {}", path.string(), i, e.what());
         }

@@ -1,4 +1,5 @@
-// Captures in files: COLMAP's sparse model, text or binary, and nerfstudio's transforms.json (also NeRF's and Blender's).
+// Captures in files: COLMAP's sparse model, text or binary, and nerfstudio's transforms.json (also NeRF's and
+// Blender's).
 #pragma once
 
 #include <filesystem>
@@ -15,11 +16,12 @@ struct CaptureFolders {
     int downscale = 1;             // 2, 4, 8: takes images_2 … where there is such a folder
 };
 
-// DIR holds images/ and the model in sparse/0, sparse or itself. Throws Error naming the file, the byte or line, what was expected and
-// found; pictures are not opened.
+// DIR holds images/ and the model in sparse/0, sparse or itself. Throws Error naming the file, the byte or line, what
+// was expected and found; pictures are not opened.
 Capture load_colmap_capture(const std::filesystem::path& dir, const CaptureFolders& folders);
-// A transforms.json, or the folder that holds one (or NeRF's transforms_train.json). Its cameras look along -z with y up; here they look
-// along z with y down. Poses and points are taken as they are: nerfstudio has applied its applied_transform to both.
+// A transforms.json, or the folder that holds one (or NeRF's transforms_train.json). Its cameras look along -z with y
+// up; here they look along z with y down. Poses and points are taken as they are: nerfstudio has applied its
+// applied_transform to both.
 Capture load_nerfstudio_capture(const std::filesystem::path& file, const CaptureFolders& folders);
 
 // Cameras, poses and names of a model alone: text or binary, in exactly this folder.

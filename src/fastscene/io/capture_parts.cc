@@ -33,8 +33,10 @@ fs::path mask_for(const fs::path& masks, const std::string& name) {
 
 void name_files(Capture& capture, fs::path images, const fs::path& masks, int downscale) {
     if (downscale > 1)
-        if (const fs::path smaller = images.string() + "_" + std::to_string(downscale); fs::is_directory(smaller)) images = smaller;
-    if (!fs::is_directory(images)) throw Error("{}: expected the folder of the pictures, found none; name it with --images", images.string());
+        if (const fs::path smaller = images.string() + "_" + std::to_string(downscale); fs::is_directory(smaller))
+            images = smaller;
+    if (!fs::is_directory(images))
+        throw Error("{}: expected the folder of the pictures, found none; name it with --images", images.string());
     for (Photo& photo : capture.photos) {
         photo.file = images / photo.name;
         photo.mask = mask_for(masks, photo.name);
@@ -46,16 +48,18 @@ std::vector<CapturePoint> points_of_ply(const fs::path& path) {
     const PlyElement& v = ply.element("vertex");
     const int x = ply.property(v, "x"), y = ply.property(v, "y"), z = ply.property(v, "z");
     std::array<int, 3> color{Ply::find(v, "red"), Ply::find(v, "green"), Ply::find(v, "blue")};
-    if (color[0] < 0) color = {Ply::find(v, "diffuse_red"), Ply::find(v, "diffuse_green"), Ply::find(v, "diffuse_blue")};
+    if (color[0] < 0)
+        color = {Ply::find(v, "diffuse_red"), Ply::find(v, "diffuse_green"), Ply::find(v, "diffuse_blue")};
     std::vector<CapturePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         points[i].position = {ply.value(v, i, x), ply.value(v, i, y), ply.value(v, i, z)};
         const auto byte = [&](std::size_t c) -> std::uint8_t {
             if (color[c] < 0) return 128;
-            const double value =
-                ply.value(v, i, color[c]) *
-                (v.properties[static_cast<std::size_t>(color[c])].kind == 'f' && v.properties[static_cast<std::size_t>(color[c])].bytes == 4 ? 255
-                                                                                                                                             : 1);
+            const double value = ply.value(v, i, color[c]) *
+                                 (v.properties[static_cast<std::size_t>(color[c])].kind == 'f' &&
+                                          v.properties[static_cast<std::size_t>(color[c])].bytes == 4
+                                      ? 255
+                                      : 1);
             return static_cast<std::uint8_t>(std::min(std::max(0.0, value), 255.0));
         };
         points[i].color = {byte(0), byte(1), byte(2)};

@@ -33,7 +33,8 @@ struct CameraList {
 Rigidd camera_from_world(const View& view) {
     const auto to_double = [](Vec3f v) { return Vec3d{v.x, v.y, v.z}; };
     const Mat3f& r = view.world_from_camera.rotation;
-    return inverse(Rigidd{{to_double(r.row0), to_double(r.row1), to_double(r.row2)}, to_double(view.world_from_camera.translation)});
+    return inverse(Rigidd{{to_double(r.row0), to_double(r.row1), to_double(r.row2)},
+                          to_double(view.world_from_camera.translation)});
 }
 
 std::string cameras_text(const CameraList& cameras) {
@@ -63,8 +64,8 @@ std::string images_text(const std::vector<View>& views, const CameraList& camera
     for (std::size_t i = 0; i < views.size(); ++i) {
         const Rigidd pose = camera_from_world(views[i]);
         const Quatd q = quaternion_of(pose.rotation);
-        out += fmt::format("{} {} {} {} {} {} {} {} {} {}\n\n", i + 1, q.w, q.x, q.y, q.z, pose.translation.x, pose.translation.y,
-                           pose.translation.z, cameras.id_of_view[i], views[i].name);
+        out += fmt::format("{} {} {} {} {} {} {} {} {} {}\n\n", i + 1, q.w, q.x, q.y, q.z, pose.translation.x,
+                           pose.translation.y, pose.translation.z, cameras.id_of_view[i], views[i].name);
     }
     return out;
 }
@@ -75,7 +76,8 @@ std::string images_binary(const std::vector<View>& views, const CameraList& came
         const Rigidd pose = camera_from_world(views[i]);
         const Quatd q = quaternion_of(pose.rotation);
         append(out, static_cast<std::int32_t>(i + 1));
-        for (const double v : {q.w, q.x, q.y, q.z, pose.translation.x, pose.translation.y, pose.translation.z}) append(out, v);
+        for (const double v : {q.w, q.x, q.y, q.z, pose.translation.x, pose.translation.y, pose.translation.z})
+            append(out, v);
         append(out, static_cast<std::int32_t>(cameras.id_of_view[i]));
         out.append(views[i].name.c_str(), views[i].name.size() + 1);
         append(out, std::uint64_t{0});
@@ -87,7 +89,8 @@ std::string points_text(const std::vector<SurfacePoint>& points) {
     std::string out = "# POINT3D_ID, X, Y, Z, R, G, B, ERROR; no tracks: the points come from the range maps\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         const SurfacePoint& p = points[i];
-        fmt::format_to(std::back_inserter(out), "{} {} {} {} {} {} {} 0\n", i + 1, p.position_m.x, p.position_m.y, p.position_m.z, p.color.r, p.color.g, p.color.b);
+        fmt::format_to(std::back_inserter(out), "{} {} {} {} {} {} {} 0\n", i + 1, p.position_m.x, p.position_m.y,
+                       p.position_m.z, p.color.r, p.color.g, p.color.b);
     }
     return out;
 }
@@ -119,15 +122,19 @@ void save_colmap(const fs::path& dir, const ViewSet& set) {
 }
 
 std::vector<View> load_colmap_views(const fs::path& dir) {
-    const auto to_float = [](Vec3d v) { return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
+    const auto to_float = [](Vec3d v) {
+        return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
     std::vector<View> views;
     for (const Photo& photo : load_colmap_model(dir).photos) {
-        if (!photo.lens.is_pinhole()) throw Error("{}: {}: expected a camera without distortion, found another", dir.string(), photo.name);
+        if (!photo.lens.is_pinhole())
+            throw Error("{}: {}: expected a camera without distortion, found another", dir.string(), photo.name);
         View view;
         view.name = photo.name;
         view.camera = photo.lens.pinhole();
         const Mat3d& r = photo.world_from_camera.rotation;
-        view.world_from_camera = {{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(photo.world_from_camera.translation)};
+        view.world_from_camera = {{to_float(r.row0), to_float(r.row1), to_float(r.row2)},
+                                  to_float(photo.world_from_camera.translation)};
         views.push_back(std::move(view));
     }
     return views;

@@ -35,7 +35,8 @@ class Line {
         const std::string_view text = word();
         T value{};
         const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (code != std::errc() || end != text.data() + text.size()) refuse("expected a number, found \"" + std::string(text) + "\"");
+        if (code != std::errc() || end != text.data() + text.size())
+            refuse("expected a number, found \"" + std::string(text) + "\"");
         return value;
     }
     bool skip_number() {
@@ -44,7 +45,9 @@ class Line {
         const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
         return code == std::errc() && end == text.data() + text.size();
     }
-    [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: line {}: {}", path_.string(), number_, what); }
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Error("{}: line {}: {}", path_.string(), number_, what);
+    }
 
   private:
     const fs::path& path_;
@@ -69,13 +72,16 @@ void each_line(const fs::path& path, bool with_empty, const Read& read) {
 using Cameras = std::map<std::int64_t, Lens>;
 
 template <class In>
-Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std::uint64_t height, const std::vector<double>& parameters) {
-    if (width < 1 || height < 1 || width > 65536 || height > 65536) in.refuse(fmt::format("expected a picture size, found {} x {}", width, height));
+Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std::uint64_t height,
+                  const std::vector<double>& parameters) {
+    if (width < 1 || height < 1 || width > 65536 || height > 65536)
+        in.refuse(fmt::format("expected a picture size, found {} x {}", width, height));
     for (const double p : parameters)
         if (!std::isfinite(p)) in.refuse("expected finite camera parameters, found another");
     const Lens lens = lens_of(model, static_cast<int>(width), static_cast<int>(height), parameters);
     if (lens.kind == LensKind::unified && !(lens.k[0] >= 0 && lens.k[0] <= 1 && lens.k[1] > 0))
-        in.refuse(fmt::format("expected an EUCM camera's alpha from 0 to 1 and a positive beta, found {} and {}", lens.k[0], lens.k[1]));
+        in.refuse(fmt::format("expected an EUCM camera's alpha from 0 to 1 and a positive beta, found {} and {}",
+                              lens.k[0], lens.k[1]));
     if (lens.kind != LensKind::equirectangular && !(lens.fx > 0 && lens.fy > 0))
         in.refuse(fmt::format("expected a positive focal length, found {}", lens.fx));
     return lens;
@@ -100,8 +106,10 @@ Cameras cameras_of_text(const fs::path& path) {
         if (!model) in.refuse(fmt::format("expected a camera model among {}, found {}", lens_model_names(), name));
         const auto width = in.number<std::uint64_t>(), height = in.number<std::uint64_t>();
         std::vector<double> parameters;
-        const bool sphere = model->name == "EQUIRECTANGULAR";  // its size says all; some writers leave the parameters away
-        for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(sphere && in.empty() ? 0 : in.number<double>());
+        const bool sphere = model->name ==
+                            "EQUIRECTANGULAR";  // its size says all; some writers leave the parameters away
+        for (std::size_t i = 0; i < model->parameters; ++i)
+            parameters.push_back(sphere && in.empty() ? 0 : in.number<double>());
         out[id] = checked_lens(in, *model, width, height, parameters);
     });
     return out;
@@ -114,7 +122,8 @@ Cameras cameras_of_binary(const fs::path& path) {
     for (std::size_t n = in.count(24); n > 0; --n) {
         const auto id = in.get<std::int32_t>(), number = in.get<std::int32_t>();
         const auto model = lens_model(number);
-        if (!model) in.refuse(fmt::format("expected a camera model among {}, found number {}", lens_model_names(), number));
+        if (!model)
+            in.refuse(fmt::format("expected a camera model among {}, found number {}", lens_model_names(), number));
         const auto width = in.get<std::uint64_t>(), height = in.get<std::uint64_t>();
         std::vector<double> parameters;
         for (std::size_t i = 0; i < model->parameters; ++i) parameters.push_back(in.get<double>());
@@ -124,7 +133,8 @@ Cameras cameras_of_binary(const fs::path& path) {
 }
 
 template <class In>
-Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const Rigidd& world_from_camera, const std::string& name) {
+Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const Rigidd& world_from_camera,
+               const std::string& name) {
     const auto found = cameras.find(camera);
     if (found == cameras.end()) in.refuse(fmt::format("expected a camera {} among the model's, found none", camera));
     if (!is_name_below(name)) in.refuse("expected a picture's name below the folder of images, found \"" + name + "\"");
@@ -136,7 +146,8 @@ void check_points_line(Line& in) {
     bool all_numbers = true;
     int words = 0;
     for (; !in.empty(); ++words) all_numbers = in.skip_number() && all_numbers;
-    if (!all_numbers || words % 3 != 0) in.refuse("expected the points of the picture above (x, y, number), or an empty line; found another line");
+    if (!all_numbers || words % 3 != 0)
+        in.refuse("expected the points of the picture above (x, y, number), or an empty line; found another line");
 }
 
 std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) {
@@ -181,7 +192,8 @@ std::vector<CapturePoint> points_of_text(const fs::path& path) {
         (void)in.number<std::uint64_t>();
         CapturePoint p;
         for (std::size_t a = 0; a < 3; ++a) p.position[a] = in.number<double>();
-        p.color.r = in.number<std::uint8_t>(), p.color.g = in.number<std::uint8_t>(), p.color.b = in.number<std::uint8_t>();
+        p.color.r = in.number<std::uint8_t>(), p.color.g = in.number<std::uint8_t>(),
+        p.color.b = in.number<std::uint8_t>();
         out.push_back(p);
     });
     return out;
@@ -214,13 +226,18 @@ bool is_colmap_model(const fs::path& dir) {
 
 namespace {
 
-fs::path part_of(const fs::path& model, const char* part, const char* ending) { return model / (std::string(part) + ending); }
+fs::path part_of(const fs::path& model, const char* part, const char* ending) {
+    return model / (std::string(part) + ending);
+}
 
 // The binary files where both are there, as COLMAP itself does.
-bool is_binary(const fs::path& model) { return fs::exists(part_of(model, "cameras", ".bin")) && fs::exists(part_of(model, "images", ".bin")); }
+bool is_binary(const fs::path& model) {
+    return fs::exists(part_of(model, "cameras", ".bin")) && fs::exists(part_of(model, "images", ".bin"));
+}
 
 std::vector<Photo> photos_of_model(const fs::path& model) {
-    if (is_binary(model)) return photos_of_binary(part_of(model, "images", ".bin"), cameras_of_binary(part_of(model, "cameras", ".bin")));
+    if (is_binary(model))
+        return photos_of_binary(part_of(model, "images", ".bin"), cameras_of_binary(part_of(model, "cameras", ".bin")));
     return photos_of_text(part_of(model, "images", ".txt"), cameras_of_text(part_of(model, "cameras", ".txt")));
 }
 
@@ -236,7 +253,8 @@ std::string larger_model_beside(const fs::path& model, std::size_t photos) {
         }
         if (there <= photos) continue;
         photos = there;
-        said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that", model.string(), other.string(), there, other.string());
+        said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that",
+                           model.string(), other.string(), there, other.string());
     }
     return said;
 }
@@ -268,12 +286,14 @@ Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) 
         Capture capture = load_colmap_model(*place);
         capture.source = dir.string();
         if (place->filename() == "0") capture.warning = larger_model_beside(*place, capture.photos.size());
-        name_files(capture, folders.images.empty() ? dir / "images" : folders.images, folders.masks.empty() ? dir / "masks" : folders.masks,
-                   folders.downscale);
+        name_files(capture, folders.images.empty() ? dir / "images" : folders.images,
+                   folders.masks.empty() ? dir / "masks" : folders.masks, folders.downscale);
         return capture;
     }
     if (!fs::exists(dir)) throw Error("{}: cannot be read: No such file or directory", dir.string());
-    throw Error("{}: expected COLMAP's cameras and images (.bin or .txt) in sparse/0, sparse or the folder itself, found none", dir.string());
+    throw Error(
+        "{}: expected COLMAP's cameras and images (.bin or .txt) in sparse/0, sparse or the folder itself, found none",
+        dir.string());
 }
 
 }  // namespace fastscene

@@ -27,7 +27,8 @@ struct Bounds3 {
     }
     Vec3f share(Vec3f v) const {
         Vec3f s;
-        for (std::size_t a = 0; a < 3; ++a) s[a] = high[a] - low[a] < 1e-5f ? 0.f : (v[a] - low[a]) / (high[a] - low[a]);
+        for (std::size_t a = 0; a < 3; ++a)
+            s[a] = high[a] - low[a] < 1e-5f ? 0.f : (v[a] - low[a]) / (high[a] - low[a]);
         return s;
     }
 };
@@ -81,8 +82,9 @@ float weight_of(const Splats& splats, std::uint32_t i) {
     return sigmoid(splats.opacity_logit[i]) * std::exp(s.x + s.y + s.z - std::min({s.x, s.y, s.z}));
 }
 
-// Neighbours in space become neighbours in the file. A sky hundreds of metres away comes last: sharing a chunk with it costs a splat its place (a room's
-// would be off by decimetres), so the chunk on the border holds those of the room that show least.
+// Neighbours in space become neighbours in the file. A sky hundreds of metres away comes last: sharing a chunk with it
+// costs a splat its place (a room's would be off by decimetres), so the chunk on the border holds those of the room
+// that show least.
 std::vector<std::uint32_t> order_of_splats(const Splats& splats) {
     constexpr float kFar = 8.f;  // medians
     const std::vector<Vec3f>& points = splats.mean_m;
@@ -90,7 +92,8 @@ std::vector<std::uint32_t> order_of_splats(const Splats& splats) {
     std::iota(order.begin(), order.end(), 0u);
     if (order.empty()) return order;
     const std::vector<float> distance = distances(points);
-    const auto far = std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return distance[i] < kFar; });
+    const auto far = std::stable_partition(order.begin(), order.end(),
+                                           [&](std::uint32_t i) { return distance[i] < kFar; });
     auto near_end = far;
     if (far != order.end()) {
         near_end -= (far - order.begin()) % static_cast<std::ptrdiff_t>(kChunk);
@@ -105,13 +108,16 @@ std::vector<std::uint32_t> order_of_splats(const Splats& splats) {
     return order;
 }
 
-Vec3f clamped_scale(Vec3f s) { return {std::clamp(s.x, -20.f, 20.f), std::clamp(s.y, -20.f, 20.f), std::clamp(s.z, -20.f, 20.f)}; }
+Vec3f clamped_scale(Vec3f s) {
+    return {std::clamp(s.x, -20.f, 20.f), std::clamp(s.y, -20.f, 20.f), std::clamp(s.z, -20.f, 20.f)};
+}
 
 }  // namespace
 
 std::string compressed_ply_bytes(const Splats& splats) {
     const std::size_t count = splats.size(), chunks = (count + kChunk - 1) / kChunk;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\ncomment fastscene\n{}element chunk {}\n", ply_comments(splats), chunks);
+    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\ncomment fastscene\n{}element chunk {}\n",
+                                  ply_comments(splats), chunks);
     for (const char* what : {"", "scale_", "color"})
         for (const char* end : {"min", "max"})
             for (int a = 0; a < 3; ++a) {
@@ -119,7 +125,8 @@ std::string compressed_ply_bytes(const Splats& splats) {
                 out += fmt::format("property float {}_{}{}\n", end, color ? "" : what, color ? "rgb"[a] : "xyz"[a]);
             }
     out += fmt::format("element vertex {}\n", count);
-    for (const char* name : {"position", "rotation", "scale", "color"}) out += fmt::format("property uint packed_{}\n", name);
+    for (const char* name : {"position", "rotation", "scale", "color"})
+        out += fmt::format("property uint packed_{}\n", name);
     const int rest = 3 * splats.rest_coefficients();
     if (rest) {
         out += fmt::format("element sh {}\n", count);
@@ -139,7 +146,8 @@ std::string compressed_ply_bytes(const Splats& splats) {
             color.add(color_of(order[k]));
         }
         for (const Bounds3& b : {mean, scale, color})
-            for (const Vec3f v : {b.low, b.high}) append(chunk_bytes, v.x), append(chunk_bytes, v.y), append(chunk_bytes, v.z);
+            for (const Vec3f v : {b.low, b.high})
+                append(chunk_bytes, v.x), append(chunk_bytes, v.y), append(chunk_bytes, v.z);
         for (std::size_t k = first; k < last; ++k) {
             const std::size_t i = order[k];
             const Vec3f c = color.share(color_of(i));
@@ -155,12 +163,15 @@ std::string compressed_ply_bytes(const Splats& splats) {
     for (const std::uint32_t i : order)
         for (int k = 0; k < rest; ++k) {
             const float v = splats.sh_rest[i * static_cast<std::size_t>(rest) + static_cast<std::size_t>(k)];
-            out += static_cast<char>(static_cast<std::uint8_t>(std::clamp(std::trunc((v / 8.f + 0.5f) * 256.f), 0.f, 255.f)));
+            out += static_cast<char>(
+                static_cast<std::uint8_t>(std::clamp(std::trunc((v / 8.f + 0.5f) * 256.f), 0.f, 255.f)));
         }
     return out;
 }
 
-void save_compressed_ply(const std::filesystem::path& path, const Splats& splats) { write_file(path, compressed_ply_bytes(splats)); }
+void save_compressed_ply(const std::filesystem::path& path, const Splats& splats) {
+    write_file(path, compressed_ply_bytes(splats));
+}
 
 namespace {
 
@@ -204,24 +215,31 @@ Quatf rotation_of_bits(std::uint32_t v) {
 }
 
 // Bytes stand for the middles of 256 equal steps between -4 and 4, the first and the last for the ends.
-float sh_of_byte(double byte) { return static_cast<float>(((byte <= 0 ? 0 : byte >= 255 ? 1 : (byte + 0.5) / 256) - 0.5) * 8); }
+float sh_of_byte(double byte) {
+    return static_cast<float>(((byte <= 0 ? 0 : byte >= 255 ? 1 : (byte + 0.5) / 256) - 0.5) * 8);
+}
 
 }  // namespace
 
-bool is_compressed_ply(const Ply& ply) { return ply.has("chunk") && ply.has("vertex") && Ply::find(ply.element("vertex"), "packed_position") >= 0; }
+bool is_compressed_ply(const Ply& ply) {
+    return ply.has("chunk") && ply.has("vertex") && Ply::find(ply.element("vertex"), "packed_position") >= 0;
+}
 
 Splats splats_of_compressed_ply(const Ply& ply) {
     const PlyElement &chunk = ply.element("chunk"), &vertex = ply.element("vertex");
     if (chunk.count != vertex.count / kChunk + (vertex.count % kChunk != 0))
-        throw Error("{}: expected {} chunks for {} splats, found {}", ply.path().string(), (vertex.count + kChunk - 1) / kChunk, vertex.count, chunk.count);
-    const BoundColumns mean(ply, chunk, "", "xyz", true), scale(ply, chunk, "scale_", "xyz", true), color(ply, chunk, "", "rgb", false);
+        throw Error("{}: expected {} chunks for {} splats, found {}", ply.path().string(),
+                    (vertex.count + kChunk - 1) / kChunk, vertex.count, chunk.count);
+    const BoundColumns mean(ply, chunk, "", "xyz", true), scale(ply, chunk, "scale_", "xyz", true),
+        color(ply, chunk, "", "rgb", false);
     const int position = ply.property(vertex, "packed_position"), rotation = ply.property(vertex, "packed_rotation");
     const int packed_scale = ply.property(vertex, "packed_scale"), packed_color = ply.property(vertex, "packed_color");
     Splats splats;
     splats.antialias = is_antialiased(ply);
     const PlyElement* sh = ply.has("sh") ? &ply.element("sh") : nullptr;
     const std::vector<int> rest = sh ? sh_columns(ply, *sh, splats.sh_degree) : std::vector<int>{};
-    if (sh && sh->count != vertex.count) throw Error("{}: expected {} rows of \"sh\", found {}", ply.path().string(), vertex.count, sh->count);
+    if (sh && sh->count != vertex.count)
+        throw Error("{}: expected {} rows of \"sh\", found {}", ply.path().string(), vertex.count, sh->count);
     splats.resize(vertex.count);
     for (std::size_t i = 0; i < vertex.count; ++i) {
         const auto packed = [&](int property) { return static_cast<std::uint32_t>(ply.value(vertex, i, property)); };
@@ -229,11 +247,13 @@ Splats splats_of_compressed_ply(const Ply& ply) {
         splats.mean_m[i] = mean.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(position)));
         splats.log_scale[i] = scale.between(ply, chunk, i / kChunk, unpack_11_10_11(packed(packed_scale)));
         splats.rotation[i] = rotation_of_bits(packed(rotation));
-        splats.sh0[i] =
-            (color.between(ply, chunk, i / kChunk, {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) - Vec3f{0.5f, 0.5f, 0.5f}) /
-            kSh0;
+        splats.sh0[i] = (color.between(ply, chunk, i / kChunk,
+                                       {from_unorm(c, 24, 8), from_unorm(c, 16, 8), from_unorm(c, 8, 8)}) -
+                         Vec3f{0.5f, 0.5f, 0.5f}) /
+                        kSh0;
         splats.opacity_logit[i] = logit_of(from_unorm(c, 0, 8));
-        for (std::size_t k = 0; k < rest.size(); ++k) splats.sh_rest[i * rest.size() + k] = sh_of_byte(ply.value(*sh, i, rest[k]));
+        for (std::size_t k = 0; k < rest.size(); ++k)
+            splats.sh_rest[i * rest.size() + k] = sh_of_byte(ply.value(*sh, i, rest[k]));
     }
     return splats;
 }

@@ -1,5 +1,6 @@
-// Readers of what other people's programs write, fed with damage: cut at every length, bits flipped, numbers made huge. Always an
-// Error that names the file, or a result; never a crash, and no memory for what is not there (the sanitizers' build runs this too).
+// Readers of what other people's programs write, fed with damage: cut at every length, bits flipped, numbers made huge.
+// Always an Error that names the file, or a result; never a crash, and no memory for what is not there (the sanitizers'
+// build runs this too).
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -26,7 +27,8 @@ Splats nine_splats(int degree) {
     Splats s;
     s.sh_degree = degree;
     s.resize(9);
-    for (std::size_t i = 0; i < s.size(); ++i) s.mean_m[i] = {random.normal(), random.normal(), random.normal()}, s.rotation[i].x = random.normal();
+    for (std::size_t i = 0; i < s.size(); ++i)
+        s.mean_m[i] = {random.normal(), random.normal(), random.normal()}, s.rotation[i].x = random.normal();
     for (float& f : s.sh_rest) f = random.normal();
     return s;
 }
@@ -61,7 +63,8 @@ std::string damaged(const std::string& whole, int n, Random& random) {
         case 1: bytes[at()] = static_cast<char>(random.index(256)); break;
         case 2: bytes.resize(at()); break;
         case 3:  // a huge number, or a negative one
-            for (std::size_t i = at(), k = 0; k < (n % 2 ? 4u : 8u) && i < bytes.size(); ++i, ++k) bytes[i] = static_cast<char>(n % 3 ? 0xff : 0x7f);
+            for (std::size_t i = at(), k = 0; k < (n % 2 ? 4u : 8u) && i < bytes.size(); ++i, ++k)
+                bytes[i] = static_cast<char>(n % 3 ? 0xff : 0x7f);
             break;
         default: bytes.insert(at(), bytes.substr(at(), static_cast<std::size_t>(random.index(40)))); break;
     }
@@ -78,13 +81,15 @@ void damage(const fs::path& file, const std::string& whole, const std::function<
             load();
             return false;
         } catch (const Error& e) {
-            EXPECT_NE(std::string(e.what()).find((neighbours ? file.parent_path() : file).string()), std::string::npos) << e.what();
+            EXPECT_NE(std::string(e.what()).find((neighbours ? file.parent_path() : file).string()), std::string::npos)
+                << e.what();
             return true;
         }
     };
     ASSERT_FALSE(try_one(whole)) << file << ": the whole file is refused";
     int refused = 0;
-    for (std::size_t keep = 0; keep < whole.size(); keep += 1 + whole.size() / 80) refused += try_one(whole.substr(0, keep));
+    for (std::size_t keep = 0; keep < whole.size(); keep += 1 + whole.size() / 80)
+        refused += try_one(whole.substr(0, keep));
     EXPECT_GT(refused, 40) << file;
     Random random(11, file.filename().string());
     for (int n = 0; n < 500; ++n) try_one(damaged(whole, n, random));
@@ -97,7 +102,9 @@ TEST(Damage, Spz) {
             const fs::path file = scratch(fmt::format("s{}{}.spz", version, degree));
             const std::string whole = spz_bytes(nine_splats(degree), version);
             damage(file, whole, [&] { (void)load_splats(file); });
-            if (version < 4) damage(file, gunzip(whole), [&] { (void)load_splats(file); }, gzip);
+            if (version < 4)
+                damage(
+                    file, gunzip(whole), [&] { (void)load_splats(file); }, gzip);
         }
     }
 }
@@ -110,7 +117,8 @@ TEST(Damage, PromisesOfSpzAreNotBelieved) {
     EXPECT_THROW(load_splats(scratch("p.spz")), Error);
     std::string four;
     for (const std::uint32_t v : {0x5053474eu, 4u, 4000000000u, 0x06000c03u, 32u, 0u, 0u, 0u}) append(four, v);
-    for (const std::uint64_t bytes : {9u, 1u, 3u, 3u, 4u, 45u}) append(four, std::uint64_t{10}), append(four, bytes * 4000000000u);
+    for (const std::uint64_t bytes : {9u, 1u, 3u, 3u, 4u, 45u})
+        append(four, std::uint64_t{10}), append(four, bytes * 4000000000u);
     four.append(60, '\0');
     write_file(scratch("q.spz"), four);
     EXPECT_THROW(load_splats(scratch("q.spz")), Error);
@@ -130,14 +138,15 @@ TEST(Damage, Ply) {
     save_splat_ply(file, nine_splats(1), PlyBands::present);
     damage(file, read_file(file), [&] { (void)load_splats(file); });
     std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n";
-    for (const char* name :
-         {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
+    for (const char* name : {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
+                             "rot_0", "rot_1", "rot_2", "rot_3"})
         text += fmt::format("property float {}\n", name);
     text += "end_header\n";
     for (int row = 0; row < 3; ++row) text += "1 2 3 0.1 0.2 0.3 1 -3 -3 -4 1 0 0 0\n";
     damage(file, text, [&] { (void)load_splats(file); });
     // As many rows as a file of that size could never hold.
-    write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1 2 3\n"));
+    write_file(file, std::string_view(
+                         "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1 2 3\n"));
     EXPECT_THROW(load_splats(file), Error);
 }
 
@@ -154,7 +163,8 @@ TEST(Damage, PlyHeadersAsProgramsWriteThem) {
     const std::string count = fmt::format("element vertex {}\n", nine_splats(1).size());
     EXPECT_EQ(with("ply\n", "ply\ncomment before the format\n"), nine_splats(1).size());
     EXPECT_EQ(with(count, "comment " + std::string(5000, 'x') + "\n" + count), nine_splats(1).size());
-    for (const char* number : {"-1", "2.5", "0x10", "1e3", ""}) EXPECT_THROW(with(count, fmt::format("element vertex {}\n", number)), Error) << number;
+    for (const char* number : {"-1", "2.5", "0x10", "1e3", ""})
+        EXPECT_THROW(with(count, fmt::format("element vertex {}\n", number)), Error) << number;
     write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n+-1\n"));
     EXPECT_THROW(Ply{file}, Error);
     write_file(file, std::string_view("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n+1.5\n"));
@@ -193,21 +203,25 @@ TEST(Damage, ColmapTextAndBinary) {
                 }
                 write_file(file, whole);
             } else {
-                damage(file, whole, [&] { (void)load_colmap_capture(dir, {}); }, {}, true);
+                damage(
+                    file, whole, [&] { (void)load_colmap_capture(dir, {}); }, {}, true);
             }
         }
         for (const char* part : {"cameras", "images", "points3D"}) fs::remove(model / (std::string(part) + ".bin"));
     }
 }
 
-// What save_views writes for COLMAP (binary, text) and for nerfstudio are the same cameras, to the last digits of a float.
+// What save_views writes for COLMAP (binary, text) and for nerfstudio are the same cameras, to the last digits of a
+// float.
 TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
     ViewSet set;
     for (int i = 0; i < 6; ++i) {
         View view;
         view.name = fmt::format("{}.png", i);
         view.camera = Pinhole::with_fov(8, 6, 60.f + 5.f * static_cast<float>(i));
-        view.world_from_camera = {rotation_about(normalize(Vec3f{1, 2, static_cast<float>(i)}), 0.9f * static_cast<float>(i)), {0.3f, -0.2f * static_cast<float>(i), 1}};
+        view.world_from_camera = {
+            rotation_about(normalize(Vec3f{1, 2, static_cast<float>(i)}), 0.9f * static_cast<float>(i)),
+            {0.3f, -0.2f * static_cast<float>(i), 1}};
         view.color = ImageRgb8(8, 6);
         set.views.push_back(view);
     }
@@ -216,7 +230,8 @@ TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
     fs::remove_all(dir);
     save_views(dir, set);
     const Capture binary = load_colmap_capture(dir, {}), nerf = load_nerfstudio_capture(dir, {});
-    for (const char* part : {"cameras", "images", "points3D"}) fs::remove(dir / "sparse" / "0" / (std::string(part) + ".bin"));
+    for (const char* part : {"cameras", "images", "points3D"})
+        fs::remove(dir / "sparse" / "0" / (std::string(part) + ".bin"));
     const Capture text = load_colmap_capture(dir, {});
     for (const Capture* other : {&nerf, &text}) {
         ASSERT_EQ(other->photos.size(), 6u);
@@ -229,9 +244,12 @@ TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
             EXPECT_NEAR(a.lens.fx, b.lens.fx, 1e-5);
             EXPECT_NEAR(length(a.world_from_camera.translation - b.world_from_camera.translation), 0, 1e-6);
             for (std::size_t c = 0; c < 3; ++c)
-                EXPECT_NEAR(length(a.world_from_camera.rotation.column(c) - b.world_from_camera.rotation.column(c)), 0, 1e-6);
+                EXPECT_NEAR(length(a.world_from_camera.rotation.column(c) - b.world_from_camera.rotation.column(c)), 0,
+                            1e-6);
             const Mat3f& truth = set.views[i].world_from_camera.rotation;
-            EXPECT_NEAR(length(a.world_from_camera.rotation.column(2) - Vec3d{truth.row0.z, truth.row1.z, truth.row2.z}), 0, 1e-6);
+            EXPECT_NEAR(
+                length(a.world_from_camera.rotation.column(2) - Vec3d{truth.row0.z, truth.row1.z, truth.row2.z}), 0,
+                1e-6);
         }
     }
 }
@@ -239,12 +257,18 @@ TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
 TEST(Damage, TransformsJson) {
     const fs::path dir = scratch("nerf"), file = dir / "transforms.json";
     fs::create_directories(dir);
-    std::string whole = R"({"camera_model": "OPENCV", "fl_x": 20, "fl_y": 21, "cx": 4, "cy": 3, "w": 8, "h": 6, "k1": 0.1, "frames": [)";
+    std::string whole =
+        R"({"camera_model": "OPENCV", "fl_x": 20, "fl_y": 21, "cx": 4, "cy": 3, "w": 8, "h": 6, "k1": 0.1,)"
+        R"( "frames": [)";
     for (int i = 0; i < 3; ++i)
-        whole += fmt::format(R"({}{{"file_path": "i/{}.png", "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}})", i ? "," : "", i);
+        whole += fmt::format(
+            R"({}{{"file_path": "i/{}.png", "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}})",
+            i ? "," : "", i);
     whole += "]}";
     damage(file, whole, [&] { (void)load_nerfstudio_capture(file, {}); });
-    for (const char* odd : {"[]", "{}", "null", "3", "{\"frames\": 3}", "{\"frames\": [3]}", "{\"frames\": [{\"file_path\": 3}]}", "{\"frames\": [{\"file_path\": \"a\", \"transform_matrix\": [[1]]}]}"}) {
+    for (const char* odd :
+         {"[]", "{}", "null", "3", "{\"frames\": 3}", "{\"frames\": [3]}", "{\"frames\": [{\"file_path\": 3}]}",
+          "{\"frames\": [{\"file_path\": \"a\", \"transform_matrix\": [[1]]}]}"}) {
         write_file(file, std::string_view(odd));
         EXPECT_THROW(load_nerfstudio_capture(file, {}), Error) << odd;
     }

@@ -10,7 +10,8 @@ namespace {
 std::uint32_t integer_at(std::string_view bytes, std::size_t at, std::size_t size, bool little) {
     if (at > bytes.size() || bytes.size() - at < size) return 0;
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + (little ? size - 1 - i : i)]);
+    for (std::size_t i = 0; i < size; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + (little ? size - 1 - i : i)]);
     return value;
 }
 
@@ -23,7 +24,8 @@ int orientation_of_tiff(std::string_view tiff) {
     constexpr std::uint32_t kOrientation = 0x0112, kShort = 3;
     for (std::size_t i = 0; i < entries && directory + 2 + 12 * (i + 1) <= tiff.size(); ++i) {
         const std::size_t entry = directory + 2 + 12 * i;
-        if (integer_at(tiff, entry, 2, little) != kOrientation || integer_at(tiff, entry + 2, 2, little) != kShort) continue;
+        if (integer_at(tiff, entry, 2, little) != kOrientation || integer_at(tiff, entry + 2, 2, little) != kShort)
+            continue;
         const std::uint32_t value = integer_at(tiff, entry + 8, 2, little);
         return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
     }

@@ -5,8 +5,8 @@
 
 namespace fastscene {
 
-// The orientation tag (EXIF 2.3, 0x0112), 1 to 8, of a JPEG (segment APP1) or a PNG (chunk eXIf). 1 = as it is; so too where the
-// tag is absent or the block is damaged: a picture without it is still a picture.
+// The orientation tag (EXIF 2.3, 0x0112), 1 to 8, of a JPEG (segment APP1) or a PNG (chunk eXIf). 1 = as it is; so too
+// where the tag is absent or the block is damaged: a picture without it is still a picture.
 int exif_orientation(std::string_view file);
 
 }  // namespace fastscene

@@ -28,15 +28,18 @@ std::vector<std::string> names_of(const Imf::ChannelList& channels) {
 }
 std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
-// Renderers put layers into one file: "ViewLayer.Combined.R", "ViewLayer.Depth.Z". Range is Z, what is called depth, Y (luminance), R, or the only one.
+// Renderers put layers into one file: "ViewLayer.Combined.R", "ViewLayer.Depth.Z". Range is Z, what is called depth, Y
+// (luminance), R, or the only one.
 std::string range_channel(const std::vector<std::string>& names) {
     const auto first = [&](auto is) {
         const auto found = std::find_if(names.begin(), names.end(), is);
         return found == names.end() ? std::string() : *found;
     };
     const auto called_depth = [](std::string name) {
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return name.find("depth") != std::string::npos || name.find("range") != std::string::npos || name.find("distance") != std::string::npos;
+        std::transform(name.begin(), name.end(), name.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return name.find("depth") != std::string::npos || name.find("range") != std::string::npos ||
+               name.find("distance") != std::string::npos;
     };
     std::string found = first([](const std::string& n) { return n == "Z"; });
     if (found.empty()) found = first(called_depth);
@@ -49,11 +52,14 @@ std::string range_channel(const std::vector<std::string>& names) {
 
 // The layer, "" or "ViewLayer.Combined.", that has R, G and B.
 std::optional<std::string> color_layer(const std::vector<std::string>& names) {
-    const auto has = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    const auto has = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
     std::vector<std::string> layers{""};
     for (const std::string& name : names)
         if (name.size() > 2 && name.ends_with(".R")) layers.push_back(name.substr(0, name.size() - 1));
-    std::stable_partition(layers.begin(), layers.end(), [](const std::string& layer) { return layer.empty() || layer.ends_with("Combined."); });
+    std::stable_partition(layers.begin(), layers.end(),
+                          [](const std::string& layer) { return layer.empty() || layer.ends_with("Combined."); });
     for (const std::string& layer : layers)
         if (has(layer + "R") && has(layer + "G") && has(layer + "B")) return layer;
     return {};
@@ -70,7 +76,9 @@ PictureInfo exr_info(const fs::path& path) {
         const Imf::InputFile file(path.c_str());
         const Imath::Box2i box = file.header().dataWindow();
         // A broken window may span more than an int.
-        const auto side = [](int low, int high) { return static_cast<int>(std::min<std::int64_t>(std::int64_t{high} - low + 1, 0x7fffffff)); };
+        const auto side = [](int low, int high) {
+            return static_cast<int>(std::min<std::int64_t>(std::int64_t{high} - low + 1, 0x7fffffff));
+        };
         return {side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
     } catch (const std::exception& e) {
         refuse(path, e);
@@ -93,42 +101,54 @@ void read_channels(const fs::path& path, const std::vector<std::string>& wanted,
 PictureInfo checked_info(const fs::path& path) {
     const PictureInfo info = exr_info(path);
     if (!plausible_size(info.width, info.height))
-        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, info.width, info.height);
+        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide,
+                    info.width, info.height);
     return info;
 }
 
-std::vector<std::string> channel_names(const fs::path& path) { return names_of(Imf::InputFile(path.c_str()).header().channels()); }
+std::vector<std::string> channel_names(const fs::path& path) {
+    return names_of(Imf::InputFile(path.c_str()).header().channels());
+}
 
 std::string single_channel(const fs::path& path) {
     const std::vector<std::string> names = channel_names(path);
     if (names.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
     const std::string channel = range_channel(names);
-    if (channel.empty()) throw Error("{}: expected a channel Z, depth, Y or R, found {}", path.string(), fmt::join(names, ", "));
+    if (channel.empty())
+        throw Error("{}: expected a channel Z, depth, Y or R, found {}", path.string(), fmt::join(names, ", "));
     return channel;
 }
 
-// A color is no number; but gray is often saved as three equal channels. Half floats and lossy compression round each by itself.
+// A color is no number; but gray is often saved as three equal channels. Half floats and lossy compression round each
+// by itself.
 constexpr float kSameGray = 2e-3f;
 
 bool is_gray(const Vec3f& c) {
     const auto same = [](float a, float b) {
-        return a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= kSameGray * std::max(std::abs(a), std::abs(b));
+        return a == b || (std::isnan(a) && std::isnan(b)) ||
+               std::abs(a - b) <= kSameGray * std::max(std::abs(a), std::abs(b));
     };
     return same(c.x, c.y) && same(c.x, c.z);
 }
 
-// The channels of color that `channel` is one of: R, G and B of its layer, or those beside a luminance Y; empty: it stands for itself.
+// The channels of color that `channel` is one of: R, G and B of its layer, or those beside a luminance Y; empty: it
+// stands for itself.
 std::vector<std::string> colors_beside(const std::vector<std::string>& names, const std::string& channel) {
     const std::string last = last_part(channel), layer = channel.substr(0, channel.size() - last.size());
-    const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), layer + name) != names.end(); };
-    if (is_one_of(last, {"R", "G", "B"}) && has("R") && has("G") && has("B")) return {layer + "R", layer + "G", layer + "B"};
+    const auto has = [&](const char* name) {
+        return std::find(names.begin(), names.end(), layer + name) != names.end();
+    };
+    if (is_one_of(last, {"R", "G", "B"}) && has("R") && has("G") && has("B"))
+        return {layer + "R", layer + "G", layer + "B"};
     if (last == "Y" && (has("RY") || has("BY"))) return {channel, layer + "RY", layer + "BY"};
     return {};
 }
 
 [[noreturn]] void refuse_colors(const fs::path& path, const std::string& found) {
-    throw Error("{}: expected a map of one number a pixel (a channel Z, depth or Y, or gray as equal R, G and B), found a color picture: channels {}{}", path.string(),
-                fmt::join(channel_names(path), ", "), found);
+    throw Error(
+        "{}: expected a map of one number a pixel (a channel Z, depth or Y, or gray as equal R, G and B), found a "
+        "color picture: channels {}{}",
+        path.string(), fmt::join(channel_names(path), ", "), found);
 }
 
 }  // namespace
@@ -149,7 +169,8 @@ ImageF load_exr(const fs::path& path) {
         for (int y = 0; y < color.height; ++y)
             for (int x = 0; x < color.width; ++x) {
                 const Vec3f& c = color.at(x, y);
-                if (!is_gray(c)) refuse_colors(path, fmt::format(", with {} {} {} at column {}, row {}", c.x, c.y, c.z, x, y));
+                if (!is_gray(c))
+                    refuse_colors(path, fmt::format(", with {} {} {} at column {}, row {}", c.x, c.y, c.z, x, y));
                 image.at(x, y) = c.x;
             }
         return image;
@@ -166,7 +187,9 @@ ImageColor load_exr_color(const fs::path& path) {
         const auto layer = color_layer(channel_names(path));
         ImageColor image(info.width, info.height);
         static_assert(sizeof(Vec3f) == 3 * sizeof(float));
-        read_channels(path, layer ? std::vector<std::string>{*layer + "R", *layer + "G", *layer + "B"} : std::vector<std::string>{single_channel(path)},
+        read_channels(path,
+                      layer ? std::vector<std::string>{*layer + "R", *layer + "G", *layer + "B"}
+                            : std::vector<std::string>{single_channel(path)},
                       &image.pixels.data()->x, 3);
         if (!layer)
             for (Vec3f& c : image.pixels) c = {c.x, c.x, c.x};

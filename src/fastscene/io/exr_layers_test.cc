@@ -30,11 +30,13 @@ std::filesystem::path exr_with(const std::vector<std::string>& channels) {
 
 TEST(ExrLayers, RangeIsWhatIsCalledDepth) {
     EXPECT_EQ(load_float(exr_with({"A", "B", "G", "R", "Z"})).at(1, 0), 5.f);
-    EXPECT_EQ(load_float(exr_with({"ViewLayer.Combined.A", "ViewLayer.Combined.R", "ViewLayer.Depth.Z"})).at(0, 0), 3.f);
+    EXPECT_EQ(load_float(exr_with({"ViewLayer.Combined.A", "ViewLayer.Combined.R", "ViewLayer.Depth.Z"})).at(0, 0),
+              3.f);
     EXPECT_EQ(load_float(exr_with({"ViewLayer.Combined.R", "ViewLayer.Depth.V"})).at(0, 0), 2.f);
     EXPECT_EQ(load_float(exr_with({"A", "distance"})).at(0, 0), 2.f);
     EXPECT_EQ(load_float(exr_with({"A", "R"})).at(0, 0), 2.f);
-    for (const std::vector<std::string>& color : {std::vector<std::string>{"B", "G", "R"}, {"V.depth.B", "V.depth.G", "V.depth.R"}})
+    for (const std::vector<std::string>& color :
+         {std::vector<std::string>{"B", "G", "R"}, {"V.depth.B", "V.depth.G", "V.depth.R"}})
         EXPECT_THROW(load_float(exr_with(color)), Error) << color[0];
     EXPECT_EQ(load_float(exr_with({"anything"})).at(0, 0), 1.f);
     try {
@@ -46,8 +48,8 @@ TEST(ExrLayers, RangeIsWhatIsCalledDepth) {
 }
 
 TEST(ExrLayers, ColorIsTheCombinedLayer) {
-    const ImageColor color =
-        load_light(exr_with({"Glossy.R", "Glossy.G", "Glossy.B", "V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Combined.A"}));
+    const ImageColor color = load_light(
+        exr_with({"Glossy.R", "Glossy.G", "Glossy.B", "V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Combined.A"}));
     EXPECT_EQ(color.at(1, 0), (Vec3f{4, 5, 6}));
     EXPECT_EQ(load_light(exr_with({"left.R", "left.G", "left.B"})).at(0, 0), (Vec3f{1, 2, 3}));
 }

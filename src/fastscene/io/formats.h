@@ -14,7 +14,8 @@ inline constexpr int kMaxPictureSide = 32768;
 inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
 
 inline bool plausible_size(std::int64_t width, std::int64_t height) {
-    return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide && width * height <= kMaxPicturePixels;
+    return width >= 1 && height >= 1 && width <= kMaxPictureSide && height <= kMaxPictureSide &&
+           width * height <= kMaxPicturePixels;
 }
 
 PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);

@@ -62,7 +62,8 @@ void damage(const fs::path& file, int times, const std::function<void()>& load) 
     int refused = 0;
     for (int i = 0; i < times; ++i) {
         std::string bytes = whole;
-        bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(1 + random.index(255));
+        bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(
+            1 + random.index(255));
         write_file(file, bytes);
         try {
             load();
@@ -163,10 +164,11 @@ TEST(Exr, AColorPictureIsNoMap) {
         } catch (const Error& e) {
             const std::string said = e.what();
             EXPECT_NE(said.find("half.exr: expected a map of one number a pixel"), std::string::npos) << said;
-            EXPECT_NE(said.find(channels == Imf::WRITE_RGB    ? "found a color picture: channels B, G, R, with 1.5 1.5 1.5996"
-                                : channels == Imf::WRITE_RGBA ? "channels A, B, G, R"
-                                                              : "channels BY, RY, Y"),
-                      std::string::npos)
+            EXPECT_NE(
+                said.find(channels == Imf::WRITE_RGB    ? "found a color picture: channels B, G, R, with 1.5 1.5 1.5996"
+                          : channels == Imf::WRITE_RGBA ? "channels A, B, G, R"
+                                                        : "channels BY, RY, Y"),
+                std::string::npos)
                 << said;
         }
     EXPECT_NE(load_light(half_floats(Imf::WRITE_RGB, 1.6f)).at(1, 1).z, 1.5f) << "as a picture it is what it was";
@@ -179,7 +181,9 @@ TEST(SplatPly, FlippedBytesNeverCrash) {
     save_splat_ply(scratch("s.ply"), splats);
     damage(scratch("s.ply"), 1500, [] { (void)load_splat_ply(scratch("s.ply")); });
     // Rows without a single byte, and more of them than there is memory.
-    write_file(scratch("e.ply"), std::string_view("ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n"));
+    write_file(
+        scratch("e.ply"),
+        std::string_view("ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n"));
     EXPECT_THROW(load_splat_ply(scratch("e.ply")), Error);
 }
 
@@ -194,7 +198,8 @@ TEST(Views, FlippedBytesNeverCrash) {
     const fs::path dir = scratch("views");
     fs::remove_all(dir);
     save_views(dir, set);
-    for (const char* name : {"cameras.bin", "images.bin", "points3D.ply"}) damage(dir / "sparse" / "0" / name, 250, [&] { (void)load_views(dir); });
+    for (const char* name : {"cameras.bin", "images.bin", "points3D.ply"})
+        damage(dir / "sparse" / "0" / name, 250, [&] { (void)load_views(dir); });
 }
 
 }  // namespace

@@ -21,8 +21,10 @@ class Glb {
     Glb(const fs::path& path, std::string_view bytes) : path_(path) {
         ByteReader in(path, bytes);
         if (in.get<std::uint32_t>() != kGlbMagic) in.refuse("expected the sign glTF, found another");
-        if (const auto version = in.get<std::uint32_t>(); version != 2) in.refuse(fmt::format("expected glTF 2, found {}", version));
-        if (const auto size = in.get<std::uint32_t>(); size > bytes.size()) in.refuse(fmt::format("expected {} bytes, found {}", size, bytes.size()));
+        if (const auto version = in.get<std::uint32_t>(); version != 2)
+            in.refuse(fmt::format("expected glTF 2, found {}", version));
+        if (const auto size = in.get<std::uint32_t>(); size > bytes.size())
+            in.refuse(fmt::format("expected {} bytes, found {}", size, bytes.size()));
         std::string_view text;
         while (in.left() >= 8) {
             const auto size = in.get<std::uint32_t>(), kind = in.get<std::uint32_t>();
@@ -41,7 +43,8 @@ class Glb {
 
     Splats splats() {
         for (const Json& name : list(json_, "extensionsRequired"))
-            if (name != kExtension) refuse(fmt::format("expected no required extension but {}, found {}", kExtension, name.dump()));
+            if (name != kExtension)
+                refuse(fmt::format("expected no required extension but {}, found {}", kExtension, name.dump()));
         std::vector<Placed> parts = placed_primitives();
         if (parts.empty()) refuse(fmt::format("expected a mesh primitive with {}, found none", kExtension));
         Splats all;
@@ -49,7 +52,8 @@ class Glb {
         for (const Placed& part : parts) append_primitive(all, part);
         // One file is drawn one way: that of its first part.
         const Json& first = *parts.front().primitive;
-        all.antialias = first.contains("extras") && first.at("extras").is_object() && first.at("extras").value("antialiased", Json()) == Json(true);
+        all.antialias = first.contains("extras") && first.at("extras").is_object() &&
+                        first.at("extras").value("antialiased", Json()) == Json(true);
         return all;
     }
 
@@ -59,7 +63,9 @@ class Glb {
         Similarity world_from_node;
     };
 
-    [[noreturn]] void refuse(const std::string& what) const { throw Error("{}: JSON at byte {}: {}", path_.string(), text_at_, what); }
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Error("{}: JSON at byte {}: {}", path_.string(), text_at_, what);
+    }
 
     static const Json& list(const Json& owner, const char* name) {
         static const Json none = Json::array();
@@ -73,12 +79,14 @@ class Glb {
             refuse(fmt::format("expected \"{}\", found none", name));
         }
         const Json& value = owner.at(name);
-        if (!value.is_number_unsigned()) refuse(fmt::format("expected a whole number as \"{}\", found {}", name, value.dump().substr(0, 40)));
+        if (!value.is_number_unsigned())
+            refuse(fmt::format("expected a whole number as \"{}\", found {}", name, value.dump().substr(0, 40)));
         return value.get<std::size_t>();
     }
     const Json& item(const char* name, std::size_t index) const {
         const Json& items = list(json_, name);
-        if (index >= items.size() || !items[index].is_object()) refuse(fmt::format("expected an object {}[{}], found {} of them", name, index, items.size()));
+        if (index >= items.size() || !items[index].is_object())
+            refuse(fmt::format("expected an object {}[{}], found {} of them", name, index, items.size()));
         return items[index];
     }
     std::vector<double> numbers(const Json& owner, const char* name, std::vector<double> otherwise) const {
@@ -87,29 +95,35 @@ class Glb {
         std::vector<double> out;
         for (const Json& v : values)
             if (v.is_number()) out.push_back(v.get<double>());
-        if (out.size() != otherwise.size()) refuse(fmt::format("expected {} numbers as \"{}\" of a node, found {}", otherwise.size(), name, out.size()));
+        if (out.size() != otherwise.size())
+            refuse(
+                fmt::format("expected {} numbers as \"{}\" of a node, found {}", otherwise.size(), name, out.size()));
         return out;
     }
 
     // A node may turn, move and scale evenly; anything else is not a Gaussian's business.
     Similarity placement(const Json& node) const {
         const auto m = numbers(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-        const auto r = numbers(node, "rotation", {0, 0, 0, 1}), t = numbers(node, "translation", {0, 0, 0}), s = numbers(node, "scale", {1, 1, 1});
+        const auto r = numbers(node, "rotation", {0, 0, 0, 1}), t = numbers(node, "translation", {0, 0, 0}),
+                   s = numbers(node, "scale", {1, 1, 1});
         Mat3d linear = Mat3d::from_columns({m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]});
         Vec3d move{m[12], m[13], m[14]};
         if (!node.contains("matrix")) {
             const Quatd q{r[3], r[0], r[1], r[2]};
-            if (!(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 1e-6)) refuse("expected a unit quaternion as a node's rotation, found zero");
+            if (!(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 1e-6))
+                refuse("expected a unit quaternion as a node's rotation, found zero");
             const Mat3d turn = matrix_of(q);
             linear = Mat3d::from_columns(turn.column(0) * s[0], turn.column(1) * s[1], turn.column(2) * s[2]);
             move = {t[0], t[1], t[2]};
         }
         const double scale = length(linear.column(0));
-        const Mat3d turn = Mat3d::from_columns(linear.column(0) * (1 / scale), linear.column(1) * (1 / scale), linear.column(2) * (1 / scale));
+        const Mat3d turn = Mat3d::from_columns(linear.column(0) * (1 / scale), linear.column(1) * (1 / scale),
+                                               linear.column(2) * (1 / scale));
         const Mat3d square = transpose(turn) * turn;
         double error = 0;
         for (std::size_t a = 0; a < 3; ++a)
-            for (std::size_t b = 0; b < 3; ++b) error = std::max(error, std::fabs(square.column(b)[a] - (a == b ? 1 : 0)));
+            for (std::size_t b = 0; b < 3; ++b)
+                error = std::max(error, std::fabs(square.column(b)[a] - (a == b ? 1 : 0)));
         if (!(scale > 0 && error < 1e-3 && std::isfinite(move.x + move.y + move.z)))
             refuse("expected a node that turns, moves or scales evenly, found another matrix");
         return {turn, scale, move};
@@ -121,10 +135,12 @@ class Glb {
         const Similarity world_from_node = compose(world_from_parent, placement(node));
         if (node.contains("mesh"))
             for (const Json& primitive : list(item("meshes", whole(node, "mesh")), "primitives"))
-                if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension))
+                if (primitive.is_object() && primitive.contains("extensions") &&
+                    primitive.at("extensions").contains(kExtension))
                     out.push_back({&primitive, world_from_node});
         for (const Json& child : list(node, "children"))
-            if (child.is_number_unsigned()) visit(item("nodes", child.get<std::size_t>()), world_from_node, depth + 1, out);
+            if (child.is_number_unsigned())
+                visit(item("nodes", child.get<std::size_t>()), world_from_node, depth + 1, out);
     }
 
     std::vector<Placed> placed_primitives() {
@@ -136,13 +152,16 @@ class Glb {
         } else {  // no scene: whatever there is
             for (const Json& mesh : list(json_, "meshes"))
                 for (const Json& primitive : list(mesh, "primitives"))
-                    if (primitive.is_object() && primitive.contains("extensions") && primitive.at("extensions").contains(kExtension))
+                    if (primitive.is_object() && primitive.contains("extensions") &&
+                        primitive.at("extensions").contains(kExtension))
                         out.push_back({&primitive, {}});
         }
         return out;
     }
 
-    static std::string harmonic(int degree, int n) { return fmt::format("{}:SH_DEGREE_{}_COEF_{}", kExtension, degree, n); }
+    static std::string harmonic(int degree, int n) {
+        return fmt::format("{}:SH_DEGREE_{}_COEF_{}", kExtension, degree, n);
+    }
     static bool has(const Json& primitive, const std::string& name) {
         return primitive.contains("attributes") && primitive.at("attributes").contains(name);
     }
@@ -158,25 +177,35 @@ class Glb {
         const Json& accessor = item("accessors", whole(primitive.at("attributes"), name.c_str()));
         const Json& view = item("bufferViews", whole(accessor, "bufferView"));
         const char* type = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
-        if (accessor.value("type", Json()) != type) refuse(fmt::format("{}: expected {}, found {}", name, type, accessor.value("type", Json()).dump()));
+        if (accessor.value("type", Json()) != type)
+            refuse(fmt::format("{}: expected {}, found {}", name, type, accessor.value("type", Json()).dump()));
         if (accessor.contains("sparse")) refuse(fmt::format("{}: expected a plain accessor, found a sparse one", name));
         const Json& buffer = item("buffers", whole(view, "buffer"));
-        if (buffer.contains("uri")) refuse(fmt::format("{}: expected data inside the file, found a buffer elsewhere", name));
-        const std::size_t component = whole(accessor, "componentType"), bytes = component == 5126                        ? 4
-                                                                                : component == 5122 || component == 5123 ? 2
-                                                                                                                         : 1;
-        const bool known = component == 5126 || ((component >= 5120 && component <= 5123) && accessor.value("normalized", Json()) == true);
-        if (!known) refuse(fmt::format("{}: expected floats or normalized integers, found component type {}", name, component));
-        const std::size_t count = whole(accessor, "count"), row = bytes * width, stride = whole(view, "byteStride", row);
-        const std::size_t begin = whole(view, "byteOffset", 0), length = whole(view, "byteLength"), first = whole(accessor, "byteOffset", 0);
+        if (buffer.contains("uri"))
+            refuse(fmt::format("{}: expected data inside the file, found a buffer elsewhere", name));
+        const std::size_t component = whole(accessor, "componentType"), bytes = component == 5126 ? 4
+                                                                                : component == 5122 || component == 5123
+                                                                                    ? 2
+                                                                                    : 1;
+        const bool known = component == 5126 ||
+                           ((component >= 5120 && component <= 5123) && accessor.value("normalized", Json()) == true);
+        if (!known)
+            refuse(fmt::format("{}: expected floats or normalized integers, found component type {}", name, component));
+        const std::size_t count = whole(accessor, "count"), row = bytes * width,
+                          stride = whole(view, "byteStride", row);
+        const std::size_t begin = whole(view, "byteOffset", 0), length = whole(view, "byteLength"),
+                          first = whole(accessor, "byteOffset", 0);
         if (begin > binary_.size() || length > binary_.size() - begin)
-            refuse(fmt::format("{}: expected bytes {} to {} of the data, found {}", name, begin, begin + length, binary_.size()));
-        if (stride < row || first > length || (count > 0 && (length - first < row || count - 1 > (length - first - row) / stride)))
+            refuse(fmt::format("{}: expected bytes {} to {} of the data, found {}", name, begin, begin + length,
+                               binary_.size()));
+        if (stride < row || first > length ||
+            (count > 0 && (length - first < row || count - 1 > (length - first - row) / stride)))
             refuse(fmt::format("{}: expected {} rows of {} bytes, found {} bytes", name, count, stride, length));
         std::vector<float> out;
         out.reserve(count * width);
         for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t c = 0; c < width; ++c) out.push_back(component_at(begin + first + i * stride + c * bytes, component));
+            for (std::size_t c = 0; c < width; ++c)
+                out.push_back(component_at(begin + first + i * stride + c * bytes, component));
         return out;
     }
     float component_at(std::size_t at, std::size_t component) const {
@@ -193,9 +222,11 @@ class Glb {
         const Json& primitive = *part.primitive;
         const Json& extension = primitive.at("extensions").at(kExtension);
         if (extension.is_object() && extension.contains("extensions") && !extension.at("extensions").empty())
-            refuse(fmt::format("expected plain splats, found them compressed with {}", extension.at("extensions").begin().key()));
-        if (const std::string space =
-                extension.is_object() && extension.contains("colorSpace") ? extension.at("colorSpace").dump() : "\"srgb_rec709_display\"";
+            refuse(fmt::format("expected plain splats, found them compressed with {}",
+                               extension.at("extensions").begin().key()));
+        if (const std::string space = extension.is_object() && extension.contains("colorSpace")
+                                          ? extension.at("colorSpace").dump()
+                                          : "\"srgb_rec709_display\"";
             space != "\"srgb_rec709_display\"")
             refuse(fmt::format("expected colors in srgb_rec709_display, found {}", space));
         const std::string prefix = std::string(kExtension) + ":";
@@ -204,9 +235,11 @@ class Glb {
         const auto opacity = read(primitive, prefix + "OPACITY", 1), sh0 = read(primitive, harmonic(0, 0), 3);
         const std::size_t count = opacity.size();
         // Nodes may share a mesh, but not to make much of little.
-        if (all.size() + count > binary_.size()) refuse(fmt::format("expected at most {} splats in all, found more", binary_.size()));
+        if (all.size() + count > binary_.size())
+            refuse(fmt::format("expected at most {} splats in all, found more", binary_.size()));
         const auto same = [&](const std::vector<float>& values, std::size_t width) {
-            if (values.size() != count * width) refuse(fmt::format("expected {} rows in every attribute, found {}", count, values.size() / width));
+            if (values.size() != count * width)
+                refuse(fmt::format("expected {} rows in every attribute, found {}", count, values.size() / width));
         };
         same(mean, 3), same(rotation, 4), same(scale, 3), same(sh0, 3);
         Splats s;
@@ -228,7 +261,8 @@ class Glb {
                 const auto f = read(primitive, harmonic(degree, n), 3);
                 same(f, 3);
                 for (std::size_t i = 0; i < count; ++i)
-                    for (std::size_t channel = 0; channel < 3; ++channel) s.sh_rest[(i * 3 + channel) * k + coefficient] = f[3 * i + channel];
+                    for (std::size_t channel = 0; channel < 3; ++channel)
+                        s.sh_rest[(i * 3 + channel) * k + coefficient] = f[3 * i + channel];
             }
         transform(s, compose({kGltfFromWorld, 1, {}}, part.world_from_node));
         append(all, s);

@@ -19,12 +19,14 @@ class Attributes {
   public:
     explicit Attributes(std::size_t splats) : splats_(splats) {}
     // `floats(i, put)` puts the numbers of splat i.
-    void add(const std::string& name, const char* type, const std::function<void(std::size_t, const std::function<void(float)>&)>& floats) {
+    void add(const std::string& name, const char* type,
+             const std::function<void(std::size_t, const std::function<void(float)>&)>& floats) {
         const std::size_t begin = binary.size();
         for (std::size_t i = 0; i < splats_; ++i) floats(i, [&](float v) { append(binary, v); });
         describe(name, type, kFloat, begin);
     }
-    void add_bytes(const std::string& name, const char* type, const std::function<void(std::size_t, std::string&)>& bytes) {
+    void add_bytes(const std::string& name, const char* type,
+                   const std::function<void(std::size_t, std::string&)>& bytes) {
         const std::size_t begin = binary.size();
         for (std::size_t i = 0; i < splats_; ++i) bytes(i, binary);
         describe(name, type, kByte, begin);
@@ -36,8 +38,10 @@ class Attributes {
   private:
     void describe(const std::string& name, const char* type, int component, std::size_t begin) {
         names[name] = accessors.size();
-        accessors.push_back({{"bufferView", views.size()}, {"componentType", component}, {"count", splats_}, {"type", type}});
-        views.push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}, {"target", kArrayBuffer}});
+        accessors.push_back(
+            {{"bufferView", views.size()}, {"componentType", component}, {"count", splats_}, {"type", type}});
+        views.push_back(
+            {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}, {"target", kArrayBuffer}});
     }
     std::size_t splats_;
 };
@@ -47,9 +51,11 @@ void add_harmonics(Attributes& attributes, const Splats& s) {
     std::size_t coefficient = 0;
     for (int degree = 1; degree <= s.sh_degree; ++degree)
         for (int n = 0; n <= 2 * degree; ++n, ++coefficient)
-            attributes.add(fmt::format("KHR_gaussian_splatting:SH_DEGREE_{}_COEF_{}", degree, n), "VEC3", [&](std::size_t i, const auto& put) {
-                for (std::size_t channel = 0; channel < 3; ++channel) put(s.sh_rest[(i * 3 + channel) * k + coefficient]);
-            });
+            attributes.add(fmt::format("KHR_gaussian_splatting:SH_DEGREE_{}_COEF_{}", degree, n), "VEC3",
+                           [&](std::size_t i, const auto& put) {
+                               for (std::size_t channel = 0; channel < 3; ++channel)
+                                   put(s.sh_rest[(i * 3 + channel) * k + coefficient]);
+                           });
 }
 
 Attributes attributes_of(const Splats& s) {
@@ -73,8 +79,10 @@ Attributes attributes_of(const Splats& s) {
     out.add("KHR_gaussian_splatting:SCALE", "VEC3", [&](std::size_t i, const auto& put) {
         three({std::exp(s.log_scale[i].x), std::exp(s.log_scale[i].y), std::exp(s.log_scale[i].z)}, put);
     });
-    out.add("KHR_gaussian_splatting:OPACITY", "SCALAR", [&](std::size_t i, const auto& put) { put(sigmoid(s.opacity_logit[i])); });
-    out.add("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0", "VEC3", [&](std::size_t i, const auto& put) { three(s.sh0[i], put); });
+    out.add("KHR_gaussian_splatting:OPACITY", "SCALAR",
+            [&](std::size_t i, const auto& put) { put(sigmoid(s.opacity_logit[i])); });
+    out.add("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0", "VEC3",
+            [&](std::size_t i, const auto& put) { three(s.sh0[i], put); });
     add_harmonics(out, s);
     return out;
 }
@@ -86,8 +94,12 @@ std::string splat_glb_bytes(const Splats& world) {
     Splats splats = world;
     transform(splats, {kGltfFromWorld, 1, {}});
     const Attributes attributes = attributes_of(splats);
-    const Json extension{{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}, {"sortingMethod", "cameraDistance"}, {"projection", "perspective"}};
-    Json primitive{{"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
+    const Json extension{{"kernel", "ellipse"},
+                         {"colorSpace", "srgb_rec709_display"},
+                         {"sortingMethod", "cameraDistance"},
+                         {"projection", "perspective"}};
+    Json primitive{
+        {"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
     if (splats.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no word for it
     const Json json{{"asset", {{"version", "2.0"}, {"generator", "fastscene"}}},
                     {"extensionsUsed", {"KHR_gaussian_splatting"}},
@@ -100,10 +112,13 @@ std::string splat_glb_bytes(const Splats& world) {
                     {"buffers", {{{"byteLength", attributes.binary.size()}}}}};
     std::string text = json.dump();
     text.append((4 - text.size() % 4) % 4, ' ');
-    const std::size_t size = 12 + 8 + text.size() + 8 + attributes.binary.size();  // every attribute is a multiple of 4 long
+    const std::size_t size = 12 + 8 + text.size() + 8 +
+                             attributes.binary.size();  // every attribute is a multiple of 4 long
     if (size > 0xffffffffu) throw Error("glTF binary holds up to 4 GiB, found {} bytes", size);
     std::string out;
-    for (const std::uint32_t v : {kGlbMagic, 2u, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(text.size()), kJsonChunk}) append(out, v);
+    for (const std::uint32_t v :
+         {kGlbMagic, 2u, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(text.size()), kJsonChunk})
+        append(out, v);
     out += text;
     for (const std::uint32_t v : {static_cast<std::uint32_t>(attributes.binary.size()), kBinaryChunk}) append(out, v);
     return out + attributes.binary;

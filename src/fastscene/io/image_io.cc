@@ -22,12 +22,25 @@ std::string other_format(std::string_view bytes) {
     if (bytes.size() >= 12 && bytes.substr(4, 4) == "ftyp") {
         const std::string_view brand = bytes.substr(8, 4);
         if (brand == "avif" || brand == "avis") return "AVIF: save it as JPEG or PNG";
-        return brand == "heic" || brand == "heix" || brand == "mif1" || brand == "hevc" ? "HEIC, as phones save it: save it as JPEG" : "a film";
+        return brand == "heic" || brand == "heix" || brand == "mif1" || brand == "hevc"
+                   ? "HEIC, as phones save it: save it as JPEG"
+                   : "a film";
     }
     static constexpr std::pair<std::string_view, const char*> kBegins[] = {
-        {"GIF8"sv, "GIF"},           {"BM"sv, "BMP"},         {"\0\0\0\x0cjP  "sv, "JPEG 2000"}, {"\xff\x4f\xff\x51"sv, "JPEG 2000"}, {"\0\0\0\x0cJXL "sv, "JPEG XL"},
-        {"8BPS"sv, "Photoshop"},     {"P5"sv, "PNM"},         {"P6"sv, "PNM"},                  {"<!DOCTYPE"sv, "a web page"},      {"<html"sv, "a web page"},
-        {"<svg"sv, "SVG"},           {"%PDF"sv, "PDF"},       {"\x93NUMPY"sv, "a NumPy array"}, {"version https://git-lfs"sv, "a pointer of Git LFS: fetch the file itself (git lfs pull)"}};
+        {"GIF8"sv, "GIF"},
+        {"BM"sv, "BMP"},
+        {"\0\0\0\x0cjP  "sv, "JPEG 2000"},
+        {"\xff\x4f\xff\x51"sv, "JPEG 2000"},
+        {"\0\0\0\x0cJXL "sv, "JPEG XL"},
+        {"8BPS"sv, "Photoshop"},
+        {"P5"sv, "PNM"},
+        {"P6"sv, "PNM"},
+        {"<!DOCTYPE"sv, "a web page"},
+        {"<html"sv, "a web page"},
+        {"<svg"sv, "SVG"},
+        {"%PDF"sv, "PDF"},
+        {"\x93NUMPY"sv, "a NumPy array"},
+        {"version https://git-lfs"sv, "a pointer of Git LFS: fetch the file itself (git lfs pull)"}};
     for (const auto& [begin, name] : kBegins)
         if (bytes.starts_with(begin)) return name;
     return "something else";
@@ -39,13 +52,15 @@ Format format_of(const fs::path& path, std::string_view bytes) {
     if (begins("\x89PNG\r\n\x1a\n")) return Format::png;
     if (begins("\xff\xd8")) return Format::jpeg;
     if (begins("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") return Format::webp;
-    for (const std::string_view tiff : {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // and of more than 4 GiB
-                                        std::string_view("II\x2b\0", 4), std::string_view("MM\0\x2b", 4)})
+    for (const std::string_view tiff :
+         {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // and of more than 4 GiB
+          std::string_view("II\x2b\0", 4), std::string_view("MM\0\x2b", 4)})
         if (begins(tiff)) return Format::tiff;
     if (begins("\x76\x2f\x31\x01")) return Format::exr;
     if (begins("Pf") || begins("PF")) return Format::pfm;
     if (begins("#?")) return Format::radiance;
-    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(), other_format(bytes));
+    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(),
+                other_format(bytes));
 }
 
 PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format) {
@@ -65,7 +80,8 @@ PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format)
 
 bool has_picture_ending(const fs::path& path) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return std::find(kPictureEndings.begin(), kPictureEndings.end(), ending) != kPictureEndings.end();
 }
 
@@ -85,7 +101,10 @@ ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where) {
         case Format::jpeg: return decode_jpeg(bytes, where);
         case Format::webp: return decode_webp_rgb8(bytes, where);
         case Format::tiff: return decode_tiff_rgb8(bytes, where);
-        default: throw Error("{}: expected a color picture (PNG, JPEG, WebP or TIFF), found floats (OpenEXR, Radiance or PFM)", where);
+        default:
+            throw Error(
+                "{}: expected a color picture (PNG, JPEG, WebP or TIFF), found floats (OpenEXR, Radiance or PFM)",
+                where);
     }
 }
 
@@ -98,7 +117,9 @@ ImageColor load_light(const fs::path& path) {
         case Format::pfm: return load_pfm_color(path);
         case Format::radiance: return decode_radiance(path, bytes);
         case Format::tiff: return decode_tiff_light(bytes, path.string());
-        default: throw Error("{}: expected a picture of floats (OpenEXR, Radiance, PFM or TIFF), found 8 or 16 bits", path.string());
+        default:
+            throw Error("{}: expected a picture of floats (OpenEXR, Radiance, PFM or TIFF), found 8 or 16 bits",
+                        path.string());
     }
 }
 
@@ -131,7 +152,10 @@ ImageF load_float(const fs::path& path, float unit) {
         case Format::exr: return load_exr(path);
         case Format::pfm: return load_pfm(path);
         case Format::tiff: return decode_tiff_float(bytes, path.string(), unit);
-        default: throw Error("{}: expected a float map (EXR, PFM, TIFF or 16-bit PNG), found a JPEG, WebP or Radiance picture", path.string());
+        default:
+            throw Error(
+                "{}: expected a float map (EXR, PFM, TIFF or 16-bit PNG), found a JPEG, WebP or Radiance picture",
+                path.string());
     }
 }
 

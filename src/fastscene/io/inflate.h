@@ -7,7 +7,8 @@
 
 namespace fastscene {
 
-// Unpacks a whole stream of either kind. `path` names the data in errors. Throws Error when it is damaged, cut off or larger than 256 MiB.
+// Unpacks a whole stream of either kind. `path` names the data in errors. Throws Error when it is damaged, cut off or
+// larger than 256 MiB.
 std::string inflated(std::string_view packed, const std::filesystem::path& path);
 
 }  // namespace fastscene

@@ -35,7 +35,8 @@ ImageRgb8 ramp(int width, int height) {
     ImageRgb8 image(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            image.at(x, y) = {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height), 90};
+            image.at(x, y) = {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height),
+                              90};
     return image;
 }
 TEST(Png, RoundTripsAreExactAndDeterministic) {
@@ -67,8 +68,18 @@ TEST(Jpeg, RoundTripIsNear) {
 
 TEST(Pictures, FormatsThatAreNotReadAreNamed) {
     using namespace std::string_literals;
-    for (const auto& [bytes, name] : {std::pair{"\0\0\0\x18" "ftypheic\0\0\0\0"s, "HEIC"}, {"\0\0\0\x1c" "ftypavif\0\0\0\0"s, "AVIF"}, {"GIF89a....."s, "GIF"}, {"BM........"s, "BMP"},
-                                      {"<!DOCTYPE html>"s, "web page"}, {"version https://git-lfs.github.com/spec/v1\n"s, "Git LFS"}, {""s, "an empty file"}, {"hello"s, "something else"}}) {
+    for (const auto& [bytes, name] : {std::pair{"\0\0\0\x18"
+                                                "ftypheic\0\0\0\0"s,
+                                                "HEIC"},
+                                      {"\0\0\0\x1c"
+                                       "ftypavif\0\0\0\0"s,
+                                       "AVIF"},
+                                      {"GIF89a....."s, "GIF"},
+                                      {"BM........"s, "BMP"},
+                                      {"<!DOCTYPE html>"s, "web page"},
+                                      {"version https://git-lfs.github.com/spec/v1\n"s, "Git LFS"},
+                                      {""s, "an empty file"},
+                                      {"hello"s, "something else"}}) {
         write_file(scratch("odd.jpg"), bytes);
         try {
             load_rgb8(scratch("odd.jpg"));
@@ -103,7 +114,9 @@ TEST(Pictures, DamagedFilesAreErrors) {
         const std::string whole = read_file(scratch(name));
         const fs::path broken = scratch("broken");
         const auto load = [&] {
-            name[2] == 'p' && name[3] == 'n' ? (void)load_rgb8(broken) : name[2] == 'j' ? (void)load_rgb8(broken) : (void)load_float(broken);
+            name[2] == 'p' && name[3] == 'n' ? (void)load_rgb8(broken)
+            : name[2] == 'j'                 ? (void)load_rgb8(broken)
+                                             : (void)load_float(broken);
         };
         for (std::size_t keep = 0; keep + 12 < whole.size(); keep += 1 + whole.size() / 60) {
             write_file(broken, whole.substr(0, keep));
@@ -111,7 +124,8 @@ TEST(Pictures, DamagedFilesAreErrors) {
         }
         for (int i = 0; i < 60; ++i) {
             std::string bytes = whole;
-            bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(1 + random.index(255));
+            bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(
+                1 + random.index(255));
             write_file(broken, bytes);
             try {
                 load();
@@ -133,7 +147,8 @@ TEST(SplatPly, HasSixtyTwoFloatsAndRoundTrips) {
         EXPECT_EQ(ply.element("vertex").stride, 62u * 4);
         EXPECT_EQ(load_splat_ply(scratch("s.ply")), splats);  // bands of zeros are no bands
         save_splat_ply(scratch("s.ply"), splats, PlyBands::present);
-        EXPECT_EQ(Ply(scratch("s.ply")).element("vertex").properties.size(), 17u + 3 * static_cast<std::size_t>(splats.rest_coefficients()));
+        EXPECT_EQ(Ply(scratch("s.ply")).element("vertex").properties.size(),
+                  17u + 3 * static_cast<std::size_t>(splats.rest_coefficients()));
         EXPECT_EQ(load_splat_ply(scratch("s.ply")), splats);
     }
 }
@@ -166,14 +181,19 @@ TEST(CompressedPly, DecodesWithinTheFormatsSteps) {
     std::vector<bool> used(splats.size());
     for (std::size_t i = 0; i < vertices.count; ++i) {
         const std::size_t chunk = i / 256;
-        const auto bound = [&](const std::string& name) { return ply.number(chunks, chunk, ply.property(chunks, name)); };
-        const auto packed = [&](const char* name) { return static_cast<std::uint32_t>(ply.value(vertices, i, ply.property(vertices, name))); };
+        const auto bound = [&](const std::string& name) {
+            return ply.number(chunks, chunk, ply.property(chunks, name));
+        };
+        const auto packed = [&](const char* name) {
+            return static_cast<std::uint32_t>(ply.value(vertices, i, ply.property(vertices, name)));
+        };
         const auto between = [&](const char* kind, const char* axis, float s) {
             const float low = bound(std::string("min_") + kind + axis), high = bound(std::string("max_") + kind + axis);
             return low + s * (high - low);
         };
         const std::uint32_t p = packed("packed_position"), c = packed("packed_color"), r = packed("packed_rotation");
-        const Vec3f mean{between("", "x", bits(p, 21, 11)), between("", "y", bits(p, 11, 10)), between("", "z", bits(p, 0, 11))};
+        const Vec3f mean{between("", "x", bits(p, 21, 11)), between("", "y", bits(p, 11, 10)),
+                         between("", "z", bits(p, 0, 11))};
         // The nearest original is the one that was meant.
         std::size_t best = 0;
         for (std::size_t k = 1; k < splats.size(); ++k)
@@ -203,12 +223,18 @@ ViewSet some_views() {
         View view;
         view.name = fmt::format("{:03}.png", i);
         view.camera = Pinhole::with_fov(12, 10, i < 3 ? 90.f : 75.f);
-        view.world_from_camera = {rotation_about(normalize(Vec3f{1, 2, static_cast<float>(i)}), 0.7f * static_cast<float>(i)), {0.1f * static_cast<float>(i), -0.2f, 0.3f}};
+        view.world_from_camera = {
+            rotation_about(normalize(Vec3f{1, 2, static_cast<float>(i)}), 0.7f * static_cast<float>(i)),
+            {0.1f * static_cast<float>(i), -0.2f, 0.3f}};
         view.color = noise(12, 10);
         if (i == 2) view.weight = ImageMask(12, 10, 99);
         set.views.push_back(view);
     }
-    for (int i = 0; i < 20; ++i) set.points.push_back({{static_cast<float>(i), 1, 2}, {0, -1, 0}, {1, 2, static_cast<std::uint8_t>(i)}, 0.01f * static_cast<float>(i)});
+    for (int i = 0; i < 20; ++i)
+        set.points.push_back({{static_cast<float>(i), 1, 2},
+                              {0, -1, 0},
+                              {1, 2, static_cast<std::uint8_t>(i)},
+                              0.01f * static_cast<float>(i)});
     return set;
 }
 
@@ -286,7 +312,8 @@ fs::path small_viewer(const std::string& script) {
 }
 const std::string kControllers =
     "setCameraBasis(this._angles, forward$2, right$2, up$1);\nthis.update = (deltaTime, frame) => {\n"
-    "controller.update(dt, frame, target);\nlastPosition.copy(this.camera.position);\nsource.navigateTo(position, speedMul);\nexport { createViewer };";
+    "controller.update(dt, frame, target);\nlastPosition.copy(this.camera.position);\nsource.navigateTo(position, "
+    "speedMul);\nexport { createViewer };";
 
 TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     ViewerScene scene;
@@ -311,7 +338,8 @@ TEST(Viewer, AViewerWhoseCamerasCannotBeHeldIsRefused) {
     ViewerScene held;
     held.walkable = WalkableArea{{{{0, 0}, {1, 0}, {1, 1}}}, -0.4f, 0.7f, 1.6f};
     const Splats splats = some_splats(3, 0);
-    for (const std::string_view place : {"setCameraBasis", "this.update", "controller.update", "lastPosition", "navigateTo"}) {
+    for (const std::string_view place :
+         {"setCameraBasis", "this.update", "controller.update", "lastPosition", "navigateTo"}) {
         std::string script = kControllers;
         script.replace(script.find(place), place.size(), "another");
         const fs::path viewer = small_viewer(script);

@@ -39,7 +39,8 @@ jpeg_error_mgr* prepare(Manager& manager) {
     return &manager.base;
 }
 
-bool decode(std::string_view bytes, bool header_only, int& width, int& height, std::vector<JSAMPLE>& pixels, std::string& message) {
+bool decode(std::string_view bytes, bool header_only, int& width, int& height, std::vector<JSAMPLE>& pixels,
+            std::string& message) {
     Manager manager;
     jpeg_decompress_struct info;
     std::memset(&info, 0, sizeof info);
@@ -66,12 +67,14 @@ bool decode(std::string_view bytes, bool header_only, int& width, int& height, s
         const std::size_t channels = ink ? 4 : 3, stride = static_cast<std::size_t>(width) * channels;
         pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3 + stride);
         while (info.output_scanline < info.output_height) {
-            JSAMPLE* row = pixels.data() + static_cast<std::size_t>(info.output_scanline) * static_cast<std::size_t>(width) * 3;
+            JSAMPLE* row = pixels.data() +
+                           static_cast<std::size_t>(info.output_scanline) * static_cast<std::size_t>(width) * 3;
             jpeg_read_scanlines(&info, &row, 1);
             // Adobe writes inverted inks: color = ink * key / 255.
             if (ink)
                 for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x)
-                    for (std::size_t c = 0; c < 3; ++c) row[3 * x + c] = static_cast<JSAMPLE>(row[4 * x + c] * row[4 * x + 3] / 255);
+                    for (std::size_t c = 0; c < 3; ++c)
+                        row[3 * x + c] = static_cast<JSAMPLE>(row[4 * x + c] * row[4 * x + 3] / 255);
         }
         jpeg_finish_decompress(&info);
     }
@@ -105,7 +108,8 @@ bool encode(const ImageRgb8& image, int quality, std::string& out, std::string& 
     info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
     jpeg_start_compress(&info, TRUE);
     while (info.next_scanline < info.image_height) {
-        auto* row = const_cast<JSAMPLE*>(reinterpret_cast<const JSAMPLE*>(image.row(static_cast<int>(info.next_scanline))));
+        auto* row = const_cast<JSAMPLE*>(
+            reinterpret_cast<const JSAMPLE*>(image.row(static_cast<int>(info.next_scanline))));
         jpeg_write_scanlines(&info, &row, 1);
     }
     jpeg_finish_compress(&info);
@@ -140,13 +144,15 @@ ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where) {
 
 std::string encode_jpeg(const ImageRgb8& image, int quality) {
     std::string bytes, message;
-    if (!encode(image, quality, bytes, message)) throw Error("a picture of {} x {} cannot be written as JPEG: {}", image.width, image.height, message);
+    if (!encode(image, quality, bytes, message))
+        throw Error("a picture of {} x {} cannot be written as JPEG: {}", image.width, image.height, message);
     return bytes;
 }
 
 void save_jpeg(const fs::path& path, const ImageRgb8& image, int quality) {
     std::string bytes, message;
-    if (!encode(image, quality, bytes, message)) throw Error("{}: cannot be written as JPEG: {}", path.string(), message);
+    if (!encode(image, quality, bytes, message))
+        throw Error("{}: cannot be written as JPEG: {}", path.string(), message);
     write_file(path, bytes);
 }
 

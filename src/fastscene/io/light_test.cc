@@ -25,13 +25,14 @@ std::string exif_block(int orientation, bool little) {
         for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * (little ? i : bytes - 1 - i));
         return out;
     };
-    return (little ? std::string("II") : std::string("MM")) + n(42, 2) + n(8, 4) + n(1, 2) + n(0x0112, 2) + n(3, 2) + n(1, 4) +
-           n(static_cast<unsigned>(orientation), 2) + n(0, 2) + n(0, 4);
+    return (little ? std::string("II") : std::string("MM")) + n(42, 2) + n(8, 4) + n(1, 2) + n(0x0112, 2) + n(3, 2) +
+           n(1, 4) + n(static_cast<unsigned>(orientation), 2) + n(0, 2) + n(0, 4);
 }
 std::string jpeg_with_exif(const std::string& jpeg, const std::string& block) {
     const std::string data = std::string("Exif\0\0", 6) + block;
     const std::size_t length = data.size() + 2;
-    return jpeg.substr(0, 2) + "\xff\xe1" + static_cast<char>(length >> 8) + static_cast<char>(length & 255) + data + jpeg.substr(2);
+    return jpeg.substr(0, 2) + "\xff\xe1" + static_cast<char>(length >> 8) + static_cast<char>(length & 255) + data +
+           jpeg.substr(2);
 }
 
 TEST(Orientation, EveryOneOfEightIsUndone) {
@@ -48,7 +49,8 @@ TEST(Orientation, EveryOneOfEightIsUndone) {
     EXPECT_EQ(upright(picture(3, 2, "fedcba"), 3), shown);
     EXPECT_EQ(upright(picture(3, 2, "defabc"), 4), shown);
     EXPECT_EQ(upright(picture(2, 3, "adbecf"), 5), shown);
-    EXPECT_EQ(upright(picture(2, 3, "cfbead"), 6), shown);  // to be turned clockwise: the stored left column is the top row
+    EXPECT_EQ(upright(picture(2, 3, "cfbead"), 6),
+              shown);  // to be turned clockwise: the stored left column is the top row
     EXPECT_EQ(upright(picture(2, 3, "fcebda"), 7), shown);
     EXPECT_EQ(upright(picture(2, 3, "daebfc"), 8), shown);
 }
@@ -61,7 +63,8 @@ TEST(Exif, OrientationIsFoundOrOne) {
     };
     EXPECT_EQ(orientation(jpeg), 1);
     for (int value = 1; value <= 8; ++value)
-        for (const bool little : {false, true}) EXPECT_EQ(orientation(jpeg_with_exif(jpeg, exif_block(value, little))), value);
+        for (const bool little : {false, true})
+            EXPECT_EQ(orientation(jpeg_with_exif(jpeg, exif_block(value, little))), value);
     EXPECT_EQ(orientation(jpeg_with_exif(jpeg, exif_block(9, true))), 1);
     // Damaged in every byte: an orientation, and the picture stays readable.
     const std::string whole = jpeg_with_exif(jpeg, exif_block(6, true));
@@ -76,22 +79,24 @@ TEST(Exif, OrientationIsFoundOrOne) {
 TEST(Exif, PngSaysItInAChunk) {
     save_png(scratch("o.png"), ImageRgb8(16, 8));
     const std::string png = read_file(scratch("o.png")), block = exif_block(8, false);
-    std::string chunk =
-        std::string("\0\0\0", 3) + static_cast<char>(block.size()) + "eXIf" + block + "\x01\x02\x03\x04";  // the checksum is not ours to judge
+    std::string chunk = std::string("\0\0\0", 3) + static_cast<char>(block.size()) + "eXIf" + block +
+                        "\x01\x02\x03\x04";  // the checksum is not ours to judge
     write_file(scratch("o.png"), png.substr(0, 33) + chunk + png.substr(33));
     EXPECT_EQ(picture_info(scratch("o.png")).orientation, 8);
 }
 
 constexpr int kWidth = 40, kHeight = 6;
 
-Vec3f light_at(int x, int y) { return y == 2 ? Vec3f{0.5f, 0.25f, 8.f} : Vec3f{std::ldexp(1.f, x % 9 - 4), 0.7f * static_cast<float>(y), 3.f}; }
+Vec3f light_at(int x, int y) {
+    return y == 2 ? Vec3f{0.5f, 0.25f, 8.f} : Vec3f{std::ldexp(1.f, x % 9 - 4), 0.7f * static_cast<float>(y), 3.f};
+}
 
 std::array<std::uint8_t, 4> rgbe(Vec3f c) {
     int exponent = 0;
     std::frexp(std::max({c.x, c.y, c.z}), &exponent);
     const float scale = std::ldexp(256.f, -exponent);
-    return {static_cast<std::uint8_t>(c.x * scale), static_cast<std::uint8_t>(c.y * scale), static_cast<std::uint8_t>(c.z * scale),
-            static_cast<std::uint8_t>(exponent + 128)};
+    return {static_cast<std::uint8_t>(c.x * scale), static_cast<std::uint8_t>(c.y * scale),
+            static_cast<std::uint8_t>(c.z * scale), static_cast<std::uint8_t>(exponent + 128)};
 }
 
 enum class Packing { bare, pixels, channels };
@@ -145,7 +150,8 @@ TEST(Radiance, DamagedFilesAreErrors) {
         }
         for (int i = 0; i < 200; ++i) {
             std::string bytes = whole;
-            bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(1 + random.index(255));
+            bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] ^= static_cast<char>(
+                1 + random.index(255));
             write_file(scratch("bad.hdr"), bytes);
             try {
                 load_light(scratch("bad.hdr"));

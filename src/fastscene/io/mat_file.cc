@@ -13,7 +13,8 @@ namespace fastscene {
 namespace {
 
 // Types of data elements (MAT-File Format, table 1-1) and the one class of arrays that is read here.
-constexpr std::uint32_t kInt8 = 1, kUint8 = 2, kInt16 = 3, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14, kCompressed = 15;
+constexpr std::uint32_t kInt8 = 1, kUint8 = 2, kInt16 = 3, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9,
+                        kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kDoubleClass = 6;
 constexpr std::uint32_t kComplexFlag = 0x0800;
 constexpr std::size_t kHeaderBytes = 128;
@@ -45,7 +46,9 @@ class Elements {
         bytes_.remove_prefix(std::min(8 + whole, bytes_.size()));
         return element;
     }
-    Error broken(const std::string& expected) const { return Error("{}: expected {} of a MAT 5 file, found the end or other data", path_.string(), expected); }
+    Error broken(const std::string& expected) const {
+        return Error("{}: expected {} of a MAT 5 file, found the end or other data", path_.string(), expected);
+    }
 
   private:
     std::uint32_t word(std::size_t at) const {

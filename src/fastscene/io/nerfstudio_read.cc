@@ -27,7 +27,8 @@ class Transforms {
         Capture out;
         out.source = file_.string();
         std::size_t number = 0;
-        for (const Json& frame : json_.at("frames")) out.photos.push_back(photo(frame, fmt::format("frames[{}]", number++)));
+        for (const Json& frame : json_.at("frames"))
+            out.photos.push_back(photo(frame, fmt::format("frames[{}]", number++)));
         if (!folders_.images.empty()) check_own_pictures(out.photos);
         if (json_.contains("ply_file_path") && json_.at("ply_file_path").is_string())
             read_points(dir_ / json_.at("ply_file_path").get<std::string>(), out);
@@ -37,10 +38,8 @@ class Transforms {
 
   private:
     static void read_points(const fs::path& file, Capture& out) {
-        if (fs::exists(file))
-            out.points = points_of_ply(file);
-        else
-            out.missing_points = file;
+        if (fs::exists(file)) out.points = points_of_ply(file);
+        else out.missing_points = file;
     }
     [[noreturn]] void refuse(const std::string& where, const std::string& what) const {
         throw Error("{}: {}{}{}", file_.string(), where, where.empty() ? "" : ": ", what);
@@ -58,7 +57,9 @@ class Transforms {
     std::optional<std::string> text(const Json& frame, const std::string& where, const char* name) const {
         const Json* owner = frame.contains(name) ? &frame : json_.contains(name) ? &json_ : nullptr;
         if (!owner || owner->at(name).is_null()) return {};
-        if (!owner->at(name).is_string()) refuse(where, fmt::format("expected a text as \"{}\", found {}", name, owner->at(name).dump().substr(0, 40)));
+        if (!owner->at(name).is_string())
+            refuse(where,
+                   fmt::format("expected a text as \"{}\", found {}", name, owner->at(name).dump().substr(0, 40)));
         return owner->at(name).get<std::string>();
     }
     bool flag(const Json& frame, const char* name) const {
@@ -66,8 +67,8 @@ class Transforms {
         return owner && owner->at(name) == Json(true);
     }
 
-    // The name below another folder: with all of its own folders, without the first …, at last alone. Rigs of several cameras have pictures
-    // of the same last name.
+    // The name below another folder: with all of its own folders, without the first …, at last alone. Rigs of several
+    // cameras have pictures of the same last name.
     static std::vector<fs::path> tails(const fs::path& name) {
         std::vector<fs::path> out;
         for (auto begin = name.begin(); begin != name.end(); ++begin) {
@@ -81,10 +82,11 @@ class Transforms {
     static void check_own_pictures(const std::vector<Photo>& photos) {
         std::map<fs::path, std::string> owners;
         for (const Photo& photo : photos) {
-            if (!fs::is_regular_file(photo.file)) continue;   // left out later, and said
-            if (const auto [owner, is_new] = owners.try_emplace(photo.file, photo.name); !is_new && owner->second != photo.name)
-                throw Error("--images: expected a picture of its own for each frame, found {} for both {} and {}", photo.file.string(), owner->second,
-                            photo.name);
+            if (!fs::is_regular_file(photo.file)) continue;  // left out later, and said
+            if (const auto [owner, is_new] = owners.try_emplace(photo.file, photo.name);
+                !is_new && owner->second != photo.name)
+                throw Error("--images: expected a picture of its own for each frame, found {} for both {} and {}",
+                            photo.file.string(), owner->second, photo.name);
         }
     }
 
@@ -119,10 +121,12 @@ class Transforms {
             return {};
         }
     }
-    // Of the first picture that can be read: what is missing or damaged will be left out, and its camera is as the others.
+    // Of the first picture that can be read: what is missing or damaged will be left out, and its camera is as the
+    // others.
     std::optional<PictureInfo> usual_picture() {
         const Json& frames = json_.at("frames");
-        for (std::size_t i = 0; i < frames.size() && !usual_picture_; ++i) usual_picture_ = info_of_picture(picture(name_of(frames[i], fmt::format("frames[{}]", i))));
+        for (std::size_t i = 0; i < frames.size() && !usual_picture_; ++i)
+            usual_picture_ = info_of_picture(picture(name_of(frames[i], fmt::format("frames[{}]", i))));
         return usual_picture_;
     }
 
@@ -130,21 +134,31 @@ class Transforms {
     std::string lens_name(const Json& frame, const std::string& where) const {
         for (const char* other : {"ftheta_p0", "orthographic", "equirectangular"})
             if (frame.contains(other) || json_.contains(other))
-                refuse(where, fmt::format("expected a lens that \"camera_model\" names (EQUIRECTANGULAR for whole spheres), found \"{}\"", other));
+                refuse(
+                    where,
+                    fmt::format(
+                        "expected a lens that \"camera_model\" names (EQUIRECTANGULAR for whole spheres), found \"{}\"",
+                        other));
         const auto name = text(frame, where, "camera_model");
-        return name ? *name : flag(frame, "is_fisheye") ? "OPENCV_FISHEYE" : flag(frame, "latlong") ? "EQUIRECTANGULAR" : "OPENCV";
+        return name                        ? *name
+               : flag(frame, "is_fisheye") ? "OPENCV_FISHEYE"
+               : flag(frame, "latlong")    ? "EQUIRECTANGULAR"
+                                           : "OPENCV";
     }
 
     Lens lens(const Json& frame, const std::string& where, const fs::path& file) {
         const std::string name = lens_name(frame, where);
-        static constexpr std::array kKnown{"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "PERSPECTIVE", "OPENCV_FISHEYE", "EQUIRECTANGULAR"};
+        static constexpr std::array kKnown{"OPENCV", "PINHOLE",     "SIMPLE_PINHOLE", "SIMPLE_RADIAL",
+                                           "RADIAL", "PERSPECTIVE", "OPENCV_FISHEYE", "EQUIRECTANGULAR"};
         if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end())
             refuse(where, fmt::format("expected camera_model {}, found {}", fmt::join(kKnown, ", "), name));
         double width = number(frame, where, "w").value_or(0), height = number(frame, where, "h").value_or(0);
         if (width == 0 || height == 0) {
             auto info = info_of_picture(file);
             if (!info) info = usual_picture();
-            if (!info) refuse(where, fmt::format("expected w and h, or a picture to ask; found neither w and h nor {}", file.string()));
+            if (!info)
+                refuse(where, fmt::format("expected w and h, or a picture to ask; found neither w and h nor {}",
+                                          file.string()));
             width = info->width, height = info->height;
         }
         if (!(width >= 1 && height >= 1 && width <= 65536 && height <= 65536))
@@ -158,17 +172,23 @@ class Transforms {
         const auto fl_x = number(frame, where, "fl_x"), fl_y = number(frame, where, "fl_y");
         const auto focal = [](double size, double angle) { return size / 2 / std::tan(angle / 2); };
         constexpr double kDegree = std::numbers::pi / 180;
-        lens.fx = fl_x ? *fl_x : angle_x ? focal(width, *angle_x) : fov_x ? focal(width, *fov_x * kDegree) : fl_y.value_or(0);
+        lens.fx = fl_x      ? *fl_x
+                  : angle_x ? focal(width, *angle_x)
+                  : fov_x   ? focal(width, *fov_x * kDegree)
+                            : fl_y.value_or(0);
         lens.fy = fl_y ? *fl_y : angle_y ? focal(height, *angle_y) : fov_y ? focal(height, *fov_y * kDegree) : lens.fx;
-        lens.cx = number(frame, where, "cx").value_or(width / 2), lens.cy = number(frame, where, "cy").value_or(height / 2);
+        lens.cx = number(frame, where, "cx").value_or(width / 2),
+        lens.cy = number(frame, where, "cy").value_or(height / 2);
         if (!(lens.fx > 0 && lens.fy > 0))
             refuse(where, fmt::format("expected a positive focal length (fl_x, or camera_angle_x), found {}", lens.fx));
         constexpr std::array<const char*, 4> kNames{"k1", "k2", "k3", "k4"};
         for (std::size_t i = 0; i < kNames.size(); ++i)
             if (lens.kind == LensKind::fisheye || i < 3) lens.k[i] = number(frame, where, kNames[i]).value_or(0);
         if (const double k4 = number(frame, where, "k4").value_or(0); lens.kind == LensKind::perspective && k4 != 0)
-            refuse(where, fmt::format("expected a \"k4\" of 0 for {} (only OPENCV_FISHEYE has a fourth), found {}", name, k4));
-        if (lens.kind == LensKind::perspective) lens.p1 = number(frame, where, "p1").value_or(0), lens.p2 = number(frame, where, "p2").value_or(0);
+            refuse(where,
+                   fmt::format("expected a \"k4\" of 0 for {} (only OPENCV_FISHEYE has a fourth), found {}", name, k4));
+        if (lens.kind == LensKind::perspective)
+            lens.p1 = number(frame, where, "p1").value_or(0), lens.p2 = number(frame, where, "p2").value_or(0);
         return lens;
     }
 
@@ -184,7 +204,8 @@ class Transforms {
         }
         const auto column = [&](std::size_t j) { return Vec3d{m[0][j], m[1][j], m[2][j]}; };
         const double size = length(column(0));
-        const Vec3d right = column(0) * (1 / size), up = column(1) * (1 / length(column(1))), back = column(2) * (1 / length(column(2)));
+        const Vec3d right = column(0) * (1 / size), up = column(1) * (1 / length(column(1))),
+                    back = column(2) * (1 / length(column(2)));
         const Vec3d place = column(3);
         const bool turn = std::fabs(dot(right, up)) < 0.02 && length(cross(right, up) - back) < 0.02 && size > 1e-9;
         if (!(turn && std::isfinite(place.x + place.y + place.z)))
@@ -193,7 +214,8 @@ class Transforms {
     }
 
     std::string name_of(const Json& frame, const std::string& where) const {
-        if (!frame.is_object() || !frame.contains("file_path") || !frame.at("file_path").is_string()) refuse(where, "expected file_path, found none");
+        if (!frame.is_object() || !frame.contains("file_path") || !frame.at("file_path").is_string())
+            refuse(where, "expected file_path, found none");
         std::string name = frame.at("file_path").get<std::string>();
         if (name.starts_with("./")) name.erase(0, 2);
         if (name.empty()) refuse(where, "expected file_path, found an empty one");
@@ -206,7 +228,8 @@ class Transforms {
         out.file = picture(out.name);
         if (const auto mask = text(frame, where, "mask_path")) out.mask = dir_ / *mask;
         for (const fs::path& tail : tails(out.name))
-            if (out.mask.empty()) out.mask = mask_for(folders_.masks.empty() ? dir_ / "masks" : folders_.masks, tail.string());
+            if (out.mask.empty())
+                out.mask = mask_for(folders_.masks.empty() ? dir_ / "masks" : folders_.masks, tail.string());
         out.lens = lens(frame, where, out.file);
         out.world_from_camera = pose(frame, where);
         return out;

@@ -105,7 +105,8 @@ class Reader {
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         const auto n = static_cast<int>(count);
         const int i = value < 0 ? n + value : value - 1;
-        if (error != std::errc() || i < 0 || i >= n) throw Error("{}: line {}: expected an index from 1 to {}, found '{}'", where_, line, count, word);
+        if (error != std::errc() || i < 0 || i >= n)
+            throw Error("{}: line {}: expected an index from 1 to {}, found '{}'", where_, line, count, word);
         return i;
     }
 
@@ -117,14 +118,16 @@ class Reader {
             corner.position = index(word.substr(0, first), positions_.size(), line);
             if (first != std::string_view::npos) {
                 const auto second = word.find('/', first + 1);
-                const std::string_view uv = word.substr(first + 1, second == std::string_view::npos ? second : second - first - 1);
+                const std::string_view uv = word.substr(first + 1,
+                                                        second == std::string_view::npos ? second : second - first - 1);
                 if (!uv.empty()) corner.uv = index(uv, uvs_.size(), line);
                 if (second != std::string_view::npos && second + 1 < word.size())
                     corner.normal = index(word.substr(second + 1), normals_.size(), line);
             }
             corners.push_back(corner);
         }
-        for (std::size_t i = 2; i < corners.size(); ++i) faces_.push_back({{corners[0], corners[i - 1], corners[i]}, current_});
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            faces_.push_back({{corners[0], corners[i - 1], corners[i]}, current_});
     }
 
     void use(const std::string& name) {

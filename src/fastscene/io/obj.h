@@ -15,19 +15,19 @@ namespace fastscene {
 struct ObjMaterial {
     std::string name;
     Vec3f diffuse{0.8f, 0.8f, 0.8f}, specular{}, emission{};  // as written: sRGB-like, 0..1
-    float shininess = 0.f;      // Ns
-    float opacity = 1.f;        // d, or 1 - Tr
-    std::string diffuse_map;    // file name, "" = none
+    float shininess = 0.f;                                    // Ns
+    float opacity = 1.f;                                      // d, or 1 - Tr
+    std::string diffuse_map;                                  // file name, "" = none
 };
 struct ObjGroup {
-    std::size_t material = 0;                // index into ObjModel::materials
-    std::vector<Vec3f> positions, normals;   // per vertex; normals unit, on the side the triangle's winding shows
-    std::vector<Vec2f> uvs;                  // v grows upward
-    std::vector<std::uint32_t> triangles;    // 3 indices each
+    std::size_t material = 0;               // index into ObjModel::materials
+    std::vector<Vec3f> positions, normals;  // per vertex; normals unit, on the side the triangle's winding shows
+    std::vector<Vec2f> uvs;                 // v grows upward
+    std::vector<std::uint32_t> triangles;   // 3 indices each
 };
 struct ObjModel {
     std::vector<ObjMaterial> materials;
-    std::vector<ObjGroup> groups;            // one a material, without empty ones
+    std::vector<ObjGroup> groups;  // one a material, without empty ones
 };
 
 // `where` names the file in errors; `read_sibling` gives the text of a file named by mtllib, or nothing.

@@ -37,13 +37,18 @@ std::string deflated(const std::string& text) {
 // One entry, written as PKWARE's APPNOTE has it.
 std::string archive(const std::string& name, const std::string& text, bool packed) {
     const std::string data = packed ? deflated(text) : text;
-    const auto crc = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-    const std::string common = le(20, 2) + le(0, 2) + le(packed ? 8 : 0, 2) + le(0, 4) + le(crc, 4) + le(static_cast<std::uint32_t>(data.size()), 4) +
-                               le(static_cast<std::uint32_t>(text.size()), 4) + le(static_cast<std::uint32_t>(name.size()), 2) + le(0, 2);
+    const auto crc = static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
+    const std::string common = le(20, 2) + le(0, 2) + le(packed ? 8 : 0, 2) + le(0, 4) + le(crc, 4) +
+                               le(static_cast<std::uint32_t>(data.size()), 4) +
+                               le(static_cast<std::uint32_t>(text.size()), 4) +
+                               le(static_cast<std::uint32_t>(name.size()), 2) + le(0, 2);
     const std::string local = le(0x04034b50, 4) + common + name + data;
-    const std::string central = le(0x02014b50, 4) + le(20, 2) + common + le(0, 2) + le(0, 2) + le(0, 2) + le(0, 4) + le(0, 4) + name;
-    return local + central + le(0x06054b50, 4) + le(0, 4) + le(1, 2) + le(1, 2) + le(static_cast<std::uint32_t>(central.size()), 4) +
-           le(static_cast<std::uint32_t>(local.size()), 4) + le(0, 2);
+    const std::string central = le(0x02014b50, 4) + le(20, 2) + common + le(0, 2) + le(0, 2) + le(0, 2) + le(0, 4) +
+                                le(0, 4) + name;
+    return local + central + le(0x06054b50, 4) + le(0, 4) + le(1, 2) + le(1, 2) +
+           le(static_cast<std::uint32_t>(central.size()), 4) + le(static_cast<std::uint32_t>(local.size()), 4) +
+           le(0, 2);
 }
 
 class Zip : public ::testing::Test {
@@ -77,13 +82,15 @@ TEST_F(Zip, DamageIsFoundAtEveryLength) {
 }
 
 ObjModel parse(const std::string& text, const std::string& mtl = "") {
-    return parse_obj(text, "test.obj", [&](const std::string&) { return mtl.empty() ? std::nullopt : std::optional(mtl); });
+    return parse_obj(text, "test.obj",
+                     [&](const std::string&) { return mtl.empty() ? std::nullopt : std::optional(mtl); });
 }
 
 TEST(Obj, FacesOfAnySizeNegativeIndicesAndMaterials) {
-    const ObjModel m =
-        parse("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red paint\nf -4/-4 -3/-3 -2/-2 -1/-1\n",
-              "newmtl red paint\nKd 1 0 0\nNs 50\nd 0.5\nmap_Kd some picture.jpg\n");
+    const ObjModel m = parse(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl red paint\nf -4/-4 "
+        "-3/-3 -2/-2 -1/-1\n",
+        "newmtl red paint\nKd 1 0 0\nNs 50\nd 0.5\nmap_Kd some picture.jpg\n");
     ASSERT_EQ(m.groups.size(), 1u);
     EXPECT_EQ(m.groups[0].triangles.size(), 6u);
     const ObjMaterial& red = m.materials[m.groups[0].material];
@@ -97,7 +104,8 @@ TEST(Obj, FacesOfAnySizeNegativeIndicesAndMaterials) {
 TEST(Obj, WindingFollowsTheNormals) {
     const ObjModel m = parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nf 1//1 2//1 3//1\n");
     const auto& g = m.groups[0];
-    const Vec3f wound = cross(g.positions[g.triangles[1]] - g.positions[g.triangles[0]], g.positions[g.triangles[2]] - g.positions[g.triangles[0]]);
+    const Vec3f wound = cross(g.positions[g.triangles[1]] - g.positions[g.triangles[0]],
+                              g.positions[g.triangles[2]] - g.positions[g.triangles[0]]);
     EXPECT_LT(wound.z, 0.f);
     EXPECT_LT(g.normals[0].z, 0.f);
 }

@@ -11,7 +11,8 @@
 namespace fastscene {
 
 inline float sigmoid(float logit) { return 1.f / (1.f + std::exp(-logit)); }
-// The opacity of 0 or 1 that an 8-bit file may hold has no finite logit: it becomes the one half a step of `levels` away.
+// The opacity of 0 or 1 that an 8-bit file may hold has no finite logit: it becomes the one half a step of `levels`
+// away.
 inline float logit_of(float opacity, float levels = 255.f) {
     const float half_step = 0.5f / levels, o = std::clamp(opacity, half_step, 1.f - half_step);
     return std::log(o / (1.f - o));
@@ -29,12 +30,14 @@ inline float from_unorm(std::uint32_t packed, int at, int bits) {
 }
 
 // A byte of a rounded value.
-inline std::uint8_t byte_near(float v) { return v > 0.f ? static_cast<std::uint8_t>(std::min(std::round(v), 255.f)) : std::uint8_t{0}; }
+inline std::uint8_t byte_near(float v) {
+    return v > 0.f ? static_cast<std::uint8_t>(std::min(std::round(v), 255.f)) : std::uint8_t{0};
+}
 
 // w x y z of length 1; a zero quaternion is no turn.
 inline std::array<float, 4> unit_quaternion(Quatf q) {
-    const double n =
-        std::sqrt(static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z);
+    const double n = std::sqrt(static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x +
+                               static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z);
     if (!(n > 0)) return {1, 0, 0, 0};
     const auto part = [&](float v) { return static_cast<float>(static_cast<double>(v) / n); };
     return {part(q.w), part(q.x), part(q.y), part(q.z)};

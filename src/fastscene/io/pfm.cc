@@ -26,7 +26,8 @@ PfmHeader pfm_header(const fs::path& path, std::string_view bytes) {
     header.color = head.substr(0, 2) == "PF";
     if ((head.substr(0, 2) != "Pf" && !header.color) ||
         std::sscanf(head.c_str() + 2, "%d %d %f%n", &header.width, &header.height, &scale, &read) != 3)
-        throw Error("{}: expected a float map (\"Pf\" or \"PF\", width, height, scale), found \"{}\"", path.string(), head.substr(0, 2));
+        throw Error("{}: expected a float map (\"Pf\" or \"PF\", width, height, scale), found \"{}\"", path.string(),
+                    head.substr(0, 2));
     header.little = scale < 0;
     header.data = 2 + static_cast<std::size_t>(read) + 1;
     return header;
@@ -43,18 +44,23 @@ PictureInfo pfm_info(const fs::path& path, std::string_view bytes) {
 
 namespace {
 
-std::size_t row_bytes(const PfmHeader& header, std::size_t channels) { return sizeof(float) * channels * static_cast<std::size_t>(header.width); }
+std::size_t row_bytes(const PfmHeader& header, std::size_t channels) {
+    return sizeof(float) * channels * static_cast<std::size_t>(header.width);
+}
 
 // Before memory is asked for.
 void check_length(const fs::path& path, std::string_view bytes, const PfmHeader& header, std::size_t channels) {
     const std::size_t expected = header.data + row_bytes(header, channels) * static_cast<std::size_t>(header.height);
-    if (bytes.size() < expected) throw Error("{}: expected {} bytes for {} x {} floats, found {}", path.string(), expected, header.width, header.height, bytes.size());
+    if (bytes.size() < expected)
+        throw Error("{}: expected {} bytes for {} x {} floats, found {}", path.string(), expected, header.width,
+                    header.height, bytes.size());
 }
 
 // `channels` floats a pixel, the lowest row first.
 void read_rows(std::string_view bytes, const PfmHeader& header, std::size_t channels, float* pixels) {
     const std::size_t row = row_bytes(header, channels), rows = static_cast<std::size_t>(header.height);
-    for (std::size_t y = 0; y < rows; ++y) std::memcpy(pixels + (rows - 1 - y) * row / sizeof(float), bytes.data() + header.data + y * row, row);
+    for (std::size_t y = 0; y < rows; ++y)
+        std::memcpy(pixels + (rows - 1 - y) * row / sizeof(float), bytes.data() + header.data + y * row, row);
     if (header.little) return;
     for (std::size_t i = 0; i < rows * row / sizeof(float); ++i) pixels[i] = swapped(pixels[i]);
 }
@@ -62,7 +68,8 @@ void read_rows(std::string_view bytes, const PfmHeader& header, std::size_t chan
 PfmHeader checked_header(const fs::path& path, std::string_view bytes) {
     const PfmHeader header = pfm_header(path, bytes);
     if (!plausible_size(header.width, header.height))
-        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide, header.width, header.height);
+        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide,
+                    header.width, header.height);
     return header;
 }
 
@@ -96,7 +103,8 @@ ImageColor load_pfm_color(const fs::path& path) {
 void save_pfm(const fs::path& path, const ImageF& image) {
     std::string bytes = fmt::format("Pf\n{} {}\n-1.0\n", image.width, image.height);
     for (int y = image.height - 1; y >= 0; --y)
-        bytes.append(reinterpret_cast<const char*>(image.row(y)), std::size_t{4} * static_cast<std::size_t>(image.width));
+        bytes.append(reinterpret_cast<const char*>(image.row(y)),
+                     std::size_t{4} * static_cast<std::size_t>(image.width));
     write_file(path, bytes);
 }
 

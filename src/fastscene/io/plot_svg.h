@@ -11,7 +11,7 @@ namespace fastscene {
 
 struct PlotCurve {
     std::string name;
-    std::vector<Vec2d> points;   // left to right
+    std::vector<Vec2d> points;  // left to right
     bool dashed = false;
 };
 struct Plot {

@@ -16,8 +16,9 @@ struct Type {
     int bytes;
     char kind;
 };
-constexpr Type kTypes[] = {{"char", "int8", 1, 'i'},   {"uchar", "uint8", 1, 'u'},   {"short", "int16", 2, 'i'}, {"ushort", "uint16", 2, 'u'},
-                           {"int", "int32", 4, 'i'},   {"uint", "uint32", 4, 'u'},   {"float", "float32", 4, 'f'}, {"double", "float64", 8, 'f'}};
+constexpr Type kTypes[] = {{"char", "int8", 1, 'i'},     {"uchar", "uint8", 1, 'u'},   {"short", "int16", 2, 'i'},
+                           {"ushort", "uint16", 2, 'u'}, {"int", "int32", 4, 'i'},     {"uint", "uint32", 4, 'u'},
+                           {"float", "float32", 4, 'f'}, {"double", "float64", 8, 'f'}};
 constexpr std::size_t kLongestComment = 1 << 20;
 // A row of more is no row of points.
 constexpr std::size_t kMostProperties = 1000;
@@ -39,17 +40,16 @@ double read_as(const char* p) {
 
 Ply::Ply(const std::filesystem::path& path) : path_(path), bytes_(read_file(path)) {
     const Encoding encoding = parse_header();
-    if (encoding == Encoding::text)
-        read_text_rows();
-    else
-        place_binary_rows();
+    if (encoding == Encoding::text) read_text_rows();
+    else place_binary_rows();
     if (encoding == Encoding::big) swap_bytes();
 }
 
 std::string Ply::next_line() {
     const std::size_t end = bytes_.find('\n', at_);
     // A header line is short, but for what programs note about themselves; anything longer is not a header.
-    if (end == std::string::npos || end - at_ > (bytes_.compare(at_, 8, "comment ") == 0 ? kLongestComment : 1000)) throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
+    if (end == std::string::npos || end - at_ > (bytes_.compare(at_, 8, "comment ") == 0 ? kLongestComment : 1000))
+        throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
     std::string line = bytes_.substr(at_, end - at_);
     if (!line.empty() && line.back() == '\r') line.pop_back();
     at_ = end + 1;
@@ -60,14 +60,13 @@ Ply::Encoding Ply::parse_header() {
     if (next_line() != "ply") throw Error("{}: expected a PLY file, found another first line", path_.string());
     std::string format;
     for (std::string line = next_line(); line != "end_header"; line = next_line())
-        if (line.starts_with("format ") && format.empty())
-            format = line;
-        else
-            parse_header_line(line);
+        if (line.starts_with("format ") && format.empty()) format = line;
+        else parse_header_line(line);
     if (format == "format binary_little_endian 1.0") return Encoding::little;
     if (format == "format binary_big_endian 1.0") return Encoding::big;
     if (format == "format ascii 1.0") return Encoding::text;
-    throw Error("{}: expected \"format binary_little_endian 1.0\", binary_big_endian or ascii, found \"{}\"", path_.string(), format);
+    throw Error("{}: expected \"format binary_little_endian 1.0\", binary_big_endian or ascii, found \"{}\"",
+                path_.string(), format);
 }
 
 void Ply::parse_header_line(const std::string& line) {
@@ -81,13 +80,16 @@ void Ply::parse_header_line(const std::string& line) {
         std::string count;
         words >> element.name >> count;
         const auto [end, code] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-        if (count.empty() || code != std::errc() || end != count.data() + count.size()) throw Error("{}: expected \"element NAME COUNT\", found \"{}\"", path_.string(), line);
+        if (count.empty() || code != std::errc() || end != count.data() + count.size())
+            throw Error("{}: expected \"element NAME COUNT\", found \"{}\"", path_.string(), line);
         elements_.push_back(element);
     } else if (word == "property" && words >> type && type == "list" && !elements_.empty()) {
         elements_.back().has_list = true;
     } else if (word == "property" && words >> name && type_named(type) && !elements_.empty()) {
         PlyElement& element = elements_.back();
-        if (element.properties.size() >= kMostProperties) throw Error("{}: expected at most {} properties of \"{}\", found more", path_.string(), kMostProperties, element.name);
+        if (element.properties.size() >= kMostProperties)
+            throw Error("{}: expected at most {} properties of \"{}\", found more", path_.string(), kMostProperties,
+                        element.name);
         element.properties.push_back({name, type_named(type)->bytes, type_named(type)->kind, element.stride});
         element.stride += static_cast<std::size_t>(type_named(type)->bytes);
     } else {
@@ -102,8 +104,8 @@ void Ply::place_binary_rows() {
         const std::size_t left = bytes_.size() - at_;
         // A row without properties has no end.
         if (element.count > left / std::max<std::size_t>(element.stride, 1))
-            throw Error("{}: byte {}: expected {} rows of {} bytes for \"{}\", found {} bytes", path_.string(), at_, element.count, element.stride,
-                        element.name, left);
+            throw Error("{}: byte {}: expected {} rows of {} bytes for \"{}\", found {} bytes", path_.string(), at_,
+                        element.count, element.stride, element.name, left);
         at_ += element.count * element.stride;
     }
 }
@@ -126,13 +128,16 @@ void Ply::read_text_rows() {
         if (element.has_list) break;
         element.data = rows.size();
         element.stride = 8 * element.properties.size();
-        for (std::size_t i = 0; i < element.properties.size(); ++i) element.properties[i] = {element.properties[i].name, 8, 'f', 8 * i};
+        for (std::size_t i = 0; i < element.properties.size(); ++i)
+            element.properties[i] = {element.properties[i].name, 8, 'f', 8 * i};
         // A number takes two characters with the space before the next.
         if (element.count > (bytes_.size() - at_ + 1) / std::max<std::size_t>(2 * element.properties.size(), 1))
-            throw Error("{}: byte {}: expected {} rows of {} numbers for \"{}\", found {} bytes", path_.string(), at_, element.count, element.properties.size(),
-                        element.name, bytes_.size() - at_);
+            throw Error("{}: byte {}: expected {} rows of {} numbers for \"{}\", found {} bytes", path_.string(), at_,
+                        element.count, element.properties.size(), element.name, bytes_.size() - at_);
         for (std::size_t k = 0; k < element.count * element.properties.size(); ++k) {
-            while (at_ < bytes_.size() && (bytes_[at_] == ' ' || bytes_[at_] == '\t' || bytes_[at_] == '\r' || bytes_[at_] == '\n')) ++at_;
+            while (at_ < bytes_.size() &&
+                   (bytes_[at_] == ' ' || bytes_[at_] == '\t' || bytes_[at_] == '\r' || bytes_[at_] == '\n'))
+                ++at_;
             if (at_ + 1 < bytes_.size() && bytes_[at_] == '+' && bytes_[at_ + 1] != '-') ++at_;
             double value = 0;
             const auto [end, code] = std::from_chars(bytes_.data() + at_, bytes_.data() + bytes_.size(), value);
@@ -151,7 +156,8 @@ bool Ply::has(std::string_view name) const {
 
 const PlyElement& Ply::element(std::string_view name) const {
     for (const PlyElement& e : elements_) {
-        if (e.has_list) throw Error("{}: expected the element \"{}\" before \"{}\", which has lists", path_.string(), name, e.name);
+        if (e.has_list)
+            throw Error("{}: expected the element \"{}\" before \"{}\", which has lists", path_.string(), name, e.name);
         if (e.name == name) return e;
     }
     throw Error("{}: expected an element \"{}\", found none", path_.string(), name);
@@ -173,8 +179,13 @@ double Ply::value(const PlyElement& element, std::size_t row, int property) cons
     const PlyProperty& p = element.properties[static_cast<std::size_t>(property)];
     const char* at = bytes_.data() + element.data + row * element.stride + p.offset;
     if (p.kind == 'f') return p.bytes == 4 ? read_as<float>(at) : read_as<double>(at);
-    if (p.kind == 'i') return p.bytes == 1 ? read_as<std::int8_t>(at) : p.bytes == 2 ? read_as<std::int16_t>(at) : read_as<std::int32_t>(at);
-    return p.bytes == 1 ? read_as<std::uint8_t>(at) : p.bytes == 2 ? read_as<std::uint16_t>(at) : read_as<std::uint32_t>(at);
+    if (p.kind == 'i')
+        return p.bytes == 1   ? read_as<std::int8_t>(at)
+               : p.bytes == 2 ? read_as<std::int16_t>(at)
+                              : read_as<std::int32_t>(at);
+    return p.bytes == 1   ? read_as<std::uint8_t>(at)
+           : p.bytes == 2 ? read_as<std::uint16_t>(at)
+                          : read_as<std::uint32_t>(at);
 }
 
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree) {
@@ -183,7 +194,8 @@ std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degr
     std::size_t here = 0, found = 5;  // coefficients a channel; the degree
     for (std::size_t d = 0; d <= 4; ++d)
         if (const std::size_t k = (d + 1) * (d + 1) - 1; all.size() == 3 * k) here = k, found = d;
-    if (found > 4) throw Error("{}: expected 0, 9, 24, 45 or 72 properties f_rest_*, found {}", ply.path().string(), all.size());
+    if (found > 4)
+        throw Error("{}: expected 0, 9, 24, 45 or 72 properties f_rest_*, found {}", ply.path().string(), all.size());
     degree = static_cast<int>(std::min<std::size_t>(found, 3));
     const auto kept = static_cast<std::size_t>((degree + 1) * (degree + 1) - 1);
     std::vector<int> columns;

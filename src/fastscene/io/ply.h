@@ -14,8 +14,8 @@ namespace fastscene {
 
 struct PlyProperty {
     std::string name;
-    int bytes = 4;      // size in the file
-    char kind = 'f';    // f: floating point, i: signed, u: unsigned
+    int bytes = 4;    // size in the file
+    char kind = 'f';  // f: floating point, i: signed, u: unsigned
     std::size_t offset = 0;
 };
 struct PlyElement {
@@ -41,7 +41,9 @@ class Ply {
     // Throws Error when absent.
     int property(const PlyElement& element, std::string_view name) const;
     double value(const PlyElement& element, std::size_t row, int property) const;
-    float number(const PlyElement& element, std::size_t row, int property) const { return static_cast<float>(value(element, row, property)); }
+    float number(const PlyElement& element, std::size_t row, int property) const {
+        return static_cast<float>(value(element, row, property));
+    }
 
   private:
     enum class Encoding { text, little, big };
@@ -59,8 +61,8 @@ class Ply {
     std::vector<std::string> comments_;
 };
 
-// The columns f_rest_* that we keep, channel-major, and the degree they make: files may have 0, 9, 24, 45 or 72 (degree 4, of which
-// the first three bands are kept). Throws Error for another number.
+// The columns f_rest_* that we keep, channel-major, and the degree they make: files may have 0, 9, 24, 45 or 72 (degree
+// 4, of which the first three bands are kept). Throws Error for another number.
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree);
 
 // What a header says of splats beyond their columns, in Brush's words, which splat-transform and gsplat share:

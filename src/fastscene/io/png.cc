@@ -35,7 +35,8 @@ void on_read(png_structp png, png_bytep out, png_size_t size) {
 }
 
 // Apart from the function that setjmp returns to, whose locals may not change.
-[[gnu::noinline]] void make_rows(Source& source, std::vector<png_byte>& pixels, std::size_t stride, std::size_t height) {
+[[gnu::noinline]] void make_rows(Source& source, std::vector<png_byte>& pixels, std::size_t stride,
+                                 std::size_t height) {
     pixels.resize(stride * height);
     source.rows.resize(height);
     for (std::size_t y = 0; y < height; ++y) source.rows[y] = pixels.data() + y * stride;
@@ -45,7 +46,8 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
 
 // Rows as asked for: 3 or 1 bytes, or 2 bytes big endian, a pixel.
 // Never inlined: setjmp forgives no variable of a caller.
-[[gnu::noinline]] bool decode(const std::string& bytes, Wanted wanted, int& width, int& height, std::vector<png_byte>& pixels, std::string& message) {
+[[gnu::noinline]] bool decode(const std::string& bytes, Wanted wanted, int& width, int& height,
+                              std::vector<png_byte>& pixels, std::string& message) {
     Source source{&bytes, 0, {}, {}};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     png_infop info = png_create_info_struct(png);
@@ -56,7 +58,8 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     }
     png_set_read_fn(png, &source, on_read);
     png_set_user_limits(png, kMaxPictureSide, kMaxPictureSide);
-    // Samples are taken as sRGB whatever the file says: with a gamma chunk libpng would blend alpha in linear light, without one not.
+    // Samples are taken as sRGB whatever the file says: with a gamma chunk libpng would blend alpha in linear light,
+    // without one not.
     static constexpr png_byte kColorChunks[] = "gAMA\0sRGB\0cHRM\0iCCP";
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
@@ -93,17 +96,20 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     return true;
 }
 
-std::vector<png_byte> decoded(const std::string& bytes, const std::string& where, Wanted wanted, int& width, int& height) {
+std::vector<png_byte> decoded(const std::string& bytes, const std::string& where, Wanted wanted, int& width,
+                              int& height) {
     std::vector<png_byte> pixels;
     std::string message;
-    if (!decode(bytes, wanted, width, height, pixels, message)) throw Error("{}: expected a whole PNG picture, found: {}", where, message);
+    if (!decode(bytes, wanted, width, height, pixels, message))
+        throw Error("{}: expected a whole PNG picture, found: {}", where, message);
     return pixels;
 }
 std::vector<png_byte> decoded(const fs::path& path, Wanted wanted, int& width, int& height) {
     return decoded(read_file(path), path.string(), wanted, width, height);
 }
 
-bool encode(const png_byte* pixels, int width, int height, int type, int depth, std::string& out, std::string& message) {
+bool encode(const png_byte* pixels, int width, int height, int type, int depth, std::string& out,
+            std::string& message) {
     Source state{nullptr, 0, {}, {}};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
     png_infop info = png_create_info_struct(png);
@@ -112,13 +118,16 @@ bool encode(const png_byte* pixels, int width, int height, int type, int depth, 
         message = state.message;
         return false;
     }
-    png_set_write_fn(png, &out, [](png_structp p, png_bytep data, png_size_t size) {
-        static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<const char*>(data), size);
-    }, [](png_structp) {});
+    png_set_write_fn(
+        png, &out,
+        [](png_structp p, png_bytep data, png_size_t size) {
+            static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<const char*>(data), size);
+        },
+        [](png_structp) {});
     // Level 4 with the Sub/Up/Paeth choice left to libpng: a third of the time of the default, 3 % larger files.
     png_set_compression_level(png, 4);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), depth, type, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), depth, type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     const std::size_t stride = png_get_rowbytes(png, info);
     for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) png_write_row(png, pixels + y * stride);
@@ -138,7 +147,8 @@ void save(const fs::path& path, const void* pixels, int width, int height, int t
 
 PictureInfo png_info(const fs::path& path, std::string_view bytes) {
     // Signature (8), then the chunk IHDR: length, name, width, height.
-    if (bytes.size() < 24 || bytes.substr(12, 4) != "IHDR") throw Error("{}: expected a PNG header, found {} bytes", path.string(), bytes.size());
+    if (bytes.size() < 24 || bytes.substr(12, 4) != "IHDR")
+        throw Error("{}: expected a PNG header, found {} bytes", path.string(), bytes.size());
     const auto number = [&](std::size_t at) {
         std::uint32_t v = 0;
         for (std::size_t i = 0; i < 4; ++i) v = v << 8 | static_cast<unsigned char>(bytes[at + i]);
@@ -173,12 +183,12 @@ namespace {
 
 // 8 bits are a picture of a map: 256 ranges, in a unit that nobody tells.
 void check_map(const fs::path& path, std::string_view bytes) {
-    constexpr std::size_t kDepthAt = 24, kTypeAt = 25;   // in the chunk IHDR
-    if (bytes.size() <= kTypeAt) return;                 // the decoder says so
+    constexpr std::size_t kDepthAt = 24, kTypeAt = 25;  // in the chunk IHDR
+    if (bytes.size() <= kTypeAt) return;                // the decoder says so
     const int depth = static_cast<unsigned char>(bytes[kDepthAt]), type = static_cast<unsigned char>(bytes[kTypeAt]);
     if (depth == 16 && !(type & PNG_COLOR_MASK_COLOR)) return;
-    throw Error("{}: expected a map of one number a pixel (PNG: 16-bit gray, in millimetres), found {} bits of {}", path.string(), depth,
-                type & PNG_COLOR_MASK_COLOR ? "color" : "gray");
+    throw Error("{}: expected a map of one number a pixel (PNG: 16-bit gray, in millimetres), found {} bits of {}",
+                path.string(), depth, type & PNG_COLOR_MASK_COLOR ? "color" : "gray");
 }
 
 }  // namespace
@@ -189,7 +199,8 @@ ImageF load_png_float(const fs::path& path, float unit) {
     check_map(path, bytes);
     const std::vector<png_byte> pixels = decoded(bytes, path.string(), Wanted::gray16, width, height);
     ImageF image(width, height);
-    for (std::size_t i = 0; i < image.size(); ++i) image.pixels[i] = unit * static_cast<float>(pixels[2 * i] << 8 | pixels[2 * i + 1]);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image.pixels[i] = unit * static_cast<float>(pixels[2 * i] << 8 | pixels[2 * i + 1]);
     return image;
 }
 

@@ -1,5 +1,6 @@
-// Radiance RGBE (Ward 1991): a text header, "-Y height +X width", then rows of four bytes a pixel: three mantissas with one exponent.
-// Rows are bare, run-length coded by pixel (the first form) or by channel (the later one, marked by 2, 2 and the width).
+// Radiance RGBE (Ward 1991): a text header, "-Y height +X width", then rows of four bytes a pixel: three mantissas with
+// one exponent. Rows are bare, run-length coded by pixel (the first form) or by channel (the later one, marked by 2, 2
+// and the width).
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +26,8 @@ RadianceHeader radiance_header(const fs::path& path, std::string_view bytes) {
     std::size_t at = 0;
     const auto line = [&] {
         const std::size_t end = bytes.find('\n', at);
-        if (end == std::string_view::npos) throw Error("{}: expected a Radiance header, found its end after {} bytes", path.string(), bytes.size());
+        if (end == std::string_view::npos)
+            throw Error("{}: expected a Radiance header, found its end after {} bytes", path.string(), bytes.size());
         const std::string text(bytes.substr(at, end - at));
         at = end + 1;
         return text;
@@ -37,8 +39,8 @@ RadianceHeader radiance_header(const fs::path& path, std::string_view bytes) {
     const std::string size = line();
     int read = 0;
     if (std::sscanf(size.c_str(), "-Y %d +X %d%n", &header.height, &header.width, &read) != 2)
-        throw Error("{}: expected \"-Y height +X width\" (rows from the top, columns from the left), found \"{}\"", path.string(),
-                    size.substr(0, 40));
+        throw Error("{}: expected \"-Y height +X width\" (rows from the top, columns from the left), found \"{}\"",
+                    path.string(), size.substr(0, 40));
     header.data = at;
     return header;
 }
@@ -49,7 +51,8 @@ class Rows {
     Rows(const fs::path& path, std::string_view bytes, std::size_t at) : path_(path), bytes_(bytes), at_(at) {}
     void read(std::vector<Rgbe>& row) {
         const std::size_t width = row.size();
-        const bool by_channel = width >= 8 && width < 0x8000 && peek(0) == 2 && peek(1) == 2 && (peek(2) << 8 | peek(3)) == static_cast<int>(width);
+        const bool by_channel = width >= 8 && width < 0x8000 && peek(0) == 2 && peek(1) == 2 &&
+                                (peek(2) << 8 | peek(3)) == static_cast<int>(width);
         if (!by_channel) return read_pixels(row);
         at_ += 4;
         for (std::size_t channel = 0; channel < 4; ++channel)
@@ -79,12 +82,16 @@ class Rows {
             shift += 8;
         }
     }
-    int peek(std::size_t ahead) const { return at_ + ahead < bytes_.size() ? static_cast<unsigned char>(bytes_[at_ + ahead]) : -1; }
+    int peek(std::size_t ahead) const {
+        return at_ + ahead < bytes_.size() ? static_cast<unsigned char>(bytes_[at_ + ahead]) : -1;
+    }
     std::uint8_t next() {
         if (at_ >= bytes_.size()) refuse("its end");
         return static_cast<std::uint8_t>(bytes_[at_++]);
     }
-    [[noreturn]] void refuse(std::string_view found) const { throw Error("{}: expected a whole Radiance picture, found {} at byte {}", path_.string(), found, at_); }
+    [[noreturn]] void refuse(std::string_view found) const {
+        throw Error("{}: expected a whole Radiance picture, found {} at byte {}", path_.string(), found, at_);
+    }
 
     const fs::path& path_;
     std::string_view bytes_;
@@ -94,7 +101,8 @@ class Rows {
 Vec3f light_of(Rgbe pixel) {
     if (pixel[3] == 0) return {};
     const float unit = std::ldexp(1.f, pixel[3] - 128 - 8);
-    return {(static_cast<float>(pixel[0]) + 0.5f) * unit, (static_cast<float>(pixel[1]) + 0.5f) * unit, (static_cast<float>(pixel[2]) + 0.5f) * unit};
+    return {(static_cast<float>(pixel[0]) + 0.5f) * unit, (static_cast<float>(pixel[1]) + 0.5f) * unit,
+            (static_cast<float>(pixel[2]) + 0.5f) * unit};
 }
 
 }  // namespace
@@ -108,7 +116,8 @@ ImageColor decode_radiance(const fs::path& path, std::string_view bytes) {
     const RadianceHeader header = radiance_header(path, bytes);
     // A row takes at least 8 bytes however it is packed.
     if (!plausible_size(header.width, header.height) || static_cast<std::size_t>(header.height) * 8 > bytes.size())
-        throw Error("{}: expected a size that the file can hold, found {} x {} in {} bytes", path.string(), header.width, header.height, bytes.size());
+        throw Error("{}: expected a size that the file can hold, found {} x {} in {} bytes", path.string(),
+                    header.width, header.height, bytes.size());
     Rows rows(path, bytes, header.data);
     ImageColor image(header.width, header.height);
     std::vector<Rgbe> row(static_cast<std::size_t>(header.width));

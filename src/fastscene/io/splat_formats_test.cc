@@ -1,5 +1,5 @@
-// Splats through every format: what comes back is what went in, within the steps of the format; byte facts that other programs
-// rely on; files that other programs write. (Other programs themselves are asked in tests/readers.)
+// Splats through every format: what comes back is what went in, within the steps of the format; byte facts that other
+// programs rely on; files that other programs write. (Other programs themselves are asked in tests/readers.)
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,9 +38,11 @@ Difference difference(const Splats& a, const Splats& b) {
         d.logit = std::max(d.logit, std::fabs(a.opacity_logit[i] - b.opacity_logit[i]));
         const Mat3f p = matrix_of(a.rotation[i]), q = matrix_of(b.rotation[i]);
         for (std::size_t axis = 0; axis < 3; ++axis)
-            d.rotation = std::max(d.rotation, std::min(length(p.column(axis) - q.column(axis)), length(p.column(axis) + q.column(axis))));
+            d.rotation = std::max(
+                d.rotation, std::min(length(p.column(axis) - q.column(axis)), length(p.column(axis) + q.column(axis))));
     }
-    for (std::size_t i = 0; i < a.sh_rest.size(); ++i) d.sh_rest = std::max(d.sh_rest, std::fabs(a.sh_rest[i] - b.sh_rest[i]));
+    for (std::size_t i = 0; i < a.sh_rest.size(); ++i)
+        d.sh_rest = std::max(d.sh_rest, std::fabs(a.sh_rest[i] - b.sh_rest[i]));
     return d;
 }
 
@@ -123,7 +125,9 @@ TEST(SplatFormats, CompressedPlyRoundTripsWithinItsSteps) {
         for (std::size_t i = 0; i < splats.size(); ++i) {
             std::uint32_t best = 0;
             for (std::uint32_t k = 1; k < back.splats.size(); ++k)
-                if (length(back.splats.mean_m[k] - splats.mean_m[i]) < length(back.splats.mean_m[best] - splats.mean_m[i])) best = k;
+                if (length(back.splats.mean_m[k] - splats.mean_m[i]) <
+                    length(back.splats.mean_m[best] - splats.mean_m[i]))
+                    best = k;
             order.push_back(best);
         }
         const Difference d = difference(splats, chosen(back.splats, order));
@@ -200,15 +204,17 @@ TEST(SplatFormats, SpzRefusesPlacesItCannotHold) {
 
 TEST(SplatFormats, PlyInAnyColumnOrderAndEncoding) {
     // As text, columns shuffled, SH of degree 1, two scales (flat Gaussians), doubles, and a mesh's faces behind.
-    write_file(scratch("t.ply"), std::string_view("ply\r\nformat ascii 1.0\r\ncomment x\nelement vertex 1\nproperty float opacity\nproperty double "
-                                                  "x\nproperty float rot_3\nproperty float rot_0\n"
-                                                  "property float rot_1\nproperty float rot_2\nproperty float y\nproperty float z\nproperty float "
-                                                  "scale_1\nproperty float scale_0\nproperty float f_dc_2\nproperty float f_dc_1\n"
-                                                  "property float f_dc_0\nproperty float f_rest_8\nproperty float f_rest_0\nproperty float "
-                                                  "f_rest_1\nproperty float f_rest_2\nproperty float f_rest_3\nproperty float f_rest_4\n"
-                                                  "property float f_rest_5\nproperty float f_rest_6\nproperty float f_rest_7\nelement face "
-                                                  "1\nproperty list uchar int vertex_indices\nend_header\n"
-                                                  "0.5 1e0 4 1 2 3\n 2 3 -5 -4 12 11 10 .8 .0 .1 .2 .3 .4 .5 .6 .7\n3 0 1 2\n"));
+    write_file(scratch("t.ply"),
+               std::string_view(
+                   "ply\r\nformat ascii 1.0\r\ncomment x\nelement vertex 1\nproperty float opacity\nproperty double "
+                   "x\nproperty float rot_3\nproperty float rot_0\n"
+                   "property float rot_1\nproperty float rot_2\nproperty float y\nproperty float z\nproperty float "
+                   "scale_1\nproperty float scale_0\nproperty float f_dc_2\nproperty float f_dc_1\n"
+                   "property float f_dc_0\nproperty float f_rest_8\nproperty float f_rest_0\nproperty float "
+                   "f_rest_1\nproperty float f_rest_2\nproperty float f_rest_3\nproperty float f_rest_4\n"
+                   "property float f_rest_5\nproperty float f_rest_6\nproperty float f_rest_7\nelement face "
+                   "1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0.5 1e0 4 1 2 3\n 2 3 -5 -4 12 11 10 .8 .0 .1 .2 .3 .4 .5 .6 .7\n3 0 1 2\n"));
     const Splats s = load_splats(scratch("t.ply")).splats;
     ASSERT_EQ(s.size(), 1u);
     EXPECT_EQ(s.mean_m[0], (Vec3f{1, 2, 3}));
@@ -225,7 +231,8 @@ TEST(SplatFormats, PlyInAnyColumnOrderAndEncoding) {
     std::string bytes = read_file(scratch("b.ply"));
     bytes.replace(bytes.find("little"), 6, "big");
     for (std::size_t at = bytes.find("end_header") + 11; at < bytes.size(); at += 4)
-        std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4);
+        std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4);
     write_file(scratch("b.ply"), bytes);
     EXPECT_EQ(load_splats(scratch("b.ply")).splats, splats);
 }
@@ -252,8 +259,8 @@ TEST(SplatFormats, GlbNodesTurnAndScale) {
         json["nodes"] = Json::array({{{"children", {1}}, {"translation", {1, 0, 0}}}, node});
         std::string text = json.dump(), out;
         text.append((4 - text.size() % 4) % 4, ' ');
-        for (const std::uint32_t v :
-             {0x46546c67u, 2u, static_cast<std::uint32_t>(20 + text.size() + binary.size()), static_cast<std::uint32_t>(text.size()), 0x4e4f534au})
+        for (const std::uint32_t v : {0x46546c67u, 2u, static_cast<std::uint32_t>(20 + text.size() + binary.size()),
+                                      static_cast<std::uint32_t>(text.size()), 0x4e4f534au})
             append(out, v);
         write_file(scratch("n.glb"), out + text + binary);
     };

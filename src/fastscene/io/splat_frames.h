@@ -1,5 +1,6 @@
-// The axes of the splat formats, measured with one-sided splats against other programs. All are half turns, and so their own
-// inverse: the same matrix leads to the file and back. PLY, compressed PLY and SOG have the world's axes. Private to io/.
+// The axes of the splat formats, measured with one-sided splats against other programs. All are half turns, and so
+// their own inverse: the same matrix leads to the file and back. PLY, compressed PLY and SOG have the world's axes.
+// Private to io/.
 #pragma once
 
 #include "fastscene/math/rigid.h"

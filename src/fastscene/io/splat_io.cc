@@ -71,7 +71,8 @@ void save_splats(const fs::path& path, const Splats& splats, SplatFormat format,
         case SplatFormat::compressed_ply: return save_compressed_ply(path, splats);
         case SplatFormat::spz: return write_file(path, spz_bytes_for(path, splats, writing.spz_version));
         case SplatFormat::glb:
-            if (splats.size() == 0) throw Error("{}: expected splats to write, found none: glTF cannot hold zero", path.string());
+            if (splats.size() == 0)
+                throw Error("{}: expected splats to write, found none: glTF cannot hold zero", path.string());
             return write_file(path, splat_glb_bytes(splats));
     }
 }

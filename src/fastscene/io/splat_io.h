@@ -1,5 +1,5 @@
-// Splats in files. World frame inside is COLMAP's (x right, y down, z forward); the frame of each format is met here and nowhere
-// else (docs/formats.md has the table), spherical harmonics turned with it.
+// Splats in files. World frame inside is COLMAP's (x right, y down, z forward); the frame of each format is met here
+// and nowhere else (docs/formats.md has the table), spherical harmonics turned with it.
 #pragma once
 
 #include <filesystem>
@@ -23,16 +23,20 @@ struct LoadedSplats {
     Cleaning cleaned;  // what it took
     SplatFormat format = SplatFormat::ply;
 };
-// Any of the formats, by the file's first bytes. Throws Error naming the file, the byte or line, what was expected and found; asks
-// for no more memory than the file's size accounts for.
+// Any of the formats, by the file's first bytes. Throws Error naming the file, the byte or line, what was expected and
+// found; asks for no more memory than the file's size accounts for.
 LoadedSplats load_splats(const std::filesystem::path& path);
 
-enum class PlyBands { all, present };  // always degree 3, as several readers insist (62 floats a splat); or only what there is
+enum class PlyBands {
+    all,
+    present
+};  // always degree 3, as several readers insist (62 floats a splat); or only what there is
 struct SplatWriting {
     PlyBands ply_bands = PlyBands::all;
     int spz_version = 3;  // 2, 3 or 4: 3 is read most widely
 };
-void save_splats(const std::filesystem::path& path, const Splats& splats, SplatFormat format, const SplatWriting& writing = {});
+void save_splats(const std::filesystem::path& path, const Splats& splats, SplatFormat format,
+                 const SplatWriting& writing = {});
 
 // INRIA's PLY, binary little endian, normals 0.
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands = PlyBands::all);

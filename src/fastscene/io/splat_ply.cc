@@ -12,14 +12,17 @@ namespace fastscene {
 std::string ply_comments(const Splats& splats) { return splats.antialias ? "comment SplatRenderMode: mip\n" : ""; }
 
 bool is_antialiased(const Ply& ply) {
-    return std::any_of(ply.comments().begin(), ply.comments().end(),
-                       [](const std::string& c) { return c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0"); });
+    return std::any_of(ply.comments().begin(), ply.comments().end(), [](const std::string& c) {
+        return c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0");
+    });
 }
 
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats), splats.size());
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) out += fmt::format("property float {}\n", name);
+    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats),
+                                  splats.size());
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"})
+        out += fmt::format("property float {}\n", name);
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
         out += fmt::format("property float {}\n", name);
@@ -37,7 +40,10 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats, Ply
         put3(splats.sh0[i]);
         for (int c = 0; c < 3; ++c)
             for (int k = 0; k < written; ++k)
-                put(k < have ? splats.sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)] : 0.f);
+                put(k < have
+                        ? splats
+                              .sh_rest[i * 3 * static_cast<std::size_t>(have) + static_cast<std::size_t>(c * have + k)]
+                        : 0.f);
         put(splats.opacity_logit[i]);
         put3(splats.log_scale[i]);
         const Quatf q = splats.rotation[i];
@@ -50,11 +56,13 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats, Ply
 Splats splats_of_ply(const Ply& ply) {
     const PlyElement& v = ply.element("vertex");
     if (Ply::find(v, "f_dc_0") < 0 && Ply::find(v, "red") >= 0)
-        throw Error("{}: expected Gaussians (f_dc_*, scale_*, rot_*, opacity), found a cloud of colored points", ply.path().string());
+        throw Error("{}: expected Gaussians (f_dc_*, scale_*, rot_*, opacity), found a cloud of colored points",
+                    ply.path().string());
     const auto three = [&](std::array<const char*, 3> names) {
         return std::array<int, 3>{ply.property(v, names[0]), ply.property(v, names[1]), ply.property(v, names[2])};
     };
-    const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}), rot = three({"rot_1", "rot_2", "rot_3"});
+    const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}),
+               rot = three({"rot_1", "rot_2", "rot_3"});
     const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity");
     // Files of flat Gaussians (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
     const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
@@ -63,7 +71,9 @@ Splats splats_of_ply(const Ply& ply) {
     const std::vector<int> rest = sh_columns(ply, v, splats.sh_degree);
     splats.resize(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
-        const auto vec = [&](const std::array<int, 3>& p) { return Vec3f{ply.number(v, i, p[0]), ply.number(v, i, p[1]), ply.number(v, i, p[2])}; };
+        const auto vec = [&](const std::array<int, 3>& p) {
+            return Vec3f{ply.number(v, i, p[0]), ply.number(v, i, p[1]), ply.number(v, i, p[2])};
+        };
         splats.mean_m[i] = vec(mean);
         splats.sh0[i] = vec(dc);
         Vec3f& s = splats.log_scale[i];

@@ -27,7 +27,8 @@ struct SpzHeader {
 };
 
 SpzHeader parse_header(ByteReader& in) {
-    if (const auto magic = in.get<std::uint32_t>(); magic != kSpzMagic) in.refuse(fmt::format("expected the sign NGSP, found {:08x}", magic));
+    if (const auto magic = in.get<std::uint32_t>(); magic != kSpzMagic)
+        in.refuse(fmt::format("expected the sign NGSP, found {:08x}", magic));
     SpzHeader h;
     h.version = in.get<std::uint32_t>();
     if (h.version < 2 || h.version > 4) in.refuse(fmt::format("expected SPZ version 2, 3 or 4, found {}", h.version));
@@ -35,12 +36,15 @@ SpzHeader parse_header(ByteReader& in) {
     h.sh_degree = in.get<std::uint8_t>();
     h.fractional_bits = in.get<std::uint8_t>();
     h.flags = in.get<std::uint8_t>();
-    if (h.sh_degree > (h.version == 4 ? 4 : 3)) in.refuse(fmt::format("expected spherical harmonics of degree 0 to 3, found {}", h.sh_degree));
-    if (h.fractional_bits > 24) in.refuse(fmt::format("expected at most 24 fractional bits, found {}", h.fractional_bits));
+    if (h.sh_degree > (h.version == 4 ? 4 : 3))
+        in.refuse(fmt::format("expected spherical harmonics of degree 0 to 3, found {}", h.sh_degree));
+    if (h.fractional_bits > 24)
+        in.refuse(fmt::format("expected at most 24 fractional bits, found {}", h.fractional_bits));
     return h;
 }
 
-// Unpacks as it goes: memory grows only with bytes that are really there. Stops above `limit` (known once the header is out).
+// Unpacks as it goes: memory grows only with bytes that are really there. Stops above `limit` (known once the header is
+// out).
 std::string gunzip(const fs::path& path, std::string_view bytes, std::size_t& expected, bool& may_go_on) {
     z_stream z{};
     if (inflateInit2(&z, 16 + 15) != Z_OK) throw std::bad_alloc();
@@ -60,7 +64,8 @@ std::string gunzip(const fs::path& path, std::string_view bytes, std::size_t& ex
         code = inflate(&z, Z_NO_FLUSH);
         out.append(piece, 0, piece.size() - z.avail_out);
         if (code != Z_OK && code != Z_STREAM_END)
-            throw Error("{}: byte {}: expected more of a gzip stream, found {}", path.string(), at - z.avail_in, z.msg ? z.msg : "the end of the file");
+            throw Error("{}: byte {}: expected more of a gzip stream, found {}", path.string(), at - z.avail_in,
+                        z.msg ? z.msg : "the end of the file");
         if (!header_known && out.size() >= kSpzHeader) {
             header_known = true;
             ByteReader in(path, out);
@@ -83,13 +88,16 @@ std::string unzstd(const fs::path& path, std::string_view bytes, std::size_t at,
     for (std::size_t more = 1; more != 0;) {
         ZSTD_outBuffer to{piece.data(), piece.size(), 0};
         more = ZSTD_decompressStream(stream.get(), &to, &in);
-        if (ZSTD_isError(more)) throw Error("{}: byte {}: expected a frame of zstd, found: {}", path.string(), at + in.pos, ZSTD_getErrorName(more));
+        if (ZSTD_isError(more))
+            throw Error("{}: byte {}: expected a frame of zstd, found: {}", path.string(), at + in.pos,
+                        ZSTD_getErrorName(more));
         out.append(piece, 0, to.pos);
         if (out.size() > expected) break;
         if (more != 0 && to.pos == 0 && in.pos == in.size)
             throw Error("{}: byte {}: expected more of a frame of zstd, found its end", path.string(), at + in.pos);
     }
-    if (out.size() != expected) throw Error("{}: byte {}: expected {} bytes unpacked, found {}", path.string(), at, expected, out.size());
+    if (out.size() != expected)
+        throw Error("{}: byte {}: expected {} bytes unpacked, found {}", path.string(), at, expected, out.size());
     return out;
 }
 
@@ -105,7 +113,9 @@ Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
     ByteReader in(path, whole);
     Packed packed{parse_header(in), {}};
     if (packed.header.version > 3) in.refuse("expected version 2 or 3 in a gzip stream, found 4");
-    if (whole.size() < expected) throw Error("{}: expected {} bytes unpacked for {} splats, found {}", path.string(), expected, packed.header.count, whole.size());
+    if (whole.size() < expected)
+        throw Error("{}: expected {} bytes unpacked for {} splats, found {}", path.string(), expected,
+                    packed.header.count, whole.size());
     std::size_t at = kSpzHeader;
     const auto sizes = spz_stream_bytes(packed.header.version, packed.header.sh_degree);
     for (std::size_t i = 0; i < kSpzStreams; at += sizes[i++] * packed.header.count)
@@ -122,7 +132,8 @@ Packed unpack_zstd(const fs::path& path, std::string_view bytes) {
     const auto sizes = spz_stream_bytes(h.version, h.sh_degree);
     const std::size_t wanted = h.sh_degree > 0 ? kSpzStreams : kSpzStreams - 1;
     if (streams != wanted) in.refuse(fmt::format("expected {} streams, found {}", wanted, streams));
-    if (table < kSpzHeader4 || table > bytes.size()) in.refuse(fmt::format("expected the table of streams inside the file, found byte {}", table));
+    if (table < kSpzHeader4 || table > bytes.size())
+        in.refuse(fmt::format("expected the table of streams inside the file, found byte {}", table));
     in.skip(table - in.at());
     std::array<std::uint64_t, kSpzStreams> packed_bytes{};
     for (std::size_t i = 0; i < streams; ++i) {
@@ -131,7 +142,8 @@ Packed unpack_zstd(const fs::path& path, std::string_view bytes) {
             in.refuse(fmt::format("expected {} bytes in stream {}, found {}", sizes[i] * h.count, i, unpacked));
     }
     for (std::size_t i = 0; i < streams; ++i) {
-        if (packed_bytes[i] > in.left()) in.refuse(fmt::format("expected {} bytes of stream {}, found {}", packed_bytes[i], i, in.left()));
+        if (packed_bytes[i] > in.left())
+            in.refuse(fmt::format("expected {} bytes of stream {}, found {}", packed_bytes[i], i, in.left()));
         packed.streams[i] = unzstd(path, bytes.substr(in.at(), packed_bytes[i]), in.at(), sizes[i] * h.count);
         in.skip(packed_bytes[i]);
     }
@@ -160,7 +172,9 @@ Quatf rotation2(const std::uint8_t* b) {
 
 Splats splats_of(const Packed& packed) {
     const SpzHeader& h = packed.header;
-    const auto bytes = [&](SpzStream stream) { return reinterpret_cast<const std::uint8_t*>(packed.streams[stream].data()); };
+    const auto bytes = [&](SpzStream stream) {
+        return reinterpret_cast<const std::uint8_t*>(packed.streams[stream].data());
+    };
     const float unit = 1.f / static_cast<float>(1 << h.fractional_bits);
     const auto stored = static_cast<std::size_t>((h.sh_degree + 1) * (h.sh_degree + 1) - 1);
     Splats s;
@@ -171,17 +185,21 @@ Splats splats_of(const Packed& packed) {
     for (std::size_t i = 0; i < h.count; ++i) {
         for (std::size_t a = 0; a < 3; ++a) {
             const std::uint8_t* p = bytes(kSpzPositions) + 9 * i + 3 * a;
-            const auto high = static_cast<std::uint32_t>(p[0]) << 8 | static_cast<std::uint32_t>(p[1]) << 16 | static_cast<std::uint32_t>(p[2]) << 24;
+            const auto high = static_cast<std::uint32_t>(p[0]) << 8 | static_cast<std::uint32_t>(p[1]) << 16 |
+                              static_cast<std::uint32_t>(p[2]) << 24;
             s.mean_m[i][a] = static_cast<float>(static_cast<std::int32_t>(high) / 256) * unit;
             s.sh0[i][a] = (static_cast<float>(bytes(kSpzColors)[3 * i + a]) / 255.f - 0.5f) / kSpzColorScale;
             s.log_scale[i][a] = static_cast<float>(bytes(kSpzScales)[3 * i + a]) / 16.f - 10.f;
         }
         s.opacity_logit[i] = logit_of(static_cast<float>(bytes(kSpzAlphas)[i]) / 255.f);
-        s.rotation[i] =
-            h.version >= 3 ? rotation3(number_at<std::uint32_t>(packed.streams[kSpzRotations], 4 * i)) : rotation2(bytes(kSpzRotations) + 3 * i);
+        s.rotation[i] = h.version >= 3 ? rotation3(number_at<std::uint32_t>(packed.streams[kSpzRotations], 4 * i))
+                                       : rotation2(bytes(kSpzRotations) + 3 * i);
         for (std::size_t c = 0; c < k; ++c)
             for (std::size_t channel = 0; channel < 3; ++channel)
-                s.sh_rest[(i * 3 + channel) * k + c] = (static_cast<float>(bytes(kSpzSh)[(i * stored + c) * 3 + channel]) - 128.f) / 128.f;
+                s.sh_rest[(i * 3 + channel) * k + c] = (static_cast<float>(
+                                                            bytes(kSpzSh)[(i * stored + c) * 3 + channel]) -
+                                                        128.f) /
+                                                       128.f;
     }
     transform(s, {kSpzFromWorld, 1, {}});
     for (Quatf& q : s.rotation) q = q * Quatf{0, -1, 0, 0};

@@ -21,7 +21,8 @@ using Streams = std::array<std::string, kSpzStreams>;
 void append_fixed(std::string& out, float metres) {
     const float v = std::round(metres * static_cast<float>(1 << kSpzFractionalBits));
     if (!(std::fabs(v) < 8388608.f))
-        throw Error("SPZ holds positions up to 2048 m from the origin, found {} m: scale or crop the scene first", metres);
+        throw Error("SPZ holds positions up to 2048 m from the origin, found {} m: scale or crop the scene first",
+                    metres);
     const auto fixed = static_cast<std::uint32_t>(static_cast<std::int32_t>(v));
     for (int shift = 0; shift < 24; shift += 8) out += static_cast<char>(fixed >> shift & 255);
 }
@@ -68,14 +69,16 @@ Streams streams_of(const Splats& world, int version) {
         out[kSpzAlphas] += static_cast<char>(byte_near(sigmoid(s.opacity_logit[i]) * 255.f));
         append_rotation(out[kSpzRotations], s.rotation[i], version);
         for (std::size_t c = 0; c < k; ++c)
-            for (std::size_t channel = 0; channel < 3; ++channel) out[kSpzSh] += sh_byte(s.sh_rest[(i * 3 + channel) * k + c], c);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                out[kSpzSh] += sh_byte(s.sh_rest[(i * 3 + channel) * k + c], c);
     }
     return out;
 }
 
 std::string gzip(const std::string& bytes) {
     z_stream z{};
-    if (deflateInit2(&z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 16 + 15, 9, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+    if (deflateInit2(&z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 16 + 15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc();
     std::string out, piece(1 << 18, '\0');
     std::size_t at = 0;
     for (int code = Z_OK; code != Z_STREAM_END;) {

@@ -22,13 +22,16 @@ double number_of(std::string_view text, const std::filesystem::path& path, int l
     return value;
 }
 
-// `count`: support vectors that the file says it has. A regression without some of them gives a score too, and a wrong one.
+// `count`: support vectors that the file says it has. A regression without some of them gives a score too, and a wrong
+// one.
 void check_model(const SvrModel& model, double count, const std::filesystem::path& path) {
     if (count != static_cast<double>(model.weights.size()))
-        throw Error("{}: expected {} support vectors as its head says, found {} (cut off?)", path.string(), count, model.weights.size());
-    if (model.features < 1 || model.weights.empty() || model.vectors.size() != model.weights.size() * static_cast<std::size_t>(model.features))
-        throw Error("{}: expected support vectors of equal length with a weight each, found {} weights and {} numbers", path.string(),
-                    model.weights.size(), model.vectors.size());
+        throw Error("{}: expected {} support vectors as its head says, found {} (cut off?)", path.string(), count,
+                    model.weights.size());
+    if (model.features < 1 || model.weights.empty() ||
+        model.vectors.size() != model.weights.size() * static_cast<std::size_t>(model.features))
+        throw Error("{}: expected support vectors of equal length with a weight each, found {} weights and {} numbers",
+                    path.string(), model.weights.size(), model.vectors.size());
     if (!(model.gamma > 0)) throw Error("{}: expected gamma > 0, found {}", path.string(), model.gamma);
 }
 
@@ -41,9 +44,11 @@ void read_support_vector(const std::string& line, SvrModel& model, const std::fi
     std::vector<double> vector(static_cast<std::size_t>(model.features));
     while (words >> word) {
         const std::size_t colon = word.find(':');
-        if (colon == std::string::npos) throw Error("{}:{}: expected index:value, found \"{}\"", path.string(), number, word);
+        if (colon == std::string::npos)
+            throw Error("{}:{}: expected index:value, found \"{}\"", path.string(), number, word);
         const double index = number_of(std::string_view(word).substr(0, colon), path, number);
-        if (!(index >= 1 && index <= 4096)) throw Error("{}:{}: expected an index from 1 to 4096, found {}", path.string(), number, index);
+        if (!(index >= 1 && index <= 4096))
+            throw Error("{}:{}: expected an index from 1 to 4096, found {}", path.string(), number, index);
         const auto i = static_cast<std::size_t>(index);
         if (i > vector.size()) vector.resize(i);
         vector[i - 1] = number_of(std::string_view(word).substr(colon + 1), path, number);
@@ -55,11 +60,13 @@ void read_support_vector(const std::string& line, SvrModel& model, const std::fi
 }
 
 // The numbers of a YAML flow list "key: [ a, b, … ]" found after `from`; `from` moves behind it.
-std::optional<std::vector<double>> yaml_list(std::string_view text, std::string_view key, std::size_t& from, const std::filesystem::path& path) {
+std::optional<std::vector<double>> yaml_list(std::string_view text, std::string_view key, std::size_t& from,
+                                             const std::filesystem::path& path) {
     const std::size_t at = text.find(key, from);
     if (at == std::string_view::npos) return std::nullopt;
     const std::size_t open = at + key.size(), close = text.find(']', open);
-    if (close == std::string_view::npos) throw Error("{}: expected \"]\" after \"{}\", found the end of the file", path.string(), key);
+    if (close == std::string_view::npos)
+        throw Error("{}: expected \"]\" after \"{}\", found the end of the file", path.string(), key);
     std::vector<double> out;
     for (std::size_t p = open; p < close;) {
         const std::size_t begin = text.find_first_not_of(" ,\r\n\t", p);
@@ -124,9 +131,12 @@ SvrModel load_libsvm_model(const std::filesystem::path& path) {
         if (key == "total_sv") count = number_of(value, path, number);
     }
     if (kind != "epsilon_svr" || kernel != "rbf")
-        throw Error("{}: expected a libsvm model with svm_type epsilon_svr and kernel_type rbf, found \"{}\" and \"{}\"", path.string(), kind, kernel);
+        throw Error(
+            "{}: expected a libsvm model with svm_type epsilon_svr and kernel_type rbf, found \"{}\" and \"{}\"",
+            path.string(), kind, kernel);
     for (const auto& [key, found] : {std::pair{"rho", &rho}, std::pair{"total_sv", &count}})
-        if (!*found) throw Error("{}: expected a line \"{}\" before the support vectors, found none", path.string(), key);
+        if (!*found)
+            throw Error("{}: expected a line \"{}\" before the support vectors, found none", path.string(), key);
     model.rho = *rho;
     check_model(model, *count, path);
     return model;
@@ -150,10 +160,12 @@ FeatureRanges load_libsvm_ranges(const std::filesystem::path& path) {
         if (!(words >> index)) continue;
         words >> a >> b;
         if (number_of(index, path, number) != static_cast<double>(ranges.low.size() + 1))
-            throw Error("{}:{}: expected feature {}, found \"{}\"", path.string(), number, ranges.low.size() + 1, index);
+            throw Error("{}:{}: expected feature {}, found \"{}\"", path.string(), number, ranges.low.size() + 1,
+                        index);
         ranges.low.push_back(number_of(a, path, number));
         ranges.high.push_back(number_of(b, path, number));
-        if (!(ranges.high.back() > ranges.low.back())) throw Error("{}:{}: expected low < high, found \"{}\"", path.string(), number, line);
+        if (!(ranges.high.back() > ranges.low.back()))
+            throw Error("{}:{}: expected low < high, found \"{}\"", path.string(), number, line);
     }
     return ranges;
 }
@@ -180,7 +192,8 @@ SvrModel load_opencv_svr(const std::filesystem::path& path) {
     if (!alpha) throw Error("{}: expected \"alpha\", found none", path.string());
     for (std::size_t i = 0; i < alpha->size(); ++i) {
         const double which = index && i < index->size() ? (*index)[i] : static_cast<double>(i);
-        if (!(which >= 0 && which < static_cast<double>(vectors.size()))) throw Error("{}: expected an index below {}, found {}", path.string(), vectors.size(), which);
+        if (!(which >= 0 && which < static_cast<double>(vectors.size())))
+            throw Error("{}: expected an index below {}, found {}", path.string(), vectors.size(), which);
         const std::vector<double>& v = vectors[static_cast<std::size_t>(which)];
         model.weights.push_back((*alpha)[i]);
         model.vectors.insert(model.vectors.end(), v.begin(), v.end());
@@ -193,12 +206,14 @@ FeatureRanges load_opencv_ranges(const std::filesystem::path& path) {
     const std::string text = read_file(path);
     std::size_t at = text.find("range:");
     const auto data = at == std::string::npos ? std::nullopt : yaml_list(text, "data: [", at, path);
-    if (!data || data->empty() || data->size() % 2) throw Error("{}: expected a matrix \"range\" of two rows, found none", path.string());
+    if (!data || data->empty() || data->size() % 2)
+        throw Error("{}: expected a matrix \"range\" of two rows, found none", path.string());
     const auto half = static_cast<std::ptrdiff_t>(data->size() / 2);
     FeatureRanges ranges{{data->begin(), data->begin() + half}, {data->begin() + half, data->end()}};
     for (std::size_t i = 0; i < ranges.low.size(); ++i)
         if (!(ranges.high[i] > ranges.low[i]))
-            throw Error("{}: expected low < high of feature {}, found {} and {}", path.string(), i + 1, ranges.low[i], ranges.high[i]);
+            throw Error("{}: expected low < high of feature {}, found {} and {}", path.string(), i + 1, ranges.low[i],
+                        ranges.high[i]);
     return ranges;
 }
 

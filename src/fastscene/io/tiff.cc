@@ -11,7 +11,8 @@
 
 #include "fastscene/io/formats.h"
 
-// The first picture of a file. Colors of any kind are left to libtiff, which makes 8 bits of them; numbers are read as they stand.
+// The first picture of a file. Colors of any kind are left to libtiff, which makes 8 bits of them; numbers are read as
+// they stand.
 namespace fastscene {
 namespace {
 
@@ -51,19 +52,23 @@ int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
 class Tiff {
   public:
-    Tiff(std::string_view bytes, std::string where) : source_{bytes, 0, {}}, where_(std::move(where)), file_(nullptr, TIFFClose) {
-        const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
+    Tiff(std::string_view bytes, std::string where)
+        : source_{bytes, 0, {}}, where_(std::move(where)), file_(nullptr, TIFFClose) {
+        const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
+                                                                                   TIFFOpenOptionsFree);
         TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &source_);
         TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, &source_);
-        file_.reset(
-            TIFFClientOpenExt(where_.c_str(), "rm", &source_, on_read, on_write, on_seek, on_close, on_size, nullptr, nullptr, options.get()));
+        file_.reset(TIFFClientOpenExt(where_.c_str(), "rm", &source_, on_read, on_write, on_seek, on_close, on_size,
+                                      nullptr, nullptr, options.get()));
         if (!file_) refuse("no directory of a picture");
         std::uint32_t width = 0, height = 0;
         TIFFGetField(file_.get(), TIFFTAG_IMAGEWIDTH, &width);
         TIFFGetField(file_.get(), TIFFTAG_IMAGELENGTH, &height);
         constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
         info.width = static_cast<int>(std::min(width, kMost)), info.height = static_cast<int>(std::min(height, kMost));
-        info.orientation = number(TIFFTAG_ORIENTATION) >= 1 && number(TIFFTAG_ORIENTATION) <= 8 ? number(TIFFTAG_ORIENTATION) : 1;
+        info.orientation = number(TIFFTAG_ORIENTATION) >= 1 && number(TIFFTAG_ORIENTATION) <= 8
+                               ? number(TIFFTAG_ORIENTATION)
+                               : 1;
         bits = number(TIFFTAG_BITSPERSAMPLE), samples = number(TIFFTAG_SAMPLESPERPIXEL);
         info.light = number(TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_IEEEFP;
     }
@@ -71,7 +76,8 @@ class Tiff {
 
     // What libtiff said, or what we know.
     [[noreturn]] void refuse(const std::string& otherwise) const {
-        throw Error("{}: expected a whole TIFF picture, found: {}", where_, source_.message.empty() ? otherwise : source_.message);
+        throw Error("{}: expected a whole TIFF picture, found: {}", where_,
+                    source_.message.empty() ? otherwise : source_.message);
     }
 
     // Red, green, blue and alpha in a word, colors over black, rows as stored.
@@ -81,8 +87,8 @@ class Tiff {
         if (!TIFFRGBAImageOK(file_.get(), why)) refuse(why);
         std::vector<std::uint32_t> out(static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height));
         // Asked for in the file's own orientation, nothing is turned.
-        if (!TIFFReadRGBAImageOriented(file_.get(), static_cast<std::uint32_t>(info.width), static_cast<std::uint32_t>(info.height), out.data(),
-                                       info.orientation, 1))
+        if (!TIFFReadRGBAImageOriented(file_.get(), static_cast<std::uint32_t>(info.width),
+                                       static_cast<std::uint32_t>(info.height), out.data(), info.orientation, 1))
             refuse("damaged data");
         return out;
     }
@@ -96,9 +102,11 @@ class Tiff {
         if (samples > 1 && number(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG) refuse("colors in planes of their own");
         std::vector<T> out(width * height * n);
         if (!TIFFIsTiled(file_.get())) {
-            if (static_cast<std::size_t>(TIFFScanlineSize64(file_.get())) != width * n * sizeof(T)) refuse("an unusual pixel layout");
+            if (static_cast<std::size_t>(TIFFScanlineSize64(file_.get())) != width * n * sizeof(T))
+                refuse("an unusual pixel layout");
             for (std::size_t y = 0; y < height; ++y)
-                if (TIFFReadScanline(file_.get(), &out[y * width * n], static_cast<std::uint32_t>(y), 0) != 1) refuse("damaged data");
+                if (TIFFReadScanline(file_.get(), &out[y * width * n], static_cast<std::uint32_t>(y), 0) != 1)
+                    refuse("damaged data");
             return out;
         }
         const auto tile_width = static_cast<std::size_t>(number32(TIFFTAG_TILEWIDTH)),
@@ -109,7 +117,8 @@ class Tiff {
         std::vector<T> tile(tile_width * tile_height * n);
         for (std::size_t y = 0; y < height; y += tile_height)
             for (std::size_t x = 0; x < width; x += tile_width) {
-                if (TIFFReadTile(file_.get(), tile.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0) < 0)
+                if (TIFFReadTile(file_.get(), tile.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                 0, 0) < 0)
                     refuse("damaged data");
                 const std::size_t columns = std::min(tile_width, width - x);
                 for (std::size_t j = 0; j < std::min(tile_height, height - y); ++j)
@@ -132,7 +141,8 @@ class Tiff {
     // Whether the last sample says how opaque a pixel is, and the ones before it have not been multiplied by that.
     bool has_loose_alpha() const {
         std::uint16_t count = 0, *kinds = nullptr;
-        return TIFFGetField(file_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) == 1 && count == 1 && kinds[0] == EXTRASAMPLE_UNASSALPHA;
+        return TIFFGetField(file_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) == 1 && count == 1 &&
+               kinds[0] == EXTRASAMPLE_UNASSALPHA;
     }
 
     PictureInfo info;
@@ -149,16 +159,18 @@ class Tiff {
         TIFFGetField(file_.get(), tag, &value);
         return value;
     }
-    // Deflate and LZW shrink at most some thousand times: a short file with a huge directory is refused before memory is asked for.
+    // Deflate and LZW shrink at most some thousand times: a short file with a huge directory is refused before memory
+    // is asked for.
     void check_size() const {
         if (!plausible_size(info.width, info.height) || samples < 1 || samples > 16 || bits < 1 || bits > 64)
-            throw Error("{}: expected a whole TIFF picture, found: {} x {} pixels of {} times {} bits", where_, info.width, info.height, samples,
-                        bits);
+            throw Error("{}: expected a whole TIFF picture, found: {} x {} pixels of {} times {} bits", where_,
+                        info.width, info.height, samples, bits);
         constexpr std::size_t kMostShrunk = 3000, kSmall = std::size_t{64} << 20;
-        const std::size_t whole =
-            static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height) * static_cast<std::size_t>(samples * bits) / 8;
+        const std::size_t whole = static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height) *
+                                  static_cast<std::size_t>(samples * bits) / 8;
         if (whole > kSmall && whole / kMostShrunk > source_.bytes.size())
-            throw Error("{}: expected a whole TIFF picture, found: a size that the file cannot hold, {} x {}", where_, info.width, info.height);
+            throw Error("{}: expected a whole TIFF picture, found: a size that the file cannot hold, {} x {}", where_,
+                        info.width, info.height);
     }
 
     Source source_;
@@ -176,7 +188,8 @@ ImageRgb8 decode_tiff_rgb8(std::string_view bytes, const std::string& where) {
     const std::vector<std::uint32_t> colors = tiff.colors();
     ImageRgb8 image(tiff.info.width, tiff.info.height);
     for (std::size_t i = 0; i < image.size(); ++i)
-        image.pixels[i] = {static_cast<std::uint8_t>(TIFFGetR(colors[i])), static_cast<std::uint8_t>(TIFFGetG(colors[i])),
+        image.pixels[i] = {static_cast<std::uint8_t>(TIFFGetR(colors[i])),
+                           static_cast<std::uint8_t>(TIFFGetG(colors[i])),
                            static_cast<std::uint8_t>(TIFFGetB(colors[i]))};
     return image;
 }
@@ -197,9 +210,13 @@ ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float
     if (tiff.samples == 1 && tiff.holds_floats()) {
         image.pixels = tiff.floats();
     } else if (tiff.samples == 1 && !tiff.info.light && tiff.bits == 16) {
-        for (const std::uint16_t count : tiff.numbers<std::uint16_t>()) image.pixels.push_back(unit * static_cast<float>(count));
+        for (const std::uint16_t count : tiff.numbers<std::uint16_t>())
+            image.pixels.push_back(unit * static_cast<float>(count));
     } else {
-        throw Error("{}: expected a map of one number a pixel (TIFF: floats, or 16 bits in millimetres), found {} a pixel, each of {} bits", where, tiff.samples, tiff.bits);
+        throw Error(
+            "{}: expected a map of one number a pixel (TIFF: floats, or 16 bits in millimetres), found {} a pixel, "
+            "each of {} bits",
+            where, tiff.samples, tiff.bits);
     }
     return image;
 }
@@ -207,14 +224,16 @@ ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float
 ImageColor decode_tiff_light(std::string_view bytes, const std::string& where) {
     Tiff tiff(bytes, where);
     if (!tiff.holds_floats() || tiff.samples > 4)
-        throw Error("{}: expected a picture of floats (16, 32 or 64 bits), gray or three colors, with or without alpha, found {} a pixel, each of {} bits", where,
-                    tiff.samples, tiff.bits);
+        throw Error(
+            "{}: expected a picture of floats (16, 32 or 64 bits), gray or three colors, with or without alpha, found "
+            "{} a pixel, each of {} bits",
+            where, tiff.samples, tiff.bits);
     const std::vector<float> numbers = tiff.floats();
     const bool colors = tiff.samples >= 3, see_through = tiff.samples % 2 == 0 && tiff.has_loose_alpha();
     ImageColor image(tiff.info.width, tiff.info.height);
     for (std::size_t i = 0; i < image.size(); ++i) {
         const float* p = &numbers[i * static_cast<std::size_t>(tiff.samples)];
-        const float opaque = see_through ? p[tiff.samples - 1] : 1;   // over black
+        const float opaque = see_through ? p[tiff.samples - 1] : 1;  // over black
         image.pixels[i] = (colors ? Vec3f{p[0], p[1], p[2]} : Vec3f{p[0], p[0], p[0]}) * opaque;
     }
     return image;

@@ -16,15 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 3DGS loaders read this file when it is there; ours also finds the radii in it, behind the vertices: some loaders count bytes and would
-// take a column that they do not know for the next vertex.
+// 3DGS loaders read this file when it is there; ours also finds the radii in it, behind the vertices: some loaders
+// count bytes and would take a column that they do not know for the next vertex.
 void save_points_ply(const fs::path& path, const std::vector<SurfacePoint>& points) {
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", points.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
     for (const char* name : {"red", "green", "blue"}) out += fmt::format("property uchar {}\n", name);
     out += fmt::format("element spacing {}\nproperty float radius\nend_header\n", points.size());
     for (const SurfacePoint& p : points) {
-        for (const float v : {p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y, p.normal.z}) append(out, v);
+        for (const float v : {p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y, p.normal.z})
+            append(out, v);
         for (const std::uint8_t v : {p.color.r, p.color.g, p.color.b}) append(out, v);
     }
     for (const SurfacePoint& p : points) append(out, p.radius_m);
@@ -37,15 +38,19 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
     const int x = ply.property(v, "x"), y = ply.property(v, "y"), z = ply.property(v, "z");
     const int r = ply.property(v, "red"), g = ply.property(v, "green"), b = ply.property(v, "blue");
     const int nx = Ply::find(v, "nx"), ny = Ply::find(v, "ny"), nz = Ply::find(v, "nz");
-    const PlyElement& spacing =
-        ply.has("spacing") && ply.element("spacing").count == v.count ? ply.element("spacing") : v;  // v: as older files have it
+    const PlyElement& spacing = ply.has("spacing") && ply.element("spacing").count == v.count
+                                    ? ply.element("spacing")
+                                    : v;  // v: as older files have it
     const int radius = Ply::find(spacing, "radius");
     std::vector<SurfacePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         SurfacePoint& p = points[i];
         p.position_m = {ply.number(v, i, x), ply.number(v, i, y), ply.number(v, i, z)};
-        if (nx >= 0 && ny >= 0 && nz >= 0) p.normal = {ply.number(v, i, nx), ply.number(v, i, ny), ply.number(v, i, nz)};
-        const auto byte = [&](int property) { return static_cast<std::uint8_t>(std::min(std::max(0.0, ply.value(v, i, property)), 255.0)); };
+        if (nx >= 0 && ny >= 0 && nz >= 0)
+            p.normal = {ply.number(v, i, nx), ply.number(v, i, ny), ply.number(v, i, nz)};
+        const auto byte = [&](int property) {
+            return static_cast<std::uint8_t>(std::min(std::max(0.0, ply.value(v, i, property)), 255.0));
+        };
         p.color = {byte(r), byte(g), byte(b)};
         if (radius >= 0) p.radius_m = ply.number(spacing, i, radius);
     }
@@ -65,8 +70,14 @@ Json transforms_json(const std::vector<View>& views) {
         }
         matrix.push_back({0, 0, 0, 1});
         const Pinhole& c = view.camera;
-        frames.push_back({{"file_path", "images/" + view.name}, {"w", c.width}, {"h", c.height}, {"fl_x", shortest(c.fx)},
-                          {"fl_y", shortest(c.fy)}, {"cx", shortest(c.cx)}, {"cy", shortest(c.cy)}, {"transform_matrix", std::move(matrix)}});
+        frames.push_back({{"file_path", "images/" + view.name},
+                          {"w", c.width},
+                          {"h", c.height},
+                          {"fl_x", shortest(c.fx)},
+                          {"fl_y", shortest(c.fy)},
+                          {"cx", shortest(c.cx)},
+                          {"cy", shortest(c.cy)},
+                          {"transform_matrix", std::move(matrix)}});
     }
     return {{"camera_model", "OPENCV"}, {"ply_file_path", "sparse/0/points3D.ply"}, {"frames", std::move(frames)}};
 }
@@ -96,11 +107,14 @@ ViewSet load_views(const fs::path& dir) {
         View& view = set.views[static_cast<std::size_t>(begin)];
         view.color = load_rgb8(dir / "images" / view.name);
         if (view.color.width != view.camera.width || view.color.height != view.camera.height)
-            throw Error("{}: expected {} x {} pixels as its camera says, found {} x {}", (dir / "images" / view.name).string(), view.camera.width,
-                        view.camera.height, view.color.width, view.color.height);
+            throw Error("{}: expected {} x {} pixels as its camera says, found {} x {}",
+                        (dir / "images" / view.name).string(), view.camera.width, view.camera.height, view.color.width,
+                        view.color.height);
         if (const fs::path weight = dir / "weights" / view.name; fs::exists(weight)) {
             view.weight = load_mask_png(weight);
-            if (!view.weight.same_size(view.color)) throw Error("{}: expected the size of its picture, found {} x {}", weight.string(), view.weight.width, view.weight.height);
+            if (!view.weight.same_size(view.color))
+                throw Error("{}: expected the size of its picture, found {} x {}", weight.string(), view.weight.width,
+                            view.weight.height);
         }
     });
     return set;

@@ -7,8 +7,9 @@
 
 namespace fastscene {
 
-// Writes DIR/images/*.png, DIR/weights/*.png (only views that have weights), DIR/sparse/0/{cameras,images,points3D}.{txt,bin},
-// DIR/sparse/0/points3D.ply (with nx ny nz; the radii follow as an element of their own) and DIR/transforms.json. Deterministic.
+// Writes DIR/images/*.png, DIR/weights/*.png (only views that have weights),
+// DIR/sparse/0/{cameras,images,points3D}.{txt,bin}, DIR/sparse/0/points3D.ply (with nx ny nz; the radii follow as an
+// element of their own) and DIR/transforms.json. Deterministic.
 void save_views(const std::filesystem::path& dir, const ViewSet& views);
 // The cameras and points alone, as DIR/{cameras,images,points3D}.{txt,bin}.
 void save_views_model(const std::filesystem::path& dir, const ViewSet& views);

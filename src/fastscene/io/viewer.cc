@@ -22,12 +22,14 @@ namespace fs = std::filesystem;
 void replace_once(std::string& page, std::string_view what, std::string_view by, const fs::path& file) {
     const std::size_t at = page.find(what);
     if (at == std::string::npos)
-        throw Error("{}: expected \"{}\" in this page of @playcanvas/supersplat-viewer 1.36.2, found another version", file.string(), what);
+        throw Error("{}: expected \"{}\" in this page of @playcanvas/supersplat-viewer 1.36.2, found another version",
+                    file.string(), what);
     page.replace(at, what.size(), by);
 }
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
 }
 
 std::string html_escaped(std::string text) {
@@ -104,16 +106,26 @@ std::string viewer_settings(const ViewerScene& scene) {
     effects["grading"].update(Json{{"brightness", 0}, {"contrast", 1}, {"saturation", 1}, {"tint", {1, 1, 1}}});
     effects["vignette"].update(Json{{"intensity", 0.5}, {"inner", 0.3}, {"outer", 0.75}, {"curvature", 1}});
     effects["fringing"]["intensity"] = 0.5;
-    const Json camera = {{"position", viewer_point(scene.camera_position_m)}, {"target", viewer_point(scene.camera_target_m)}, {"fov", scene.fov_deg}};
-    const Json settings = {{"version", 2}, {"tonemapping", "none"}, {"highPrecisionRendering", false}, {"background", {{"color", {0, 0, 0}}}},
-                           {"postEffectSettings", effects}, {"animTracks", Json::array()}, {"cameras", Json::array({Json{{"initial", camera}}})},
-                           {"annotations", Json::array()}, {"startMode", "default"}};
+    const Json camera = {{"position", viewer_point(scene.camera_position_m)},
+                         {"target", viewer_point(scene.camera_target_m)},
+                         {"fov", scene.fov_deg}};
+    const Json settings = {{"version", 2},
+                           {"tonemapping", "none"},
+                           {"highPrecisionRendering", false},
+                           {"background", {{"color", {0, 0, 0}}}},
+                           {"postEffectSettings", effects},
+                           {"animTracks", Json::array()},
+                           {"cameras", Json::array({Json{{"initial", camera}}})},
+                           {"annotations", Json::array()},
+                           {"startMode", "default"}};
     return settings.dump();
 }
 
-void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerScene& scene, const fs::path& viewer_dir) {
+void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerScene& scene,
+                      const fs::path& viewer_dir) {
     const fs::path index = viewer_dir / "index.html";
-    std::string page = read_file(index), css = read_file(viewer_dir / "index.css"), script = read_file(viewer_dir / "index.js");
+    std::string page = read_file(index), css = read_file(viewer_dir / "index.css"),
+                script = read_file(viewer_dir / "index.js");
 
     // A module that is part of the page exports nothing.
     remove_export(script, "export { createViewer };", viewer_dir / "index.js");
@@ -130,15 +142,16 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
 
     // The longest text goes in last, so that no pattern is searched for inside it.
     replace_once(page, "<link rel=\"stylesheet\" href=\"./index.css\" />", "<style>" + css + "</style>", index);
-    replace_once(page, "<title>SuperSplat Viewer</title>", "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->",
-                 index);
+    replace_once(page, "<title>SuperSplat Viewer</title>",
+                 "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
     // Without tracks of ours the viewer would drift along a figure of its own; visitors want to stand where they are.
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
     if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");
     if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);
     const std::size_t boot_at = page.find("id=\"sse-bootstrap\"");
-    if (boot_at == std::string::npos) throw Error("{}: expected id=\"sse-bootstrap\", found another version of the viewer", index.string());
+    if (boot_at == std::string::npos)
+        throw Error("{}: expected id=\"sse-bootstrap\", found another version of the viewer", index.string());
     const std::size_t begin = page.find('>', boot_at) + 1, end = page.find("</script>", begin);
     if (end == std::string::npos) throw Error("{}: expected </script> after sse-bootstrap, found none", index.string());
     page.replace(begin, end - begin, boot);

@@ -13,8 +13,8 @@ namespace fastscene {
 
 struct ViewerScene {
     std::string title;
-    Vec3f camera_position_m;      // world frame; where the visitor stands first
-    Vec3f camera_target_m;        // world frame; what he looks at
+    Vec3f camera_position_m;  // world frame; where the visitor stands first
+    Vec3f camera_target_m;    // world frame; what he looks at
     float fov_deg = 75;
     // Where the visitor's eyes stay: he walks level and slides along the boundary. None: he flies freely.
     std::optional<WalkableArea> walkable = {};

@@ -56,7 +56,8 @@ std::string number(std::uint32_t value, int bytes) {
 }
 // The same picture in the extended layout: what kinds of chunks there are, the picture, EXIF.
 std::string extended(const std::string& simple, int width, int height, std::uint32_t flags, const std::string& exif) {
-    const std::string chunks = "VP8X" + number(10, 4) + number(flags, 4) + number(static_cast<std::uint32_t>(width - 1), 3) +
+    const std::string chunks = "VP8X" + number(10, 4) + number(flags, 4) +
+                               number(static_cast<std::uint32_t>(width - 1), 3) +
                                number(static_cast<std::uint32_t>(height - 1), 3) + simple.substr(12) + "EXIF" +
                                number(static_cast<std::uint32_t>(exif.size()), 4) + exif;
     return "RIFF" + number(static_cast<std::uint32_t>(chunks.size() + 4), 4) + "WEBP" + chunks;
@@ -115,7 +116,8 @@ void save_tiff(const fs::path& path, const void* values, int width, int height, 
     if (layout.floats) TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
     const std::uint16_t unassociated = EXTRASAMPLE_UNASSALPHA;
     if (layout.samples == 4) TIFFSetField(file, TIFFTAG_EXTRASAMPLES, 1, &unassociated);
-    const std::size_t pixel = static_cast<std::size_t>(layout.samples * layout.bits / 8), row = pixel * static_cast<std::size_t>(width);
+    const std::size_t pixel = static_cast<std::size_t>(layout.samples * layout.bits / 8),
+                      row = pixel * static_cast<std::size_t>(width);
     std::vector<std::uint8_t> bytes(static_cast<const std::uint8_t*>(values),
                                     static_cast<const std::uint8_t*>(values) + row * static_cast<std::size_t>(height));
     if (layout.tiles) {
@@ -132,15 +134,17 @@ void save_tiff(const fs::path& path, const void* values, int width, int height, 
             }
     } else {
         TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, 5);
-        for (int y = 0; y < height; ++y) TIFFWriteScanline(file, &bytes[static_cast<std::size_t>(y) * row], static_cast<std::uint32_t>(y), 0);
+        for (int y = 0; y < height; ++y)
+            TIFFWriteScanline(file, &bytes[static_cast<std::size_t>(y) * row], static_cast<std::uint32_t>(y), 0);
     }
     TIFFClose(file);
 }
 
 TEST(TiffColors, OfEveryLayoutAreTheSame) {
     const std::vector<std::uint8_t> rgb = noise(3 * 37 * 21);
-    for (const Layout& layout : {Layout{}, Layout{.compression = COMPRESSION_LZW}, Layout{.compression = COMPRESSION_ADOBE_DEFLATE, .tiles = true},
-                                 Layout{.mode = "wb"}, Layout{.mode = "w8"}, Layout{.compression = COMPRESSION_PACKBITS, .orientation = 6}}) {
+    for (const Layout& layout : {Layout{}, Layout{.compression = COMPRESSION_LZW},
+                                 Layout{.compression = COMPRESSION_ADOBE_DEFLATE, .tiles = true}, Layout{.mode = "wb"},
+                                 Layout{.mode = "w8"}, Layout{.compression = COMPRESSION_PACKBITS, .orientation = 6}}) {
         save_tiff(scratch("a.tif"), rgb.data(), 37, 21, layout);
         const ImageRgb8 color = load_rgb8(scratch("a.tif"));
         ASSERT_TRUE(color.width == 37 && color.height == 21);
@@ -188,16 +192,19 @@ TEST(TiffNumbers, AreReadAsTheyStand) {
     EXPECT_THROW(load_rgb8(scratch("l.tif")), Error);
     EXPECT_THROW(load_float(scratch("l.tif")), Error);
     const std::vector<std::uint16_t> millimetres(40 * 20, 2500);
-    save_tiff(scratch("m.tif"), millimetres.data(), 40, 20, {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK});
+    save_tiff(scratch("m.tif"), millimetres.data(), 40, 20,
+              {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK});
     EXPECT_FLOAT_EQ(load_float(scratch("m.tif")).at(39, 19), 2.5f);
 }
 
 // numpy's doubles, a renderer's half floats, and light that can be seen through: black is behind, as for any picture.
 TEST(TiffNumbers, OfAnyWidthAreFloats) {
     const std::vector<double> wide{0.1, 2.5, 1e-3, 30};
-    save_tiff(scratch("w.tif"), wide.data(), 4, 1, {.samples = 1, .bits = 64, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
-    const std::vector<std::uint16_t> half{0x2e66, 0x4100, 0x1419, 0x4f80};   // 0.1, 2.5, 0.001, 30
-    save_tiff(scratch("s.tif"), half.data(), 4, 1, {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
+    save_tiff(scratch("w.tif"), wide.data(), 4, 1,
+              {.samples = 1, .bits = 64, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
+    const std::vector<std::uint16_t> half{0x2e66, 0x4100, 0x1419, 0x4f80};  // 0.1, 2.5, 0.001, 30
+    save_tiff(scratch("s.tif"), half.data(), 4, 1,
+              {.samples = 1, .bits = 16, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
     for (int x = 0; x < 4; ++x) {
         const auto expected = static_cast<float>(wide[static_cast<std::size_t>(x)]);
         EXPECT_EQ(load_float(scratch("w.tif")).at(x, 0), expected);
@@ -214,14 +221,16 @@ TEST(TiffNumbers, OfAnyWidthAreFloats) {
 // A directory of a few bytes that promises 2^28 pixels; a picture of WebP's largest size that ends at once.
 TEST(HostileSizes, AreRefusedBeforeMemoryIsAskedFor) {
     const std::vector<std::uint8_t> gray(8 * 8, 7);
-    save_tiff(scratch("h.tif"), gray.data(), 8, 8, {.samples = 1, .compression = COMPRESSION_ADOBE_DEFLATE, .photometric = PHOTOMETRIC_MINISBLACK});
+    save_tiff(scratch("h.tif"), gray.data(), 8, 8,
+              {.samples = 1, .compression = COMPRESSION_ADOBE_DEFLATE, .photometric = PHOTOMETRIC_MINISBLACK});
     std::string bytes = read_file(scratch("h.tif"));
     std::size_t found = 0;
     for (const char tag : {'\0', '\1'}) {  // width and height: tag, short, one of them, 8
         const std::string entry = std::string{tag, '\1', '\3', '\0', '\1', '\0', '\0', '\0', '\x08', '\0'};
         const std::size_t at = bytes.find(entry);
         if (at == std::string::npos) continue;
-        bytes[at + 2] = 4, bytes[at + 8] = 0, bytes[at + 9] = tag ? 0x20 : static_cast<char>(0x80), ++found;  // 32768 x 8192
+        bytes[at + 2] = 4, bytes[at + 8] = 0, bytes[at + 9] = tag ? 0x20 : static_cast<char>(0x80),
+                   ++found;  // 32768 x 8192
     }
     ASSERT_EQ(found, 2u);
     write_file(scratch("h.tif"), bytes);
@@ -245,7 +254,8 @@ TEST(DamagedPictures, OfWebPAndTiffAreErrors) {
     save_tiff(scratch("t"), rgb.data(), 40, 20, {.compression = COMPRESSION_LZW});
     save_tiff(scratch("u"), rgb.data(), 40, 20, {.tiles = true});
     const std::vector<float> range(40 * 20, 2.f);
-    save_tiff(scratch("f"), range.data(), 40, 20, {.samples = 1, .bits = 32, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
+    save_tiff(scratch("f"), range.data(), 40, 20,
+              {.samples = 1, .bits = 32, .photometric = PHOTOMETRIC_MINISBLACK, .floats = true});
     const fs::path broken = scratch("broken");
     Random random(4, "damage");
     for (const char* name : {"w", "t", "u", "f"}) {

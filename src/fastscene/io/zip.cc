@@ -55,18 +55,23 @@ ZipFile::ZipFile(fs::path path) : path_(std::move(path)) {
     const std::uint64_t tail_size = std::min<std::uint64_t>(file_size_, kEndSize + kMaxComment);
     const std::string tail = bytes_at(file, file_size_ - tail_size, tail_size);
     std::size_t end = std::string::npos;
-    for (std::size_t at = tail.size() < kEndSize ? 0 : tail.size() - kEndSize + 1; at-- > 0 && end == std::string::npos;)
+    for (std::size_t at = tail.size() < kEndSize ? 0 : tail.size() - kEndSize + 1;
+         at-- > 0 && end == std::string::npos;)
         if (u32(tail, at) == kEndMark) end = at;
-    if (end == std::string::npos) throw Error("{}: expected a zip archive, found no table of contents (the file may be cut short)", path_.string());
+    if (end == std::string::npos)
+        throw Error("{}: expected a zip archive, found no table of contents (the file may be cut short)",
+                    path_.string());
     const std::uint32_t count = u16(tail, end + 10), size = u32(tail, end + 12), offset = u32(tail, end + 16);
     if (std::uint64_t{offset} + size > file_size_)
         throw Error("{}: expected its table of contents inside the file, found it beyond the end", path_.string());
     const std::string table = bytes_at(file, offset, size);
     std::size_t at = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (at + kCentralSize > table.size() || u32(table, at) != kCentralMark) throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
+        if (at + kCentralSize > table.size() || u32(table, at) != kCentralMark)
+            throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
         const std::size_t name = u16(table, at + 28), extra = u16(table, at + 30), comment = u16(table, at + 32);
-        if (at + kCentralSize + name > table.size()) throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
+        if (at + kCentralSize + name > table.size())
+            throw Error("{}: expected {} entries, found {}", path_.string(), count, i);
         entries_[table.substr(at + kCentralSize, name)] = {u32(table, at + 42),
                                                            u32(table, at + 20),
                                                            u32(table, at + 24),
@@ -89,15 +94,18 @@ std::string ZipFile::read(const std::string& name) const {
     if (found == entries_.end()) throw Error("{}: expected this entry in the archive, found none", where);
     const Entry& entry = found->second;
     if (entry.flags & 1) throw Error("{}: expected a plain entry, found an encrypted one", where);
-    if (entry.method != 0 && entry.method != 8) throw Error("{}: expected a stored or deflated entry, found method {}", where, entry.method);
-    if (entry.size > kMaxUnpacked || entry.packed > file_size_) throw Error("{}: expected at most 256 MiB, found {} bytes", where, entry.size);
+    if (entry.method != 0 && entry.method != 8)
+        throw Error("{}: expected a stored or deflated entry, found method {}", where, entry.method);
+    if (entry.size > kMaxUnpacked || entry.packed > file_size_)
+        throw Error("{}: expected at most 256 MiB, found {} bytes", where, entry.size);
     std::ifstream file(path_, std::ios::binary);
     const std::string head = bytes_at(file, entry.offset, kLocalSize);
     if (head.size() < kLocalSize || u32(head, 0) != kLocalMark)
         throw Error("{}: expected an entry at byte {}, found something else", where, entry.offset);
     const std::string packed = bytes_at(file, entry.offset + kLocalSize + u16(head, 26) + u16(head, 28), entry.packed);
     std::string out(entry.size, '\0');
-    const bool whole = packed.size() == entry.packed && (entry.method == 0 ? packed.size() == out.size() : inflate_raw(packed, out));
+    const bool whole = packed.size() == entry.packed &&
+                       (entry.method == 0 ? packed.size() == out.size() : inflate_raw(packed, out));
     if (whole && entry.method == 0) out = packed;
     if (!whole || crc32(0, reinterpret_cast<const Bytef*>(out.data()), static_cast<uInt>(out.size())) != entry.crc)
         throw Error("{}: expected a whole entry, found a damaged one", where);

@@ -23,7 +23,7 @@ class ZipFile {
 
   private:
     struct Entry {
-        std::uint64_t offset;                // of its local header
+        std::uint64_t offset;  // of its local header
         std::uint32_t packed, size, crc;
         std::uint16_t method, flags;
     };

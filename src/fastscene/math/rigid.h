@@ -17,7 +17,9 @@ struct Mat3 {
         return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
     }
     constexpr Vec3<F> column(std::size_t i) const { return {row0[i], row1[i], row2[i]}; }
-    friend constexpr Vec3<F> operator*(const Mat3& m, Vec3<F> v) { return {dot(m.row0, v), dot(m.row1, v), dot(m.row2, v)}; }
+    friend constexpr Vec3<F> operator*(const Mat3& m, Vec3<F> v) {
+        return {dot(m.row0, v), dot(m.row1, v), dot(m.row2, v)};
+    }
     friend constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
         return from_columns(a * b.column(0), a * b.column(1), a * b.column(2));
     }

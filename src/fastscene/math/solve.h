@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// x with m * x = right, by Cramer's rule; nothing where |determinant of m| <= `least_determinant` (in the units of m, which the caller knows), or
-// where it is no number: the equations hang on each other then and say nothing.
+// x with m * x = right, by Cramer's rule; nothing where |determinant of m| <= `least_determinant` (in the units of m,
+// which the caller knows), or where it is no number: the equations hang on each other then and say nothing.
 template <class F>
 std::optional<Vec3<F>> solved(const Mat3<F>& m, const Vec3<F>& right, F least_determinant) {
     using std::abs;

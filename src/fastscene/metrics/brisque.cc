@@ -37,24 +37,33 @@ std::vector<double> authors_features(const ImageRgb8& image) {
 
 BrisqueModel load_brisque_model(const std::filesystem::path& model, const std::filesystem::path& ranges) {
     const bool opencv = read_file(model).starts_with("%YAML");
-    BrisqueModel out{opencv ? BrisqueVariant::opencv : BrisqueVariant::authors, opencv ? load_opencv_svr(model) : load_libsvm_model(model),
+    BrisqueModel out{opencv ? BrisqueVariant::opencv : BrisqueVariant::authors,
+                     opencv ? load_opencv_svr(model) : load_libsvm_model(model),
                      opencv ? load_opencv_ranges(ranges) : load_libsvm_ranges(ranges)};
     if (out.regression.features != kBrisqueFeatures)
-        throw Error("{}: expected a regression over {} features, found {}", model.string(), kBrisqueFeatures, out.regression.features);
+        throw Error("{}: expected a regression over {} features, found {}", model.string(), kBrisqueFeatures,
+                    out.regression.features);
     if (out.ranges.low.size() != kBrisqueFeatures)
-        throw Error("{}: expected ranges of {} features, found {}", ranges.string(), kBrisqueFeatures, out.ranges.low.size());
+        throw Error("{}: expected ranges of {} features, found {}", ranges.string(), kBrisqueFeatures,
+                    out.ranges.low.size());
     return out;
 }
 
 std::vector<double> brisque_features(const ImageRgb8& image, BrisqueVariant variant) {
     constexpr int least = 4;  // below it the second scale has no neighbours to speak of
     if (image.width < least || image.height < least)
-        throw Error("BRISQUE: expected a picture of at least {0} x {0} pixels, found {1} x {2}", least, image.width, image.height);
-    if (is_constant(image)) throw Error("BRISQUE: expected a picture with structure, found one constant color ({} x {})", image.width, image.height);
-    std::vector<double> out = variant == BrisqueVariant::opencv ? opencv_brisque_features(image) : authors_features(image);
-    if (!std::all_of(out.begin(), out.end(), [](double v) { return std::isfinite(v); }))
-        throw Error("BRISQUE: expected a picture with structure, found one too even, too regular or too small for its statistics ({} x {})", image.width,
+        throw Error("BRISQUE: expected a picture of at least {0} x {0} pixels, found {1} x {2}", least, image.width,
                     image.height);
+    if (is_constant(image))
+        throw Error("BRISQUE: expected a picture with structure, found one constant color ({} x {})", image.width,
+                    image.height);
+    std::vector<double> out = variant == BrisqueVariant::opencv ? opencv_brisque_features(image)
+                                                                : authors_features(image);
+    if (!std::all_of(out.begin(), out.end(), [](double v) { return std::isfinite(v); }))
+        throw Error(
+            "BRISQUE: expected a picture with structure, found one too even, too regular or too small for its "
+            "statistics ({} x {})",
+            image.width, image.height);
     return out;
 }
 

@@ -65,7 +65,8 @@ ImageF blur(const ImageF& in) {
     std::copy(in.pixels.begin(), in.pixels.end(), wide.pixels.begin());
     const Plane out = blurred(wide, Border::replicate);
     ImageF narrow(in.width, in.height);
-    std::transform(out.pixels.begin(), out.pixels.end(), narrow.pixels.begin(), [](double v) { return static_cast<float>(v); });
+    std::transform(out.pixels.begin(), out.pixels.end(), narrow.pixels.begin(),
+                   [](double v) { return static_cast<float>(v); });
     return narrow;
 }
 
@@ -112,7 +113,8 @@ std::vector<double> opencv_brisque_features(const ImageRgb8& image) {
         for (const auto& [dy, dx] : shifts) {
             const Aggd pair = fit_aggd(products(structure, dy, dx));
             const double mean = (pair.right_std - pair.left_std) * pair.ratio() * pair.scale();
-            out.insert(out.end(), {static_cast<float>(pair.alpha), static_cast<float>(mean), square(pair.left_std), square(pair.right_std)});
+            out.insert(out.end(), {static_cast<float>(pair.alpha), static_cast<float>(mean), square(pair.left_std),
+                                   square(pair.right_std)});
         }
         if (scale == 0) plane = half_size(plane);
     }

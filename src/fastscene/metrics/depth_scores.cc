@@ -22,9 +22,11 @@ std::string span_of(const ImageF& map) {
     return high > 0 ? fmt::format("ranges from {:.4g} to {:.4g}", low, high) : "no finite one above 0";
 }
 
-std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options, std::size_t& missing) {
+std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const DepthScoreOptions& options,
+                           std::size_t& missing) {
     if (!found.same_size(truth))
-        throw Error("{}: expected the size of {}, {} x {}, found {} x {}", options.found_name, options.truth_name, truth.width, truth.height, found.width, found.height);
+        throw Error("{}: expected the size of {}, {} x {}, found {} x {}", options.found_name, options.truth_name,
+                    truth.width, truth.height, found.width, found.height);
     std::vector<Pair> pairs;
     pairs.reserve(found.size());
     for (int y = 0; y < truth.height; ++y) {
@@ -36,9 +38,12 @@ std::vector<Pair> pairs_of(const ImageF& found, const ImageF& truth, const Depth
             else ++missing;
         }
     }
-    if (pairs.empty() && missing == 0) throw Error("{}: expected pixels with a range above 0 and up to {} m, found {}", options.truth_name, options.farthest_m, span_of(truth));
+    if (pairs.empty() && missing == 0)
+        throw Error("{}: expected pixels with a range above 0 and up to {} m, found {}", options.truth_name,
+                    options.farthest_m, span_of(truth));
     if (std::none_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.found > 0; }))
-        throw Error("{}: expected estimates above 0 where {} is measured, found none", options.found_name, options.truth_name);
+        throw Error("{}: expected estimates above 0 where {} is measured, found none", options.found_name,
+                    options.truth_name);
     return pairs;
 }
 
@@ -80,7 +85,8 @@ DepthScores depth_scores(const ImageF& found, const ImageF& truth, const DepthSc
     double total = 0;
     for (const Pair& p : pairs) {
         // Ratios and logarithms need something above zero: a centimetre, as the datasets' evaluations clamp.
-        const double f = std::max(p.found, 0.01), error = f - p.truth, log_error = std::log(f / p.truth), ratio = std::max(f / p.truth, p.truth / f);
+        const double f = std::max(p.found, 0.01), error = f - p.truth, log_error = std::log(f / p.truth),
+                     ratio = std::max(f / p.truth, p.truth / f);
         total += p.weight;
         s.abs_rel += p.weight * std::abs(error) / p.truth;
         s.sq_rel += p.weight * error * error / p.truth;

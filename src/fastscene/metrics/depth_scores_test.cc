@@ -30,11 +30,12 @@ TEST(DepthScores, ItselfIsPerfect) {
 TEST(DepthScores, WhatIsNotEstimatedIsCounted) {
     const ImageF truth = some_range();
     ImageF found = truth;
-    for (std::size_t i = 0; i < 100; ++i) found.pixels[i] = i % 2 ? std::numeric_limits<float>::infinity() : std::nanf("");
+    for (std::size_t i = 0; i < 100; ++i)
+        found.pixels[i] = i % 2 ? std::numeric_limits<float>::infinity() : std::nanf("");
     const DepthScores s = depth_scores(found, truth);
     EXPECT_EQ(s.missing, 100u);
     EXPECT_EQ(s.pixels, 1948u);
-    EXPECT_THROW(depth_scores(ImageF(64, 32, 0.f), truth), Error);   // nothing was estimated
+    EXPECT_THROW(depth_scores(ImageF(64, 32, 0.f), truth), Error);  // nothing was estimated
     EXPECT_THROW(depth_scores(ImageF(64, 32, std::nanf("")), truth), Error);
 }
 
@@ -50,8 +51,10 @@ TEST(DepthScores, ErrorsNameTheMapThatIsUnusable) {
         return std::string();
     };
     const ImageF good(64, 32, 2.f);
-    EXPECT_EQ(said(good, ImageF(64, 32)), "b.png: expected pixels with a range above 0 and up to 10 m, found no finite one above 0");
-    EXPECT_EQ(said(good, ImageF(64, 32, 2500.f)), "b.png: expected pixels with a range above 0 and up to 10 m, found ranges from 2500 to 2500");
+    EXPECT_EQ(said(good, ImageF(64, 32)),
+              "b.png: expected pixels with a range above 0 and up to 10 m, found no finite one above 0");
+    EXPECT_EQ(said(good, ImageF(64, 32, 2500.f)),
+              "b.png: expected pixels with a range above 0 and up to 10 m, found ranges from 2500 to 2500");
     EXPECT_EQ(said(ImageF(64, 32), good), "a.exr: expected estimates above 0 where b.png is measured, found none");
     EXPECT_EQ(said(ImageF(32, 16), good), "a.exr: expected the size of b.png, 64 x 32, found 32 x 16");
 }
@@ -59,7 +62,8 @@ TEST(DepthScores, ErrorsNameTheMapThatIsUnusable) {
 TEST(DepthScores, AlignmentTakesOutWhatItSays) {
     const ImageF truth = some_range();
     ImageF scaled = truth, affine = truth;
-    for (std::size_t i = 0; i < truth.size(); ++i) scaled.pixels[i] = truth.pixels[i] / 8, affine.pixels[i] = (truth.pixels[i] - 0.5f) / 8;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+        scaled.pixels[i] = truth.pixels[i] / 8, affine.pixels[i] = (truth.pixels[i] - 0.5f) / 8;
     EXPECT_NEAR(depth_scores(scaled, truth, {.alignment = DepthAlignment::none}).abs_rel, 7. / 8, 1e-5);
     EXPECT_NEAR(depth_scores(scaled, truth, {.alignment = DepthAlignment::scale}).abs_rel, 0, 1e-5);
     EXPECT_GT(depth_scores(affine, truth, {.alignment = DepthAlignment::scale}).abs_rel, 0.02);

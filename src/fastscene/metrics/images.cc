@@ -31,24 +31,25 @@ fs::path partner_of(const fs::path& picture, const fs::path& reference) {
     return fs::is_directory(reference) ? reference / picture.filename() : reference;
 }
 
-std::optional<PictureInfo> head_of(const fs::path& picture) try {
-    return picture_info(picture);
-} catch (const Error&) {
+std::optional<PictureInfo> head_of(const fs::path& picture) try { return picture_info(picture); } catch (const Error&) {
     return {};  // damaged: left out when its turn comes
 }
 
 // Known from the files' heads: better said before the first picture than after an hour.
 void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
-    if (!fs::exists(reference)) throw Error("--reference {}: expected a picture or a folder, found none", reference.string());
+    if (!fs::exists(reference))
+        throw Error("--reference {}: expected a picture or a folder, found none", reference.string());
     for (const fs::path& picture : pictures) {
         const fs::path partner = partner_of(picture, reference);
         if (!fs::exists(partner))
-            throw Error("--reference {}: expected the partner of {}, found none", reference.string(), picture.filename().string());
+            throw Error("--reference {}: expected the partner of {}, found none", reference.string(),
+                        picture.filename().string());
         const auto head = head_of(picture), its = head_of(partner);
         if (!head || !its) continue;
         const PictureInfo &a = *head, &b = *its;
         if (a.width != b.width || a.height != b.height)
-            throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), a.width, a.height, picture.string(), b.width, b.height);
+            throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), a.width, a.height,
+                        picture.string(), b.width, b.height);
     }
 }
 
@@ -81,12 +82,15 @@ class Readied {
                 run.check_stop();
                 add(kind, inputs, clips);
             }
-        for (const auto& [name, why] : missing.items()) run.warn(fmt::format("{} is not measured: {}", name, why.get<std::string>()));
+        for (const auto& [name, why] : missing.items())
+            run.warn(fmt::format("{} is not measured: {}", name, why.get<std::string>()));
     }
 
   private:
     static bool is_possible(const MeasureKind& kind, const ImageMeasures& inputs) {
-        if (kind.needs == Needs::nothing || (kind.needs == Needs::reference ? !inputs.reference.empty() : !inputs.prompt.empty())) return true;
+        if (kind.needs == Needs::nothing ||
+            (kind.needs == Needs::reference ? !inputs.reference.empty() : !inputs.prompt.empty()))
+            return true;
         if (!inputs.wanted.empty())
             throw UsageError("--measure {}: expected {}, found none", kind.name,
                              kind.needs == Needs::reference ? "--reference DIR" : "--prompt TEXT");
@@ -100,7 +104,8 @@ class Readied {
         }
         ReadyMeasure ready = ready_measure(kind, found.files, inputs.prompt, clips);
         Json files = Json::array();
-        for (const fs::path& file : ready.files) files.push_back({{"file", file.string()}, {"sha256", sha256_once(file)}});
+        for (const fs::path& file : ready.files)
+            files.push_back({{"file", file.string()}, {"sha256", sha256_once(file)}});
         if (!files.empty()) models[kind.name] = std::move(files);
         measures.push_back(std::move(ready));
     } catch (const Error& e) {
@@ -117,15 +122,17 @@ int without_picture(const std::vector<fs::path>& pictures, const fs::path& refer
     for (const fs::path& file : pictures_in(reference, "--reference"))
         if (!names.contains(file.filename().string())) alone.push_back(file.filename().string());
     if (!alone.empty())
-        run.note(fmt::format("--reference {}: {} of its pictures have no picture of the same name and are left out ({}{})", reference.string(), alone.size(), alone[0],
-                             alone.size() > 1 ? " …" : ""));
+        run.note(
+            fmt::format("--reference {}: {} of its pictures have no picture of the same name and are left out ({}{})",
+                        reference.string(), alone.size(), alone[0], alone.size() > 1 ? " …" : ""));
     return static_cast<int>(alone.size());
 }
 
 // What a picture's transparency hides is black to every measure.
 void note_alpha(const fs::path& file, Json& transparent, const Run& run) {
     const Json name = file.string();
-    if (std::find(transparent.begin(), transparent.end(), name) != transparent.end() || load_alpha(file).empty()) return;
+    if (std::find(transparent.begin(), transparent.end(), name) != transparent.end() || load_alpha(file).empty())
+        return;
     transparent.push_back(name);
     run.note(fmt::format("{}: transparent in parts, measured over black", file.string()));
 }
@@ -137,13 +144,13 @@ PicturePair load_pair(const fs::path& picture, const fs::path& partner) {
     PicturePair pair{load_rgb8(picture), partner.empty() ? ImageRgb8{} : load_rgb8(partner)};
     // A damaged head may have hidden it from check_partners, but no decoder makes another size of it.
     if (!partner.empty() && !pair.picture.same_size(pair.reference))
-        throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), pair.picture.width, pair.picture.height, picture.string(), pair.reference.width,
-                    pair.reference.height);
+        throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), pair.picture.width,
+                    pair.picture.height, picture.string(), pair.reference.width, pair.reference.height);
     return pair;
 }
 
-// Pictures are measured a few at a time, which networks do faster; of large ones fewer, so that they take little more memory than one. Six gain
-// nothing over four: what is saved goes into clearing the larger tensors' memory.
+// Pictures are measured a few at a time, which networks do faster; of large ones fewer, so that they take little more
+// memory than one. Six gain nothing over four: what is saved goes into clearing the larger tensors' memory.
 struct Loaded {
     fs::path path;
     PicturePair pair;
@@ -162,7 +169,8 @@ std::string other_pictures(const fs::path& folder) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             std::string ending = entry.path().extension().string();
             for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-            for (const std::string_view other : {".exr", ".hdr", ".pfm", ".gif", ".bmp", ".ppm", ".avif", ".heic", ".jxl", ".jp2"})
+            for (const std::string_view other :
+                 {".exr", ".hdr", ".pfm", ".gif", ".bmp", ".ppm", ".avif", ".heic", ".jxl", ".jp2"})
                 if (ending == other) ++counts[ending];
         }
     std::string out;
@@ -189,7 +197,8 @@ std::vector<fs::path> pictures_in(const fs::path& place, const std::string& flag
             if (has_picture_ending(entry.path())) out.push_back(entry.path());
     if (out.empty()) {
         const std::string others = other_pictures(place);
-        throw Error("{} {}: expected a picture or a folder of .png, .jpg, .webp or .tif, found {}", flag, place.string(), others.empty() ? "none" : "only " + others);
+        throw Error("{} {}: expected a picture or a folder of .png, .jpg, .webp or .tif, found {}", flag,
+                    place.string(), others.empty() ? "none" : "only " + others);
     }
     std::sort(out.begin(), out.end());
     return out;
@@ -198,7 +207,8 @@ std::vector<fs::path> pictures_in(const fs::path& place, const std::string& flag
 Json measure_images(const ImageMeasures& inputs, const Run& run) {
     const std::vector<fs::path> pictures = pictures_in(inputs.pictures, "metrics images");
     if (const std::string others = other_pictures(inputs.pictures); !others.empty())
-        run.note(fmt::format("{}: {} are not measured, which takes .png, .jpg, .webp or .tif", inputs.pictures.string(), others));
+        run.note(fmt::format("{}: {} are not measured, which takes .png, .jpg, .webp or .tif", inputs.pictures.string(),
+                             others));
     if (!inputs.reference.empty()) check_partners(pictures, inputs.reference);
     const int alone = without_picture(pictures, inputs.reference, run);
     const Readied ready(inputs, run);
@@ -249,7 +259,11 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
     }
     measure_group();
     if (rows.empty())
-        throw Error("{}{}", left_out.size() == 1 ? "" : fmt::format("{}: expected pictures, found none of {} that can be read; the first: ", inputs.pictures.string(), left_out.size()),
+        throw Error("{}{}",
+                    left_out.size() == 1
+                        ? ""
+                        : fmt::format("{}: expected pictures, found none of {} that can be read; the first: ",
+                                      inputs.pictures.string(), left_out.size()),
                     left_out.front().get<std::string>());
     Json mean = Json::object(), mean_of = Json::object();
     for (const auto& [name, measure, files, clip] : ready.measures) {
@@ -257,15 +271,18 @@ Json measure_images(const ImageMeasures& inputs, const Run& run) {
         mean[name] = count ? Json(sum / count) : Json();
         mean_of[name] = count;
     }
-    return {{"count", rows.size()}, {"pictures", rows}, {"left_out", left_out}, {"mean", mean}, {"mean_of", mean_of}, {"missing", ready.missing}, {"undefined", undefined},
-            {"models", ready.models}, {"transparent", transparent}, {"without_picture", alone}};
+    return {
+        {"count", rows.size()},       {"pictures", rows},         {"left_out", left_out},   {"mean", mean},
+        {"mean_of", mean_of},         {"missing", ready.missing}, {"undefined", undefined}, {"models", ready.models},
+        {"transparent", transparent}, {"without_picture", alone}};
 }
 
 Json missing_measures(const fs::path& weights, const std::vector<std::string>& wanted) {
     Json missing = Json::object();
     for (const MeasureKind& kind : measure_kinds())
         if (is_wanted(kind, wanted, weights))
-            if (const MeasureFiles found = look_for(kind, weights); !found.absent.empty()) missing[kind.name] = found.absent;
+            if (const MeasureFiles found = look_for(kind, weights); !found.absent.empty())
+                missing[kind.name] = found.absent;
     return missing;
 }
 
@@ -280,7 +297,8 @@ std::vector<std::string> not_measured(const Json& report, const std::vector<std:
     std::vector<std::string> out;
     const Json& rows = report.at("pictures");
     std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(out), [&](const std::string& name) {
-        return std::all_of(rows.begin(), rows.end(), [&](const Json& row) { return row.value(name, Json()).is_null(); });
+        return std::all_of(rows.begin(), rows.end(),
+                           [&](const Json& row) { return row.value(name, Json()).is_null(); });
     });
     return out;
 }
@@ -293,16 +311,21 @@ std::string image_table(const Json& report) {
         out += fmt::format("\n{:<28}", title);
         for (const auto& [name, value] : report.at("mean").items()) {
             const Json& v = row.at(name);
-            out += fmt::format(" {:>14}", v.is_null() ? "-" : v.is_string() ? v.get<std::string>() : fmt::format("{:.4f}", v.get<double>()));
+            out += fmt::format(" {:>14}", v.is_null()     ? "-"
+                                          : v.is_string() ? v.get<std::string>()
+                                                          : fmt::format("{:.4f}", v.get<double>()));
         }
     };
     for (const Json& row : rows) line(row.at("name"), row);
     if (rows.size() > 1) line("mean", report.at("mean"));
     for (const auto& [name, count] : report.at("mean_of").items()) {
         if (count == rows.size()) continue;
-        const auto infinite = std::count_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_string(); });
-        const auto undefined = std::count_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_null(); });
-        const auto first = std::find_if(rows.begin(), rows.end(), [&, key = name](const Json& row) { return row.at(key).is_null(); });
+        const auto infinite = std::count_if(rows.begin(), rows.end(),
+                                            [&, key = name](const Json& row) { return row.at(key).is_string(); });
+        const auto undefined = std::count_if(rows.begin(), rows.end(),
+                                             [&, key = name](const Json& row) { return row.at(key).is_null(); });
+        const auto first = std::find_if(rows.begin(), rows.end(),
+                                        [&, key = name](const Json& row) { return row.at(key).is_null(); });
         out += fmt::format("\n{}: the mean is over {} of {} pictures", name, count.get<int>(), rows.size());
         if (undefined) {
             const std::string picture = first->at("name"), why = report.at("undefined").at(picture).at(name);
@@ -311,14 +334,18 @@ std::string image_table(const Json& report) {
         if (infinite) out += fmt::format("; infinite for {}", infinite);
     }
     if (const Json& left_out = report.at("left_out"); !left_out.empty()) {
-        out += fmt::format("\n{} of {} pictures cannot be read and are left out:", left_out.size(), left_out.size() + rows.size());
+        out += fmt::format("\n{} of {} pictures cannot be read and are left out:", left_out.size(),
+                           left_out.size() + rows.size());
         for (const auto& [name, why] : left_out.items()) out += fmt::format("\n  {}", why.get<std::string>());
     }
     for (const auto& [name, files] : report.at("models").items()) {
         out += fmt::format("\n{} by", name);
-        for (const Json& file : files) out += fmt::format("{} {} (sha256 {:.12})", &file == &files[0] ? "" : ",", file.at("file").get<std::string>(), file.at("sha256").get<std::string>());
+        for (const Json& file : files)
+            out += fmt::format("{} {} (sha256 {:.12})", &file == &files[0] ? "" : ",",
+                               file.at("file").get<std::string>(), file.at("sha256").get<std::string>());
     }
-    for (const auto& [name, why] : report.at("missing").items()) out += fmt::format("\n{} is not measured: {}", name, why.get<std::string>());
+    for (const auto& [name, why] : report.at("missing").items())
+        out += fmt::format("\n{} is not measured: {}", name, why.get<std::string>());
     return out;
 }
 
@@ -327,17 +354,21 @@ fs::path metrics_weights(const fs::path& given) {
         throw Error("--weights {}: expected a folder, found {}", given.string(), fs::exists(given) ? "a file" : "none");
     if (!given.empty()) return given;
     if (const char* own = std::getenv("FASTSCENE_WEIGHTS"); own && *own) return own;
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "fastscene/metrics";
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
+        return fs::path(cache) / "fastscene/metrics";
     const char* home = std::getenv("HOME");
     return fs::path(home ? home : ".") / ".cache/fastscene/metrics";
 }
 
 std::string metrics_weights_text() {
     std::string out = "Measures:\n";
-    for (const MeasureKind& kind : measure_kinds()) out += fmt::format("  {:<15} {}{}\n", kind.name, kind.about, kind.unasked == Unasked::left_out ? "; only when asked for" : "");
+    for (const MeasureKind& kind : measure_kinds())
+        out += fmt::format("  {:<15} {}{}\n", kind.name, kind.about,
+                           kind.unasked == Unasked::left_out ? "; only when asked for" : "");
     out += "Files of --weights:\n";
     for (const MeasureKind& kind : measure_kinds())
-        if (!kind.files.empty()) out += fmt::format("  {:<15} {}  ({})\n", kind.name, fmt::join(kind.files, ", "), kind.source);
+        if (!kind.files.empty())
+            out += fmt::format("  {:<15} {}  ({})\n", kind.name, fmt::join(kind.files, ", "), kind.source);
     return out;
 }
 

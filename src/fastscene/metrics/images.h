@@ -1,5 +1,5 @@
-// Pictures measured: each by itself (NIQE, BRISQUE), against the picture of the same name that it should be (PSNR, SSIM, LPIPS), against
-// the sentence that it should show (CLIP score).
+// Pictures measured: each by itself (NIQE, BRISQUE), against the picture of the same name that it should be (PSNR,
+// SSIM, LPIPS), against the sentence that it should show (CLIP score).
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,18 @@
 namespace fastscene {
 
 struct ImageMeasures {
-    std::filesystem::path pictures;           // a file or a folder of color pictures
-    std::filesystem::path reference;          // same names; empty: none
-    std::string prompt;                       // empty: none
-    std::filesystem::path weights;            // parameters and networks (metrics_weights_text says what goes where)
-    std::vector<std::string> wanted;          // empty: all that these inputs allow
+    std::filesystem::path pictures;   // a file or a folder of color pictures
+    std::filesystem::path reference;  // same names; empty: none
+    std::string prompt;               // empty: none
+    std::filesystem::path weights;    // parameters and networks (metrics_weights_text says what goes where)
+    std::vector<std::string> wanted;  // empty: all that these inputs allow
 };
 // Names that `wanted` may hold.
 const std::vector<std::string>& image_measure_names();
 
-// {"count": pictures measured, "pictures": [{"name", "psnr", …}], "left_out": {picture: why it, or its partner, cannot be read}, "mean": {…}, "mean_of": {measure: pictures with a finite value}, "missing": {measure: what to
-// fetch, or what is wrong with its file}, "undefined": {picture: {measure: why}}, "models": {measure: [{"file", "sha256"}]},
+// {"count": pictures measured, "pictures": [{"name", "psnr", …}], "left_out": {picture: why it, or its partner, cannot
+// be read}, "mean": {…}, "mean_of": {measure: pictures with a finite value}, "missing": {measure: what to fetch, or
+// what is wrong with its file}, "undefined": {picture: {measure: why}}, "models": {measure: [{"file", "sha256"}]},
 // "transparent": [files measured over black], "without_picture": references that nothing was compared with}.
 // A measure that is not there or whose file is broken is in "missing", never silently absent, and costs no other.
 // Throws Error or UsageError: no pictures, none that can be read, no partner, other sizes.

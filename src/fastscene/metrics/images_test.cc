@@ -52,9 +52,11 @@ TEST_F(Images, LikenessNeedsNoWeightsAndWhatIsMissingIsSaid) {
     EXPECT_EQ(report["count"], 2);
     EXPECT_NEAR(report["pictures"][0]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9);
     EXPECT_EQ(report["pictures"][1]["psnr"], "inf");
-    EXPECT_NEAR(report["mean"]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9) << "infinity does not swallow the mean";
+    EXPECT_NEAR(report["mean"]["psnr"].get<double>(), 20 * std::log10(255 / 10.0), 1e-9)
+        << "infinity does not swallow the mean";
     EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
-    for (const char* name : {"niqe", "brisque", "brisque_opencv", "lpips_alex", "lpips_vgg", "clip_b32", "clip_l14", "clip_s"}) {
+    for (const char* name :
+         {"niqe", "brisque", "brisque_opencv", "lpips_alex", "lpips_vgg", "clip_b32", "clip_l14", "clip_s"}) {
         ASSERT_TRUE(report["missing"].contains(name)) << name;
         EXPECT_TRUE(report["missing"][name].get<std::string>().starts_with("fetch ")) << report["missing"][name];
     }
@@ -75,7 +77,8 @@ TEST_F(Images, UndefinedScoresAreNullWithAReason) {
 TEST_F(Images, OnePixelAndOneColorAreAnsweredInWords) {
     save_png(root_ / "empty/dot.png", ImageRgb8(1, 1, Rgb8{9, 9, 9}));
     save_png(root_ / "empty/even.png", ImageRgb8(200, 200, Rgb8{9, 9, 9}));
-    const Json report = measure_images({root_ / "empty", root_ / "empty", "", root_, {"psnr", "ssim_wang", "ssim_3dgs"}}, {});
+    const Json report = measure_images(
+        {root_ / "empty", root_ / "empty", "", root_, {"psnr", "ssim_wang", "ssim_3dgs"}}, {});
     for (const Json& row : report["pictures"]) EXPECT_EQ(row["psnr"], "inf") << row;
     EXPECT_TRUE(report["pictures"][0]["ssim_wang"].is_null());
     EXPECT_NEAR(report["pictures"][1]["ssim_wang"].get<double>(), 1, 1e-12);
@@ -101,13 +104,16 @@ TEST_F(Images, AlphaIsMeasuredOverBlackAndSaidSo) {
     fs::create_directories(root_ / "gray");
     save_png(root_ / "gray/veil.png", ImageRgb8(kSide, kSide, Rgb8{128, 128, 128}));
     Heard heard;
-    const Json report = measure_images({root_ / "empty", root_ / "gray", "", root_, {"psnr", "ssim_wang"}}, {0, &heard, {}});
+    const Json report = measure_images({root_ / "empty", root_ / "gray", "", root_, {"psnr", "ssim_wang"}},
+                                       {0, &heard, {}});
     const Json& psnr = report["pictures"][0]["psnr"];
     EXPECT_TRUE(psnr == "inf" || psnr.get<double>() > 48) << psnr;
-    EXPECT_NE(heard.notes.find("veil.png: transparent in parts, measured over black"), std::string::npos) << heard.notes;
+    EXPECT_NE(heard.notes.find("veil.png: transparent in parts, measured over black"), std::string::npos)
+        << heard.notes;
     EXPECT_EQ(report["transparent"], Json::array({(root_ / "empty/veil.png").string()}));
     const Json other_way = measure_images({root_ / "gray", root_ / "empty", "", root_, {"psnr"}}, {});
-    EXPECT_EQ(other_way["transparent"], Json::array({(root_ / "empty/veil.png").string()})) << "a reference can be transparent too";
+    EXPECT_EQ(other_way["transparent"], Json::array({(root_ / "empty/veil.png").string()}))
+        << "a reference can be transparent too";
 }
 
 TEST_F(Images, TheMeanSaysOfHowManyPictures) {
@@ -118,7 +124,10 @@ TEST_F(Images, TheMeanSaysOfHowManyPictures) {
     EXPECT_EQ(report["count"], 4);
     EXPECT_EQ(report["mean_of"]["niqe"], 1);
     EXPECT_EQ(report["mean"]["niqe"], report["pictures"][3]["niqe"]);
-    EXPECT_NE(image_table(report).find("niqe: the mean is over 1 of 4 pictures; not defined for 3 (a.png: NIQE: expected"), std::string::npos) << image_table(report);
+    EXPECT_NE(
+        image_table(report).find("niqe: the mean is over 1 of 4 pictures; not defined for 3 (a.png: NIQE: expected"),
+        std::string::npos)
+        << image_table(report);
     const Json likeness = measure_images({root_ / "ours/b.png", root_ / "true/b.png", "", root_, {"psnr"}}, {});
     EXPECT_NE(image_table(likeness).find("over 0 of 1 pictures; infinite for 1"), std::string::npos);
 }
@@ -126,7 +135,9 @@ TEST_F(Images, TheMeanSaysOfHowManyPictures) {
 TEST_F(Images, TheAuthorsModelAndOnesOwnHaveNamesOfTheirOwn) {
     save(root_ / "empty/large.png", 5, 0, 200);
     const fs::path own = root_ / "niqe.json", authors = root_ / "modelparameters.mat";
-    const auto measured = [&](std::vector<std::string> wanted) { return measure_images({root_ / "empty", "", "", root_, std::move(wanted)}, {}); };
+    const auto measured = [&](std::vector<std::string> wanted) {
+        return measure_images({root_ / "empty", "", "", root_, std::move(wanted)}, {});
+    };
     save_niqe_model(own, plain_model(1));
     Json report = measured({});
     EXPECT_TRUE(report["missing"].contains("niqe")) << "one's own never stands in for the authors'";
@@ -138,7 +149,9 @@ TEST_F(Images, TheAuthorsModelAndOnesOwnHaveNamesOfTheirOwn) {
     EXPECT_NE(report["mean"]["niqe"], score);
     EXPECT_EQ(report["models"]["niqe_own"], Json::array({{{"file", own.string()}, {"sha256", sha256_of_file(own)}}}));
     EXPECT_EQ(report["models"]["niqe"][0]["file"], authors.string());
-    EXPECT_NE(image_table(report).find(fmt::format("niqe by {} (sha256 {:.12})", authors.string(), sha256_of_file(authors))), std::string::npos)
+    EXPECT_NE(
+        image_table(report).find(fmt::format("niqe by {} (sha256 {:.12})", authors.string(), sha256_of_file(authors))),
+        std::string::npos)
         << image_table(report);
     EXPECT_FALSE(report["mean"].contains("niqe_y"));
     EXPECT_NE(measured({"niqe_y"})["mean"]["niqe_y"], report["mean"]["niqe"]);
@@ -153,8 +166,12 @@ TEST_F(Images, ABrokenFileCostsNoOtherMeasure) {
     const ImageMeasures inputs{root_ / "empty", "", "a room", root_, {"niqe", "brisque", "clip_b32", "clip_l14"}};
     const Json report = measure_images(inputs, {});
     EXPECT_TRUE(report["mean"]["niqe"].is_number());
-    EXPECT_NE(report["missing"]["brisque"].get<std::string>().find((root_ / "allmodel").string() + ":"), std::string::npos) << report["missing"];
-    EXPECT_NE(report["missing"]["clip_b32"].get<std::string>().find("clip-vit-base-patch32: expected"), std::string::npos) << report["missing"];
+    EXPECT_NE(report["missing"]["brisque"].get<std::string>().find((root_ / "allmodel").string() + ":"),
+              std::string::npos)
+        << report["missing"];
+    EXPECT_NE(report["missing"]["clip_b32"].get<std::string>().find("clip-vit-base-patch32: expected"),
+              std::string::npos)
+        << report["missing"];
     EXPECT_TRUE(report["missing"]["clip_l14"].get<std::string>().starts_with("fetch clip-vit-large-patch14"));
     EXPECT_EQ(not_measured(report, inputs.wanted), (std::vector<std::string>{"brisque", "clip_b32", "clip_l14"}));
     EXPECT_THROW(metrics_weights(root_ / "nowhere"), Error);
@@ -171,7 +188,8 @@ TEST_F(Images, ReferencesThatNothingIsComparedWithAreCounted) {
     EXPECT_NE(heard.notes.find("2 of its pictures have no picture of the same name"), std::string::npos) << heard.notes;
 }
 
-// CLIP in OpenAI's form, but small: one layer each, heads of 64, pictures of `patches` x `patches` patches of `patch` x `patch` pixels.
+// CLIP in OpenAI's form, but small: one layer each, heads of 64, pictures of `patches` x `patches` patches of `patch` x
+// `patch` pixels.
 void write_tiny_clip(const fs::path& file, float size = 0.3f, std::int64_t patch = 32, std::int64_t patches = 2) {
     Weights out;
     Random random(3, "tiny clip");
@@ -216,7 +234,8 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     const std::vector<float> words = clip.of_text("a red room"), caption = clip.of_text("A photo depicts a red room");
     for (const Json& row : report["pictures"]) {
         const std::vector<float> seen = clip.of_picture(load_rgb8(root_ / "ours" / row["name"].get<std::string>()));
-        EXPECT_NEAR(row["clip_b32"].get<double>(), 100 * cosine(seen, words), 1e-4);   // alone and beside others: other roundings
+        EXPECT_NEAR(row["clip_b32"].get<double>(), 100 * cosine(seen, words),
+                    1e-4);  // alone and beside others: other roundings
         EXPECT_NEAR(row["clip_s"].get<double>(), 2.5 * std::max(0.0, cosine(seen, caption)), 1e-5);
     }
     EXPECT_NE(cosine(words, caption), 1);
@@ -224,7 +243,8 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     EXPECT_EQ(report["models"]["clip_s"][0]["file"], (root_ / "ViT-B-32.pt").string());
 }
 
-// Networks see several pictures at a time: one that cannot be shown, or cannot be read, takes nothing from those beside it.
+// Networks see several pictures at a time: one that cannot be shown, or cannot be read, takes nothing from those beside
+// it.
 TEST_F(Images, OneThatClipCannotBeShownCostsNoOther) {
     write_tiny_clip(root_ / "ViT-B-32.pt");
     write_tiny_tokenizer(root_);
@@ -244,9 +264,12 @@ TEST_F(Images, OneThatClipCannotBeShownCostsNoOther) {
         before = name;
         if (name == "c03.png") {
             EXPECT_TRUE(row["clip_b32"].is_null() && row["clip_s"].is_null());
-            EXPECT_NE(report["undefined"][name]["clip_b32"].get<std::string>().find("found 200 x 2"), std::string::npos) << report["undefined"];
+            EXPECT_NE(report["undefined"][name]["clip_b32"].get<std::string>().find("found 200 x 2"), std::string::npos)
+                << report["undefined"];
         } else {
-            EXPECT_NEAR(row["clip_b32"].get<double>(), 100 * cosine(clip.of_picture(load_rgb8(root_ / "ours" / name)), words), 1e-4) << name;
+            EXPECT_NEAR(row["clip_b32"].get<double>(),
+                        100 * cosine(clip.of_picture(load_rgb8(root_ / "ours" / name)), words), 1e-4)
+                << name;
         }
     }
 }
@@ -254,14 +277,21 @@ TEST_F(Images, OneThatClipCannotBeShownCostsNoOther) {
 TEST_F(Images, AScoreIsNamedAfterTheNetworkThatGaveIt) {
     write_tiny_tokenizer(root_);
     const auto why = [&](const std::string& measure) {
-        return measure_images({root_ / "ours/a.png", "", "a room", root_, {measure}}, {})["missing"].value(measure, std::string());
+        return measure_images({root_ / "ours/a.png", "", "a room", root_, {measure}}, {})["missing"].value(
+            measure, std::string());
     };
     write_tiny_clip(root_ / "ViT-L-14.pt");
-    EXPECT_NE(why("clip_l14").find("ViT-L-14.pt: expected the CLIP of patches of 14 pixels, found one of 32 pixels"), std::string::npos) << why("clip_l14");
+    EXPECT_NE(why("clip_l14").find("ViT-L-14.pt: expected the CLIP of patches of 14 pixels, found one of 32 pixels"),
+              std::string::npos)
+        << why("clip_l14");
     write_tiny_clip(root_ / "ViT-B-32.pt", 0.3f, 14);
-    for (const char* measure : {"clip_b32", "clip_s"}) EXPECT_NE(why(measure).find("expected the CLIP of patches of 32 pixels, found one of 14"), std::string::npos) << why(measure);
+    for (const char* measure : {"clip_b32", "clip_s"})
+        EXPECT_NE(why(measure).find("expected the CLIP of patches of 32 pixels, found one of 14"), std::string::npos)
+            << why(measure);
     write_tiny_clip(root_ / "ViT-L-14.pt", 0.3f, 14, 24);
-    EXPECT_NE(why("clip_l14").find("expected the CLIP of pictures of 224 pixels, found one of 336 pixels"), std::string::npos) << why("clip_l14");
+    EXPECT_NE(why("clip_l14").find("expected the CLIP of pictures of 224 pixels, found one of 336 pixels"),
+              std::string::npos)
+        << why("clip_l14");
     write_tiny_clip(root_ / "ViT-L-14.pt", 0.3f, 14, 16);
     EXPECT_EQ(why("clip_l14"), "");
 }
@@ -279,9 +309,9 @@ TEST_F(Images, ADamagedPictureIsLeftOutAndTheRestMeasured) {
     const auto cut = [&](const fs::path& path, std::size_t keep) { write_file(path, read_file(path).substr(0, keep)); };
     for (const char* name : {"c.png", "d.png", "e.png"})
         for (const char* folder : {"ours", "true"}) save(root_ / folder / name, 3, 0);
-    cut(root_ / "ours/c.png", 300);   // its head is whole
+    cut(root_ / "ours/c.png", 300);  // its head is whole
     cut(root_ / "ours/d.png", 0);
-    cut(root_ / "true/e.png", 300);   // what it is compared with
+    cut(root_ / "true/e.png", 300);  // what it is compared with
     struct Warned : EventSink {
         std::string warnings;
         void tell(const Event& event) override {
@@ -294,8 +324,10 @@ TEST_F(Images, ADamagedPictureIsLeftOutAndTheRestMeasured) {
     EXPECT_EQ(report["mean_of"]["psnr"], 1) << "a and b, of which b is equal";
     ASSERT_EQ(report["left_out"].size(), 3u) << report["left_out"];
     EXPECT_NE(report["left_out"]["e.png"].get<std::string>().find("true/e.png"), std::string::npos);
-    EXPECT_NE(warned.warnings.find("left out: " + (root_ / "ours/c.png").string()), std::string::npos) << warned.warnings;
-    EXPECT_NE(image_table(report).find("3 of 5 pictures cannot be read and are left out"), std::string::npos) << image_table(report);
+    EXPECT_NE(warned.warnings.find("left out: " + (root_ / "ours/c.png").string()), std::string::npos)
+        << warned.warnings;
+    EXPECT_NE(image_table(report).find("3 of 5 pictures cannot be read and are left out"), std::string::npos)
+        << image_table(report);
     for (const char* name : {"a.png", "b.png"}) cut(root_ / "ours" / name, 300);
     cut(root_ / "ours/e.png", 300);
     EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"ssim_wang"}}, {}), Error) << "nothing was measured";
@@ -323,7 +355,8 @@ TEST_F(Images, PicturesOfOtherKindsAreNotPassedOverInSilence) {
 TEST_F(Images, WrongInputsAreErrors) {
     EXPECT_THROW(measure_images({root_ / "empty", "", "", root_, {}}, {}), Error) << "no pictures";
     EXPECT_THROW(measure_images({root_ / "ours", root_ / "empty", "", root_, {}}, {}), Error) << "no partners";
-    EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"psnr"}}, {}), UsageError) << "nothing to compare with";
+    EXPECT_THROW(measure_images({root_ / "ours", "", "", root_, {"psnr"}}, {}), UsageError)
+        << "nothing to compare with";
     save(root_ / "true/a.png", 1, 0, 41);
     EXPECT_THROW(measure_images({root_ / "ours", root_ / "true", "", root_, {}}, {}), Error) << "other sizes";
 }

@@ -27,7 +27,8 @@ bool is_kept(const fs::path& path, const std::string& key) {
 }
 
 // Splats trained on other panoramas with the same settings, kept on disk because training is the long part.
-Splats trained_once(const fs::path& ply, const std::function<std::vector<Panorama>()>& panoramas, const TruthInputs& inputs, const Run& run) {
+Splats trained_once(const fs::path& ply, const std::function<std::vector<Panorama>()>& panoramas,
+                    const TruthInputs& inputs, const Run& run) {
     if (is_kept(ply, inputs.key)) return load_splat_ply(ply);
     const ViewSet views = project_views(panoramas(), inputs.views, run);
     SplatParams sized = inputs.splat;
@@ -49,7 +50,8 @@ std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) 
         run.check_stop();
         const Run quiet{run.seed + i, nullptr, run.stop};
         const Shot shot = room.panorama(inputs.world_from_pano[i], inputs.first.size(), parts, quiet);
-        panoramas.push_back({linear_from_srgb8(srgb8_from_linear(shot.color)), shot.mirrored_range, {}, inputs.world_from_pano[i], {}});
+        panoramas.push_back(
+            {linear_from_srgb8(srgb8_from_linear(shot.color)), shot.mirrored_range, {}, inputs.world_from_pano[i], {}});
         progress.advance();
     }
     return panoramas;
@@ -59,7 +61,8 @@ std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) 
 std::vector<Panorama> kept_true_panoramas(const fs::path& dir, const TruthInputs& inputs, const Run& run) {
     std::vector<Panorama> panoramas = true_panoramas(inputs, run);
     make_directories(dir);
-    for (std::size_t i = 1; i < panoramas.size(); ++i) save_png(dir / picture_name(i), srgb8_from_linear(panoramas[i].color));
+    for (std::size_t i = 1; i < panoramas.size(); ++i)
+        save_png(dir / picture_name(i), srgb8_from_linear(panoramas[i].color));
     write_file(key_file_of(dir), inputs.key);
     return panoramas;
 }
@@ -72,7 +75,8 @@ double mean_of(const std::vector<double>& values) {
     return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Against the true panoramas at the walked poses: what the walk made of them, and what the splats, ours and A's, make of that.
+// Against the true panoramas at the walked poses: what the walk made of them, and what the splats, ours and A's, make
+// of that.
 Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path& true_panoramas, const Run& run) {
     const std::vector<ImageRgb8> walked = inputs.walked();
     FASTSCENE_CHECK(walked.size() == inputs.world_from_pano.size());
@@ -81,14 +85,19 @@ Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path&
     for (std::size_t i = 1; i < walked.size(); ++i) {
         run.check_stop();
         const ImageRgb8 truth = load_rgb8(true_panoramas / picture_name(i));
-        const auto likeness = [&](const Splats& splats) { return psnr(sphere_of(splats, truth.width, inputs.world_from_pano[i]).color, truth); };
+        const auto likeness = [&](const Splats& splats) {
+            return psnr(sphere_of(splats, truth.width, inputs.world_from_pano[i]).color, truth);
+        };
         walk.push_back(psnr(walked[i], truth));
         ours.push_back(likeness(inputs.splats));
         bound.push_back(likeness(a));
         lost.push_back(walk.back() - ours.back());
         progress.advance();
     }
-    return {{"count", walk.size()}, {"walk_psnr_mean", mean_of(walk)}, {"splats_psnr_mean", mean_of(ours)}, {"a_psnr_mean", mean_of(bound)},
+    return {{"count", walk.size()},
+            {"walk_psnr_mean", mean_of(walk)},
+            {"splats_psnr_mean", mean_of(ours)},
+            {"a_psnr_mean", mean_of(bound)},
             {"splat_stage_loses_db", mean_of(lost)}};
 }
 
@@ -105,8 +114,12 @@ class Means {
     double ssim() const { return mean_of(ssim_); }
     std::size_t count() const { return psnr_.size(); }
     Json json() const {
-        return {{"psnr_mean", mean_of(psnr_)}, {"ssim_mean", mean_of(ssim_)}, {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
-                {"psnr_worst5_mean", worst_mean()}, {"psnr_seen_mean", mean_of(seen_)}, {"psnr_unseen_mean", mean_of(unseen_)}};
+        return {{"psnr_mean", mean_of(psnr_)},
+                {"ssim_mean", mean_of(ssim_)},
+                {"psnr_worst", *std::min_element(psnr_.begin(), psnr_.end())},
+                {"psnr_worst5_mean", worst_mean()},
+                {"psnr_seen_mean", mean_of(seen_)},
+                {"psnr_unseen_mean", mean_of(unseen_)}};
     }
 
   private:
@@ -132,7 +145,10 @@ class ByDistance {
         Json out = Json::array();
         for (std::size_t m = 0; m < bins_.size(); ++m) {
             if (bins_[m].count() == 0) continue;
-            Json bin{{"from_m", m}, {"views", bins_[m].count()}, {"psnr_mean", bins_[m].psnr()}, {"ssim_mean", bins_[m].ssim()}};
+            Json bin{{"from_m", m},
+                     {"views", bins_[m].count()},
+                     {"psnr_mean", bins_[m].psnr()},
+                     {"ssim_mean", bins_[m].ssim()}};
             if (m + 1 < bins_.size()) bin["to_m"] = m + 1;
             out.push_back(std::move(bin));
         }
@@ -140,7 +156,7 @@ class ByDistance {
     }
 
   private:
-    std::array<Means, 6> bins_;   // a metre each; the last has no end
+    std::array<Means, 6> bins_;  // a metre each; the last has no end
 };
 
 Json view_json(const TruthPose& pose, const Likeness& l, const SplatSight& sight) {
@@ -167,8 +183,10 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
     if (params.bounds) {
         const fs::path bounds = dir / "bounds", panoramas = bounds / "panoramas";
         make_directories(bounds);
-        a = trained_once(bounds / "A.ply", [&] { return kept_true_panoramas(panoramas, inputs, run); }, inputs, run);
-        b = trained_once(bounds / "B.ply", [&] { return std::vector{inputs.first}; }, inputs, run);
+        a = trained_once(
+            bounds / "A.ply", [&] { return kept_true_panoramas(panoramas, inputs, run); }, inputs, run);
+        b = trained_once(
+            bounds / "B.ply", [&] { return std::vector{inputs.first}; }, inputs, run);
         if (!is_kept(panoramas, inputs.key)) kept_true_panoramas(panoramas, inputs, run);
         walked_poses = at_walked_poses(inputs, *a, panoramas, run);
     }

@@ -35,7 +35,8 @@ struct MeasureKind {
 };
 const std::vector<MeasureKind>& measure_kinds();
 
-// The files of a measure, in the folder or among the models that were pulled, or what of them is not there and how to get it.
+// The files of a measure, in the folder or among the models that were pulled, or what of them is not there and how to
+// get it.
 struct MeasureFiles {
     std::vector<std::filesystem::path> files;
     std::string absent;
@@ -52,8 +53,10 @@ struct ReadyMeasure {
 // Networks that several measures share.
 using LoadedClips = std::map<std::filesystem::path, std::shared_ptr<const ClipMeasure>>;
 // Throws Error naming the file, what was expected and what was found.
-ReadyMeasure ready_measure(const MeasureKind& kind, const std::vector<std::filesystem::path>& files, const std::string& prompt, LoadedClips& clips);
-// Fills what CLIP's networks see in the pictures, all at a time. Where that fails it is left to the measure, which says why of which picture.
+ReadyMeasure ready_measure(const MeasureKind& kind, const std::vector<std::filesystem::path>& files,
+                           const std::string& prompt, LoadedClips& clips);
+// Fills what CLIP's networks see in the pictures, all at a time. Where that fails it is left to the measure, which says
+// why of which picture.
 void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasure>& measures);
 
 }  // namespace fastscene

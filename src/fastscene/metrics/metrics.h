@@ -30,11 +30,13 @@ struct TruthParams {
 template <class V>
 void visit_fields(TruthParams& p, V&& v) {
     v("where", p.where, Choices{{"room", "near"}},
-      "Where the poses lie: room, wherever a visitor can stand, eyes 1.2 to 1.8 m above the floor; near, in a ball about panorama 0.");
+      "Where the poses lie: room, wherever a visitor can stand, eyes 1.2 to 1.8 m above the floor; near, in a ball "
+      "about panorama 0.");
     v("views", p.views, Bounds{1, 10000}, "Number of poses never trained on.");
     v("size", p.size_px, Bounds{64, 4096}, "Width and height of a pose's picture in pixels, 75 degrees wide.");
     v("radius", p.radius_m, Bounds{0.01, 10}, "Near: the radius of that ball in metres.");
-    v("samples", p.samples, Bounds{256, 65536}, "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
+    v("samples", p.samples, Bounds{256, 65536},
+      "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
     v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
 }
 
@@ -42,12 +44,13 @@ void visit_fields(TruthParams& p, V&& v) {
 struct TruthPose {
     Rigid world_from_camera;
 };
-// Near: uniform in the ball, clear of furniture by 0.15 m and in sight of panorama 0. Room: uniform over the standable floor (standable.h),
-// eyes 1.2 to 1.8 m above it and 0.25 m clear of everything. Any yaw, pitch within +-30 degrees, no roll. Deterministic in `seed`.
-// Throws Error when the room leaves no space.
+// Near: uniform in the ball, clear of furniture by 0.15 m and in sight of panorama 0. Room: uniform over the standable
+// floor (standable.h), eyes 1.2 to 1.8 m above it and 0.25 m clear of everything. Any yaw, pitch within +-30 degrees,
+// no roll. Deterministic in `seed`. Throws Error when the room leaves no space.
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
 
-// The truth at one pose: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not see the surface.
+// The truth at one pose: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not
+// see the surface.
 struct TruthPicture {
     ImageRgb8 color;
     ImageMask unseen;
@@ -57,8 +60,8 @@ TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int si
 // The truth of one room within one radius: whatever splats are judged, it stays the same.
 struct TruthSet {
     std::vector<TruthPose> poses;
-    std::vector<TruthPicture> pictures;   // one a pose
-    double floor_db = 0;                  // two sets of camera rays of one view against each other, least of three views
+    std::vector<TruthPicture> pictures;  // one a pose
+    double floor_db = 0;                 // two sets of camera rays of one view against each other, least of three views
 };
 // `seed` of the run chooses the poses. Needs the room's light.
 TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const Run& run);
@@ -82,25 +85,27 @@ SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size);
 struct TruthInputs {
     TruthSet truth;
     std::function<const TracedRoom&()> room;  // its light gathered; asked for only when bounds have to be trained
-    Panorama first;                       // panorama 0 as the walk saw it, with range
-    std::vector<Rigid> world_from_pano;   // the walked poses, panorama 0 first
-    std::function<std::vector<ImageRgb8>()> walked;   // the walk's pictures there; asked for only with bounds
+    Panorama first;                           // panorama 0 as the walk saw it, with range
+    std::vector<Rigid> world_from_pano;       // the walked poses, panorama 0 first
+    std::function<std::vector<ImageRgb8>()> walked;  // the walk's pictures there; asked for only with bounds
     Splats splats;
-    ViewsParams views;                    // for the bounds: the same cutting …
-    SplatParams splat;                    // … and the same trainer
-    ShotParts shot;                       // how panorama 0 was shot: true panoramas are shot alike
-    std::string key;                      // names these inputs: bounds trained before under the same key are used again
+    ViewsParams views;  // for the bounds: the same cutting …
+    SplatParams splat;  // … and the same trainer
+    ShotParts shot;     // how panorama 0 was shot: true panoramas are shot alike
+    std::string key;    // names these inputs: bounds trained before under the same key are used again
 };
-// Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with bounds,
-// `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: where, psnr_mean, ssim_mean, psnr_worst, psnr_worst5_mean (of
-// the worst twentieth of the poses), low_alpha_share, psnr_seen_mean, psnr_unseen_mean, floor_db, by_distance (from panorama 0), views, and
-// with bounds
-// bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B), and
-// walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: against the true panoramas at the walked poses (panorama 0, which
-// is true, left out) the walk's pictures, the splats and A's seen all around from there; the last is the mean of what the splats have less than the walk.
+// Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with
+// bounds, `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: where, psnr_mean, ssim_mean,
+// psnr_worst, psnr_worst5_mean (of the worst twentieth of the poses), low_alpha_share, psnr_seen_mean,
+// psnr_unseen_mean, floor_db, by_distance (from panorama 0), views, and with bounds bounds.{A,B}.{psnr_mean,ssim_mean},
+// gap_to_a_db, closed_share = (ours - B) / (A - B), and
+// walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: against the true panoramas at
+// the walked poses (panorama 0, which is true, left out) the walk's pictures, the splats and A's seen all around from
+// there; the last is the mean of what the splats have less than the walk.
 //   A: trained on true panoramas at the walked poses. B: trained on panorama 0 alone.
 // True panoramas are kept as `dir`/bounds/panoramas/NN.png.
-Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir, const Run& run);
+Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir,
+                   const Run& run);
 
 // Pictures in a row, and the amplified difference of the first two at the end; for people to look at.
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures);

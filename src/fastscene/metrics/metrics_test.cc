@@ -13,7 +13,9 @@ namespace fastscene {
 namespace {
 
 // A box; `inward` = the inside of a room, else a solid.
-Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) { return box_mesh(low, high, material, object, inward); }
+Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) {
+    return box_mesh(low, high, material, object, inward);
+}
 
 // A 4 x 2.6 x 5 m room that glows a little, and a box half a metre wide, one metre ahead.
 Room box_room() {
@@ -24,7 +26,8 @@ Room box_room() {
     wall.color_a = {0.5f, 0.4f, 0.3f};
     wall.emission = {0.3f, 0.3f, 0.3f};
     room.materials = {wall, Material{}};
-    room.meshes = {box(room.min_corner, room.max_corner, true, 0), box({-0.25f, -0.25f, 1.f}, {0.25f, 0.25f, 1.5f}, false, 1)};
+    room.meshes = {box(room.min_corner, room.max_corner, true, 0),
+                   box({-0.25f, -0.25f, 1.f}, {0.25f, 0.25f, 1.5f}, false, 1)};
     room.look.automatic = false;
     return room;
 }
@@ -51,7 +54,8 @@ TEST(TruthPoses, StayInTheBallAndClearOfThings) {
 TEST(TruthPoses, StandAllOverTheRoomAtTheHeightOfEyes) {
     Room box = box_room();
     const float floor = box.max_corner.y;
-    box.meshes[1] = fastscene::box_mesh({-0.4f, -0.2f, 0.6f}, {0.4f, floor, 1.6f}, 1, -1, false);   // a cupboard, too high to look over for some
+    box.meshes[1] = fastscene::box_mesh({-0.4f, -0.2f, 0.6f}, {0.4f, floor, 1.6f}, 1, -1,
+                                        false);  // a cupboard, too high to look over for some
     const TracedRoom room(std::move(box));
     TruthParams params;
     params.views = 200;

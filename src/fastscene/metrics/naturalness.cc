@@ -107,7 +107,8 @@ Window gaussian_window() {
     constexpr double sigma = 7.0 / 6;
     Window w{};
     for (int x = -kWindowRadius; x <= kWindowRadius; ++x)
-        for (int y = -kWindowRadius; y <= kWindowRadius; ++y) w[tap(x, y)] = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
+        for (int y = -kWindowRadius; y <= kWindowRadius; ++y)
+            w[tap(x, y)] = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
     for (int pass = 0; pass < 2; ++pass) {  // the authors' code normalizes twice, which moves the last digits
         double sum = 0;
         for (int x = -kWindowRadius; x <= kWindowRadius; ++x) {
@@ -120,8 +121,9 @@ Window gaussian_window() {
     return w;
 }
 
-// Tap by tap in the order of the authors' environment, without fused multiply-add: in an even area x - blur(x) is the rounding
-// of this very sum, and its sign, the same for all pixels of one gray, decides whether they count as left or as right of 0.
+// Tap by tap in the order of the authors' environment, without fused multiply-add: in an even area x - blur(x) is the
+// rounding of this very sum, and its sign, the same for all pixels of one gray, decides whether they count as left or
+// as right of 0.
 Plane blurred(const Plane& plane, Border border) {
     static const Window w = gaussian_window();
     constexpr int r = kWindowRadius;

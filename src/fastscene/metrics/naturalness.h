@@ -27,7 +27,9 @@ Plane matlab_half(const Plane& plane);
 // 7 x 7 Gaussian, sigma 7/6; columns of the window first.
 inline constexpr int kWindowRadius = 3, kWindowSide = 2 * kWindowRadius + 1;
 using Window = std::array<double, kWindowSide * kWindowSide>;
-constexpr std::size_t tap(int dx, int dy) { return static_cast<std::size_t>((dx + kWindowRadius) * kWindowSide + dy + kWindowRadius); }
+constexpr std::size_t tap(int dx, int dy) {
+    return static_cast<std::size_t>((dx + kWindowRadius) * kWindowSide + dy + kWindowRadius);
+}
 Window gaussian_window();
 
 enum class Border { zero, replicate };

@@ -55,14 +55,16 @@ NiqeModel gaussian_of(const std::vector<std::vector<double>>& rows) {
     for (const auto& row : whole)
         for (std::size_t i = 0; i < kNiqeFeatures; ++i)
             for (std::size_t j = 0; j < kNiqeFeatures; ++j)
-                model.covariance[i * kNiqeFeatures + j] += (row[i] - center[i]) * (row[j] - center[j]) / static_cast<double>(whole.size() - 1);
+                model.covariance[i * kNiqeFeatures + j] += (row[i] - center[i]) * (row[j] - center[j]) /
+                                                           static_cast<double>(whole.size() - 1);
     return model;
 }
 
 std::vector<double> numbers(const Json& json, const char* key, std::size_t count, const std::filesystem::path& path) {
     const auto found = json.find(key);
     if (found == json.end() || !found->is_array() || found->size() != count)
-        throw Error("{}: expected \"{}\" with {} numbers, found {}", path.string(), key, count, found == json.end() ? "none" : "something else");
+        throw Error("{}: expected \"{}\" with {} numbers, found {}", path.string(), key, count,
+                    found == json.end() ? "none" : "something else");
     std::vector<double> out;
     for (const Json& v : *found) {
         if (!v.is_number()) throw Error("{}: expected only numbers in \"{}\", found {}", path.string(), key, v.dump());
@@ -71,12 +73,14 @@ std::vector<double> numbers(const Json& json, const char* key, std::size_t count
     return out;
 }
 
-std::vector<double> matrix(const std::map<std::string, MatMatrix>& file, const std::string& name, int rows, const std::filesystem::path& path) {
+std::vector<double> matrix(const std::map<std::string, MatMatrix>& file, const std::string& name, int rows,
+                           const std::filesystem::path& path) {
     const auto found = file.find(name);
     if (found == file.end()) throw Error("{}: expected the matrix \"{}\", found none", path.string(), name);
     const MatMatrix& m = found->second;
     if (m.rows != rows || m.columns != kNiqeFeatures)
-        throw Error("{}: expected \"{}\" to be {} x {}, found {} x {}", path.string(), name, rows, kNiqeFeatures, m.rows, m.columns);
+        throw Error("{}: expected \"{}\" to be {} x {}, found {} x {}", path.string(), name, rows, kNiqeFeatures,
+                    m.rows, m.columns);
     if (!all_finite(m.values)) throw Error("{}: expected finite numbers in \"{}\", found others", path.string(), name);
     return m.values;
 }
@@ -91,15 +95,25 @@ NiqeModel load_niqe_model(const std::filesystem::path& path) {
         return {matrix(file, "mu_prisparam", 1, path), matrix(file, "cov_prisparam", kNiqeFeatures, path)};
     }
     if (const std::size_t begin = bytes.find_first_not_of(" \t\r\n"); begin == std::string::npos || bytes[begin] != '{')
-        throw Error("{}: expected NIQE's parameters (the authors' .mat, or a .json of niqe-fit), found {}", path.string(),
-                    bytes.empty() ? "an empty file" : bytes.starts_with("<") ? "a web page: was the download refused?" : "something else");
+        throw Error("{}: expected NIQE's parameters (the authors' .mat, or a .json of niqe-fit), found {}",
+                    path.string(),
+                    bytes.empty()            ? "an empty file"
+                    : bytes.starts_with("<") ? "a web page: was the download refused?"
+                                             : "something else");
     const Json json = read_json(path);
-    const auto count = [&](const char* key) { return json.contains(key) && json.at(key).is_number_unsigned() ? json.at(key).get<std::size_t>() : 0; };
-    return {numbers(json, "mean", n, path), numbers(json, "covariance", n * n, path), count("blocks"), count("pictures")};
+    const auto count = [&](const char* key) {
+        return json.contains(key) && json.at(key).is_number_unsigned() ? json.at(key).get<std::size_t>() : 0;
+    };
+    return {numbers(json, "mean", n, path), numbers(json, "covariance", n * n, path), count("blocks"),
+            count("pictures")};
 }
 
 void save_niqe_model(const std::filesystem::path& path, const NiqeModel& model) {
-    write_json(path, {{"kind", "niqe"}, {"blocks", model.blocks}, {"pictures", model.pictures}, {"mean", model.mean}, {"covariance", model.covariance}});
+    write_json(path, {{"kind", "niqe"},
+                      {"blocks", model.blocks},
+                      {"pictures", model.pictures},
+                      {"mean", model.mean},
+                      {"covariance", model.covariance}});
 }
 
 NiqeBlocks niqe_blocks(const Plane& gray) {
@@ -123,12 +137,16 @@ NiqeBlocks niqe_blocks(const Plane& gray) {
 }
 
 double niqe(const ImageRgb8& image, const NiqeModel& model, NiqeGray gray) {
-    if (is_constant(image)) throw Error("NIQE: expected a picture with structure, found one constant color ({} x {})", image.width, image.height);
+    if (is_constant(image))
+        throw Error("NIQE: expected a picture with structure, found one constant color ({} x {})", image.width,
+                    image.height);
     const NiqeBlocks blocks = niqe_blocks(gray == NiqeGray::luma ? matlab_luma(image) : matlab_gray(image));
     const auto whole = std::count_if(blocks.features.begin(), blocks.features.end(), all_finite);
     if (whole < 2)
-        throw Error("NIQE: expected at least two blocks of {0} x {0} pixels with structure that is not all regular, found {1} in a picture of {2} x {3}", kNiqeBlock, whole,
-                    image.width, image.height);
+        throw Error(
+            "NIQE: expected at least two blocks of {0} x {0} pixels with structure that is not all regular, found {1} "
+            "in a picture of {2} x {3}",
+            kNiqeBlock, whole, image.width, image.height);
     const NiqeModel own = gaussian_of(blocks.features);
     std::vector<double> difference(kNiqeFeatures), covariance(own.covariance.size());
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = model.mean[i] - own.mean[i];
@@ -153,20 +171,30 @@ NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run
         }
         const NiqeBlocks blocks = niqe_blocks(matlab_gray(image));
         const std::size_t before = rows.size();
-        const double sharpest = blocks.sharpness.empty() ? 0 : *std::max_element(blocks.sharpness.begin(), blocks.sharpness.end());
+        const double sharpest = blocks.sharpness.empty()
+                                    ? 0
+                                    : *std::max_element(blocks.sharpness.begin(), blocks.sharpness.end());
         for (std::size_t i = 0; i < blocks.features.size(); ++i)
-            if (blocks.sharpness[i] > kSharpEnough * sharpest && all_finite(blocks.features[i])) rows.push_back(blocks.features[i]);
+            if (blocks.sharpness[i] > kSharpEnough * sharpest && all_finite(blocks.features[i]))
+                rows.push_back(blocks.features[i]);
         if (rows.size() > before) ++used;
-        else run.warn(fmt::format("{}: no sharp block of {} x {} pixels in a picture of {} x {}, left out", path.string(), kNiqeBlock, kNiqeBlock, image.width, image.height));
+        else
+            run.warn(fmt::format("{}: no sharp block of {} x {} pixels in a picture of {} x {}, left out",
+                                 path.string(), kNiqeBlock, kNiqeBlock, image.width, image.height));
     }
     const std::string without = unread == 0 ? "" : fmt::format(" ({} more cannot be read)", unread);
     if (rows.size() < kLeastNiqeBlocks)
-        throw Error("niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels (good: {}), found {} in {} pictures{}", kLeastNiqeBlocks, kNiqeBlock,
-                    kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size() - unread, without);
+        throw Error(
+            "niqe-fit: expected pictures with at least {} sharp blocks of {} x {} pixels (good: {}), found {} in {} "
+            "pictures{}",
+            kLeastNiqeBlocks, kNiqeBlock, kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size() - unread, without);
     if (rows.size() < kGoodNiqeBlocks)
-        run.warn(fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will hang on which pictures these are; {} are good", rows.size(), kNiqeBlock, kNiqeBlock,
-                             used, kGoodNiqeBlocks));
-    if (unread > 0) run.note(fmt::format("niqe-fit: {} of {} pictures cannot be read and are left out", unread, pictures.size()));
+        run.warn(
+            fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will hang on which pictures these "
+                        "are; {} are good",
+                        rows.size(), kNiqeBlock, kNiqeBlock, used, kGoodNiqeBlocks));
+    if (unread > 0)
+        run.note(fmt::format("niqe-fit: {} of {} pictures cannot be read and are left out", unread, pictures.size()));
     NiqeModel model = gaussian_of(rows);
     model.blocks = rows.size(), model.pictures = used;
     return model;

@@ -31,7 +31,8 @@ ImageRgb8 dead_leaves(int width, int height, std::uint64_t seed) {
     Random random(seed, "leaves");
     Plane plane(width, height, 128);
     for (int i = 0; i < 700; ++i) {
-        const double radius = 3 / (0.06 + 0.94 * random.uniform()), cx = random.uniform() * width, cy = random.uniform() * height;
+        const double radius = 3 / (0.06 + 0.94 * random.uniform()), cx = random.uniform() * width,
+                     cy = random.uniform() * height;
         const double shade = 40 + 180 * random.uniform();
         for (int y = std::max(0, static_cast<int>(cy - radius)); y < std::min<double>(height, cy + radius); ++y)
             for (int x = std::max(0, static_cast<int>(cx - radius)); x < std::min<double>(width, cx + radius); ++x)
@@ -62,7 +63,8 @@ std::vector<double> samples(double alpha, double left, double right, int count) 
     std::vector<double> out;
     for (int i = 0; i < count; ++i) {
         const bool negative = random.uniform() < left / (left + right);
-        const double size = alpha == 2 ? std::abs(random.normal()) : -std::log(1 - static_cast<double>(random.uniform())) / std::numbers::sqrt2;
+        const double size = alpha == 2 ? std::abs(random.normal())
+                                       : -std::log(1 - static_cast<double>(random.uniform())) / std::numbers::sqrt2;
         out.push_back(negative ? -left * size : right * size);
     }
     return out;
@@ -133,7 +135,8 @@ TEST(Niqe, AnOwnModelRanksSharpAboveBlurredAndNoisy) {
 
 TEST(Scores, PicturesWithoutStructureGetAMessageAndNoNan) {
     NiqeModel model{std::vector<double>(36), std::vector<double>(36 * 36)};
-    for (const ImageRgb8& picture : {ImageRgb8(1, 1), ImageRgb8(300, 200, Rgb8{128, 128, 128}), ImageRgb8(95, 500, Rgb8{1, 2, 3})}) {
+    for (const ImageRgb8& picture :
+         {ImageRgb8(1, 1), ImageRgb8(300, 200, Rgb8{128, 128, 128}), ImageRgb8(95, 500, Rgb8{1, 2, 3})}) {
         EXPECT_THROW(niqe(picture, model), Error);
         EXPECT_THROW(brisque_features(picture, BrisqueVariant::authors), Error);
         EXPECT_THROW(brisque_features(picture, BrisqueVariant::opencv), Error);
@@ -152,7 +155,8 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
         high += ", 4.";
     }
     write_file(dir / "allmodel",
-               "svm_type epsilon_svr\nkernel_type rbf\ngamma 0.05\nnr_class 2\ntotal_sv 2\nrho -1.5\nSV\n" + sv + "\n" + zero + " 36:0\n");
+               "svm_type epsilon_svr\nkernel_type rbf\ngamma 0.05\nnr_class 2\ntotal_sv 2\nrho -1.5\nSV\n" + sv + "\n" +
+                   zero + " 36:0\n");
     write_file(dir / "allrange", ranges);
     EXPECT_EQ(load_libsvm_model(dir / "allmodel").weights, (std::vector<double>{-2, 3}));
     const BrisqueModel text = load_brisque_model(dir / "allmodel", dir / "allrange");
@@ -163,13 +167,18 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
     std::string zeros = list;
     for (std::size_t at; (at = zeros.find("0.5")) != std::string::npos;) zeros.replace(at, 3, "0.");
     write_file(dir / "model.yml",
-               "%YAML:1.0\n---\nopencv_ml_svm:\n   svmType: EPS_SVR\n   kernel:\n      type: RBF\n      gamma: 0.05\n   var_count: 36\n"
+               "%YAML:1.0\n---\nopencv_ml_svm:\n   svmType: EPS_SVR\n   kernel:\n      type: RBF\n      gamma: 0.05\n  "
+               " var_count: 36\n"
                "   sv_total: 2\n   support_vectors:\n      - " +
-                   list + " ]\n      - " + zeros + " ]\n   decision_functions:\n      -\n         rho: -1.5\n         alpha: [ -2., 3. ]\n");
-    write_file(dir / "range.yml", "%YAML:1.0\n---\nrange: !!opencv-matrix\n   rows: 2\n   cols: 36\n   dt: f\n   data: [ " + low + high + " ]\n");
+                   list + " ]\n      - " + zeros +
+                   " ]\n   decision_functions:\n      -\n         rho: -1.5\n         alpha: [ -2., 3. ]\n");
+    write_file(
+        dir / "range.yml",
+        "%YAML:1.0\n---\nrange: !!opencv-matrix\n   rows: 2\n   cols: 36\n   dt: f\n   data: [ " + low + high + " ]\n");
     const BrisqueModel yaml = load_brisque_model(dir / "model.yml", dir / "range.yml");
     EXPECT_EQ(yaml.variant, BrisqueVariant::opencv);
-    EXPECT_NEAR(yaml.regression.value(brisque_scaled(middle, yaml)), text.regression.value(brisque_scaled(middle, text)), 1e-12);
+    EXPECT_NEAR(yaml.regression.value(brisque_scaled(middle, yaml)),
+                text.regression.value(brisque_scaled(middle, text)), 1e-12);
 
     const auto refuses = [&](const char* file, const std::string& from, const std::string& to, const std::string& why) {
         const std::string whole = read_file(dir / file);
@@ -177,17 +186,20 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
         damaged.replace(damaged.find(from), from.size(), to);
         write_file(dir / file, damaged);
         try {
-            std::string(file).ends_with("yml") ? load_brisque_model(dir / "model.yml", dir / "range.yml") : load_brisque_model(dir / "allmodel", dir / "allrange");
+            std::string(file).ends_with("yml") ? load_brisque_model(dir / "model.yml", dir / "range.yml")
+                                               : load_brisque_model(dir / "allmodel", dir / "allrange");
             ADD_FAILURE() << file << ": " << from << " -> " << to;
         } catch (const Error& e) {
             EXPECT_NE(std::string(e.what()).find((dir / file).string() + ": " + why), std::string::npos) << e.what();
         }
         write_file(dir / file, whole);
     };
-    refuses("allmodel", zero + " 36:0\n", "", "expected 2 support vectors as its head says, found 1");  // cut off between two lines
+    refuses("allmodel", zero + " 36:0\n", "",
+            "expected 2 support vectors as its head says, found 1");  // cut off between two lines
     refuses("allmodel", "rho -1.5\n", "", "expected a line \"rho\"");
     refuses("allmodel", "total_sv 2\n", "", "expected a line \"total_sv\"");
-    refuses("model.yml", "alpha: [ -2., 3. ]", "alpha: [ -2. ]", "expected 2 support vectors as its head says, found 1");
+    refuses("model.yml", "alpha: [ -2., 3. ]", "alpha: [ -2. ]",
+            "expected 2 support vectors as its head says, found 1");
     refuses("range.yml", "4. ]", "0. ]", "expected low < high of feature 36");
 
     write_file(dir / "allmodel", "svm_type c_svc\nkernel_type rbf\nSV\n");

@@ -54,7 +54,8 @@ double pseudo_inverse_form(std::vector<double> a, const std::vector<double>& x) 
     double largest = 0, sum = 0;
     for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(a[i * n + i]));
     for (std::size_t i = 0; i < n; ++i)
-        if (const double v = a[i * n + i]; std::abs(v) > static_cast<double>(n) * eps * largest) sum += along[i] * along[i] / v;
+        if (const double v = a[i * n + i]; std::abs(v) > static_cast<double>(n) * eps * largest)
+            sum += along[i] * along[i] / v;
     return sum;
 }
 

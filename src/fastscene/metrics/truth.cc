@@ -51,10 +51,13 @@ std::vector<TruthPose> poses_in_room(const TracedRoom& room, const TruthParams& 
     std::vector<TruthPose> poses;
     for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
         if (cells.empty() || tries > kTriesAPose * params.views)
-            throw Error("--where room: expected floor where one can stand, with {} m of air around, found {} poses; --where near needs less", kAir_m,
-                        poses.size());
+            throw Error(
+                "--where room: expected floor where one can stand, with {} m of air around, found {} poses; --where "
+                "near needs less",
+                kAir_m, poses.size());
         const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
-        const Vec2f middle = floor.center(cell.column, cell.row), off{random.uniform(-0.5f, 0.5f), random.uniform(-0.5f, 0.5f)};
+        const Vec2f middle = floor.center(cell.column, cell.row),
+                    off{random.uniform(-0.5f, 0.5f), random.uniform(-0.5f, 0.5f)};
         const Vec2f at = middle + off * floor.cell_m;
         const Vec3f eye{at.x, floor.floor_y - random.uniform(kLow_m, kHigh_m), at.y};
         const Mat3f rotation = looking_anywhere(random);
@@ -71,8 +74,8 @@ std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& pa
     std::vector<TruthPose> poses;
     for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
         if (tries > 1000 * params.views)
-            throw Error("--radius {}: expected free space for {} poses around the first viewpoint, found {}", params.radius_m,
-                        params.views, poses.size());
+            throw Error("--radius {}: expected free space for {} poses around the first viewpoint, found {}",
+                        params.radius_m, params.views, poses.size());
         const Vec3f p = uniform_in_ball(random) * params.radius_m;
         const Mat3f rotation = looking_anywhere(random);
         if (stands_free(room, p)) poses.push_back({{rotation, p}});
@@ -83,14 +86,21 @@ std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& pa
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run) {
     const Pinhole camera = truth_camera(size);
     // Many poses tell more than a few without noise: what is left of it stands in the report (floor_db).
-    const ShotParts parts{.color = true, .range = true, .pixel_samples = 32, .contacts = true, .frugal = true, .denoise = true, .noise = 0.012f};
+    const ShotParts parts{.color = true,
+                          .range = true,
+                          .pixel_samples = 32,
+                          .contacts = true,
+                          .frugal = true,
+                          .denoise = true,
+                          .noise = 0.012f};
     const Shot shot = room.perspective(pose.world_from_camera, camera, parts, run);
     TruthPicture truth{srgb8_from_linear(shot.color), ImageMask(size, size)};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const float range = shot.range.at(x, y);
             if (!std::isfinite(range)) continue;  // the sky is seen from everywhere
-            const Vec3f dir = normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+            const Vec3f dir = normalize(
+                camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
             const Vec3f p = pose.world_from_camera * (dir * range);
             const float far = length(p);
             // 2 cm and 1 %: what a rounded edge or a grazing ray may hide of itself.
@@ -109,7 +119,8 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
 SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size) {
     constexpr float kOpaque = 0.98f;
     const SplatPicture seen = render_splats(splats, truth_camera(size), pose.world_from_camera);
-    const auto open = std::count_if(seen.alpha.pixels.begin(), seen.alpha.pixels.end(), [](float a) { return !(a >= kOpaque); });
+    const auto open = std::count_if(seen.alpha.pixels.begin(), seen.alpha.pixels.end(),
+                                    [](float a) { return !(a >= kOpaque); });
     return {srgb8_from_unit(seen.color), static_cast<double>(open) / static_cast<double>(seen.alpha.size())};
 }
 
@@ -118,10 +129,13 @@ ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures) {
     const ImageRgb8 &a = pictures[0], &b = pictures[1];
     const int columns = static_cast<int>(pictures.size()) + 1;
     ImageRgb8 out(a.width * columns, a.height);
-    const auto amplified = [](std::uint8_t x, std::uint8_t y) { return static_cast<std::uint8_t>(std::min(255, 4 * std::abs(x - y))); };
+    const auto amplified = [](std::uint8_t x, std::uint8_t y) {
+        return static_cast<std::uint8_t>(std::min(255, 4 * std::abs(x - y)));
+    };
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            for (int i = 0; i + 1 < columns; ++i) out.at(i * a.width + x, y) = pictures[static_cast<std::size_t>(i)].at(x, y);
+            for (int i = 0; i + 1 < columns; ++i)
+                out.at(i * a.width + x, y) = pictures[static_cast<std::size_t>(i)].at(x, y);
             const Rgb8 p = a.at(x, y), q = b.at(x, y);
             out.at((columns - 1) * a.width + x, y) = {amplified(p.r, q.r), amplified(p.g, q.g), amplified(p.b, q.b)};
         }

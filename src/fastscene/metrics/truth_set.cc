@@ -39,7 +39,8 @@ TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const
         run.check_stop();
         set.pictures.push_back(truth_picture(room, set.poses[i], params.size_px, Run{run.seed, nullptr, run.stop}));
         if (i < kFloorViews) {  // what the truth itself is worth: other camera rays, same pose
-            const TruthPicture other = truth_picture(room, set.poses[i], params.size_px, Run{run.seed ^ 0x5eed, nullptr, run.stop});
+            const TruthPicture other = truth_picture(room, set.poses[i], params.size_px,
+                                                     Run{run.seed ^ 0x5eed, nullptr, run.stop});
             set.floor_db = std::min(set.floor_db, psnr(set.pictures[i].color, other.color));
         }
         progress.advance();
@@ -63,11 +64,13 @@ TruthSet load_truth_set(const fs::path& dir) {
     TruthSet set;
     try {
         for (const Json& rows : about.at("rotation_rows_and_position")) set.poses.push_back({rigid_from(rows)});
-        set.floor_db = about.at("floor_db").is_number() ? about.at("floor_db").get<double>() : std::numeric_limits<double>::infinity();
+        set.floor_db = about.at("floor_db").is_number() ? about.at("floor_db").get<double>()
+                                                        : std::numeric_limits<double>::infinity();
     } catch (const Json::exception& e) {
         throw Error("{}: expected poses and a floor: {}", (dir / "poses.json").string(), e.what());
     }
-    for (std::size_t i = 0; i < set.poses.size(); ++i) set.pictures.push_back({load_rgb8(color_file(dir, i)), load_mask_png(unseen_file(dir, i))});
+    for (std::size_t i = 0; i < set.poses.size(); ++i)
+        set.pictures.push_back({load_rgb8(color_file(dir, i)), load_mask_png(unseen_file(dir, i))});
     return set;
 }
 

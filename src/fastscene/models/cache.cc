@@ -27,7 +27,8 @@ std::optional<fs::path> file_in_cache(const Model& model, const ModelFile& file,
 }
 
 bool is_in_cache(const Model& model, const fs::path& root) {
-    return std::all_of(model.files.begin(), model.files.end(), [&](const ModelFile& file) { return file_in_cache(model, file, root).has_value(); });
+    return std::all_of(model.files.begin(), model.files.end(),
+                       [&](const ModelFile& file) { return file_in_cache(model, file, root).has_value(); });
 }
 
 std::optional<fs::path> cached_model(std::string_view name) {

@@ -13,7 +13,8 @@ namespace fastscene {
 std::filesystem::path models_root();
 
 // Where the file lies, under the first of its names that is there with the size it must have.
-std::optional<std::filesystem::path> file_in_cache(const Model& model, const ModelFile& file, const std::filesystem::path& root = models_root());
+std::optional<std::filesystem::path> file_in_cache(const Model& model, const ModelFile& file,
+                                                   const std::filesystem::path& root = models_root());
 // All of the model's files are there.
 bool is_in_cache(const Model& model, const std::filesystem::path& root = models_root());
 

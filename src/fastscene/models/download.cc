@@ -22,7 +22,8 @@ constexpr int kFruitlessAttempts = 5;
 constexpr long kMostRedirects = 10, kConnectSeconds = 30;
 
 std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
     return text;
 }
 std::string trimmed(std::string_view text) {
@@ -44,7 +45,8 @@ struct Answer {
         const std::size_t colon = line.find(':');
         if (line.starts_with("HTTP/")) *this = {};
         if (colon == std::string::npos) return;
-        const std::string name = lower(line.substr(0, colon)), value = trimmed(std::string_view(line).substr(colon + 1));
+        const std::string name = lower(line.substr(0, colon)),
+                          value = trimmed(std::string_view(line).substr(colon + 1));
         if (name == "etag") etag = value;
         if (name == "content-type") type = lower(value);
         if (name == "content-length") length = number_in(value);
@@ -93,7 +95,8 @@ struct Interrupted : std::runtime_error {
 
 class Attempt {
   public:
-    Attempt(const Download& wanted, const Run& run) : wanted_(wanted), run_(run), curl_(curl_easy_init(), curl_easy_cleanup) {
+    Attempt(const Download& wanted, const Run& run)
+        : wanted_(wanted), run_(run), curl_(curl_easy_init(), curl_easy_cleanup) {
         FASTSCENE_CHECK(curl_ != nullptr);
     }
 
@@ -122,8 +125,10 @@ class Attempt {
     void prepare() {
         const Origin origin = Origin::of(wanted_.part);
         begin_ = size_of(wanted_.part);
-        // Bytes of another address, or of a state of the file that cannot be told from the present one, are no beginning of this one.
-        if (begin_ > 0 && (origin.url != wanted_.url || (is_web() && origin.etag.empty() && wanted_.bytes == 0))) begin_ = 0;
+        // Bytes of another address, or of a state of the file that cannot be told from the present one, are no
+        // beginning of this one.
+        if (begin_ > 0 && (origin.url != wanted_.url || (is_web() && origin.etag.empty() && wanted_.bytes == 0)))
+            begin_ = 0;
         set(CURLOPT_URL, wanted_.url.c_str());
         set(CURLOPT_NOSIGNAL, 1L);
         set(CURLOPT_USERAGENT, "fastscene");
@@ -162,7 +167,8 @@ class Attempt {
         total_ = answer_.range_total ? *answer_.range_total : answer_.length ? begin_ + *answer_.length : 0;
         if (!is_web() && begin_ > 0) total_ = 0;
         if (wanted_.bytes > 0 && total_ > 0 && total_ != wanted_.bytes)
-            throw Error("{}: expected {} bytes, found {} by what the server says; another file than the one known", wanted_.url, wanted_.bytes, total_);
+            throw Error("{}: expected {} bytes, found {} by what the server says; another file than the one known",
+                        wanted_.url, wanted_.bytes, total_);
         out_.open(wanted_.part, std::ios::binary | (begin_ > 0 ? std::ios::app : std::ios::trunc));
         if (!out_) throw Error("{}: cannot be written", wanted_.part.string());
         Origin{wanted_.url, answer_.etag}.save(wanted_.part);
@@ -173,7 +179,8 @@ class Attempt {
         const fs::space_info space = fs::space(wanted_.part.parent_path(), code);
         const std::int64_t missing = (wanted_.bytes > 0 ? wanted_.bytes : total_) - begin_;
         if (!code && missing > 0 && static_cast<std::uint64_t>(missing) > space.available)
-            throw Error("{}: expected {} MB of free disk, found {} MB", wanted_.part.parent_path().string(), missing / 1000000 + 1, space.available / 1000000);
+            throw Error("{}: expected {} MB of free disk, found {} MB", wanted_.part.parent_path().string(),
+                        missing / 1000000 + 1, space.available / 1000000);
     }
     void take(const char* bytes, std::size_t count) {
         if (is_web() && status() >= 400) return;
@@ -182,7 +189,8 @@ class Attempt {
         if (wanted_.bytes > 0 && begin_ + received_ > wanted_.bytes) {
             out_.close();
             forget(wanted_.part);
-            throw Error("{}: expected {} bytes, found more; another file than the one known", wanted_.url, wanted_.bytes);
+            throw Error("{}: expected {} bytes, found more; another file than the one known", wanted_.url,
+                        wanted_.bytes);
         }
         out_.write(bytes, static_cast<std::streamsize>(count));
         if (!out_) throw Error("{}: cannot be written: is the disk full?", wanted_.part.string());
@@ -199,9 +207,11 @@ class Attempt {
         }
         if (said == 429 || said >= 500) throw Interrupted(fmt::format("the server says {}", said));
         if (said == 401 || said == 403)
-            throw Error("{}: the server refuses ({}): does the file ask for an account? Fetch it by hand", wanted_.url, said);
+            throw Error("{}: the server refuses ({}): does the file ask for an account? Fetch it by hand", wanted_.url,
+                        said);
         if (said >= 400) throw Error("{}: expected the file, found the answer {}", wanted_.url, said);
-        if (code == CURLE_TOO_MANY_REDIRECTS) throw Error("{}: expected a file, found more than {} redirects", wanted_.url, kMostRedirects);
+        if (code == CURLE_TOO_MANY_REDIRECTS)
+            throw Error("{}: expected a file, found more than {} redirects", wanted_.url, kMostRedirects);
         if (code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL || code == CURLE_PEER_FAILED_VERIFICATION)
             throw Error("{}: {}", wanted_.url, reason(code));
         if (code == CURLE_BAD_DOWNLOAD_RESUME || code == CURLE_RANGE_ERROR) {
@@ -212,7 +222,8 @@ class Attempt {
         if (received_ == 0 && begin_ == 0 && (!is_web() || wanted_.bytes == 0))
             throw Error("{}: expected a file, found 0 bytes (a folder, or a copy that failed?)", wanted_.url);
         const std::int64_t have = size_of(wanted_.part);
-        if (wanted_.bytes > 0 && have < wanted_.bytes) throw Interrupted(fmt::format("the server sent {} of {} bytes", have, wanted_.bytes));
+        if (wanted_.bytes > 0 && have < wanted_.bytes)
+            throw Interrupted(fmt::format("the server sent {} of {} bytes", have, wanted_.bytes));
         return Fetched::whole;
     }
     std::string reason(CURLcode code) const { return error_[0] ? error_ : curl_easy_strerror(code); }
@@ -279,8 +290,11 @@ Fetched download(const Download& wanted, const Run& run) {
             const bool fruitful = attempt.reached() > farthest;
             fruitless = fruitful ? 1 : fruitless + 1;
             if (fruitful) farthest = attempt.reached(), pause = wanted.first_wait;
-            if (fruitless >= kFruitlessAttempts) throw Error("{}: given up after {} attempts: {}; what has arrived is kept, the same command goes on", wanted.url, fruitless, e.what());
-            run.note(fmt::format("{}: {}; once more in {:.0f} s", wanted.url, e.what(), std::chrono::duration<double>(pause).count()));
+            if (fruitless >= kFruitlessAttempts)
+                throw Error("{}: given up after {} attempts: {}; what has arrived is kept, the same command goes on",
+                            wanted.url, fruitless, e.what());
+            run.note(fmt::format("{}: {}; once more in {:.0f} s", wanted.url, e.what(),
+                                 std::chrono::duration<double>(pause).count()));
         }
         wait(pause, run);
         pause *= 2;

@@ -1,4 +1,5 @@
-// Pulling from a server that breaks off, lies about sizes, corrupts bytes, ignores ranges, sends elsewhere; mirrors, licences, verification.
+// Pulling from a server that breaks off, lies about sizes, corrupts bytes, ignores ranges, sends elsewhere; mirrors,
+// licences, verification.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -48,7 +49,9 @@ class Server {
         thread_ = std::jthread([this] { serve(); });
     }
     ~Server() { ::shutdown(socket_, SHUT_RDWR), thread_.join(), ::close(socket_); }
-    std::string url(const std::string& path = "") const { return "http://127.0.0.1:" + std::to_string(port_) + "/" + path; }
+    std::string url(const std::string& path = "") const {
+        return "http://127.0.0.1:" + std::to_string(port_) + "/" + path;
+    }
     std::vector<Request> seen() const {
         const std::lock_guard guard(mutex_);
         return seen_;
@@ -65,7 +68,8 @@ class Server {
                 text.append(buffer, static_cast<std::size_t>(got));
             }
             Request request{text.substr(4, text.find(' ', 4) - 4), header_of(text, "If-Range"), 0};
-            if (const std::string range = header_of(text, "Range"); !range.empty()) request.from = std::stoll(range.substr(6));
+            if (const std::string range = header_of(text, "Range"); !range.empty())
+                request.from = std::stoll(range.substr(6));
             {
                 const std::lock_guard guard(mutex_);
                 seen_.push_back(request);
@@ -105,8 +109,11 @@ std::string decent(const Request& request, const std::string& bytes = kBytes, co
     if (request.from == 0 || !same) return reply("200 OK", tag + length(bytes.size()), bytes.substr(0, cut));
     const auto from = static_cast<std::size_t>(request.from);
     if (from >= bytes.size())
-        return reply("416 Range Not Satisfiable", "Content-Range: bytes */" + std::to_string(bytes.size()) + "\r\n" + length(0), "");
-    return reply("206 Partial Content", tag + fmt::format("Content-Range: bytes {}-{}/{}\r\n", from, bytes.size() - 1, bytes.size()) + length(bytes.size() - from),
+        return reply("416 Range Not Satisfiable",
+                     "Content-Range: bytes */" + std::to_string(bytes.size()) + "\r\n" + length(0), "");
+    return reply("206 Partial Content",
+                 tag + fmt::format("Content-Range: bytes {}-{}/{}\r\n", from, bytes.size() - 1, bytes.size()) +
+                     length(bytes.size() - from),
                  bytes.substr(from, cut));
 }
 
@@ -119,7 +126,9 @@ class Pulled : public testing::Test {
     }
     void TearDown() override { fs::remove_all(root_.parent_path()); }
     Model model(const std::string& base, std::int64_t bytes = 0, const std::string& sha256 = "") const {
-        return {"toy", "toy", "A toy.", "nobody", "A licence", "https://licence", "https://home", base, {{"part/a.bin", bytes, sha256}}};
+        return {"toy",          "toy",       "A toy.",
+                "nobody",       "A licence", "https://licence",
+                "https://home", base,        {{"part/a.bin", bytes, sha256}}};
     }
     PullOptions options() const { return {root_, "", true, milliseconds(1)}; }
     fs::path file() const { return root_ / "toy/part/a.bin"; }
@@ -158,7 +167,8 @@ TEST_F(Pulled, TheLicenceIsShownAndAcceptedOnce) {
     how.accept = false;
     EXPECT_THROW(pull_model(toy, how, {}), UsageError);
     const std::string text = complaint(toy, how);
-    for (const char* word : {"A licence", "https://licence", "--accept"}) EXPECT_NE(text.find(word), std::string::npos) << text;
+    for (const char* word : {"A licence", "https://licence", "--accept"})
+        EXPECT_NE(text.find(word), std::string::npos) << text;
     EXPECT_TRUE(server.seen().empty());
     pull_model(toy, options(), {});
     fs::remove(file());
@@ -166,7 +176,8 @@ TEST_F(Pulled, TheLicenceIsShownAndAcceptedOnce) {
     Model other = toy;
     other.licence = "Another licence";
     fs::remove(file());
-    EXPECT_NE(complaint(other, how).find("Another licence"), std::string::npos) << "a licence that changed is shown again";
+    EXPECT_NE(complaint(other, how).find("Another licence"), std::string::npos)
+        << "a licence that changed is shown again";
 }
 
 TEST_F(Pulled, ABrokenConnectionGoesOnWhereItWas) {
@@ -203,7 +214,9 @@ TEST_F(Pulled, AFileThatChangedMeanwhileBeginsAnew) {
     std::string other = kBytes;
     other[10] ^= 1;
     std::atomic<int> asked = 0;
-    Server server([&](const Request& r) { return asked++ == 0 ? decent(r, kBytes, "\"one\"", 1000) : decent(r, other, "\"two\""); });
+    Server server([&](const Request& r) {
+        return asked++ == 0 ? decent(r, kBytes, "\"one\"", 1000) : decent(r, other, "\"two\"");
+    });
     pull_model(model(server.url()), options(), {});
     EXPECT_EQ(read_file(file()), other);
 }
@@ -211,7 +224,8 @@ TEST_F(Pulled, AFileThatChangedMeanwhileBeginsAnew) {
 TEST_F(Pulled, AServerThatIgnoresRangesIsReadFromTheBeginning) {
     std::atomic<int> asked = 0;
     Server server([&](const Request&) {
-        return reply("200 OK", "ETag: \"one\"\r\n" + length(kBytes.size()), kBytes.substr(0, asked++ == 0 ? 5000 : kBytes.size()));
+        return reply("200 OK", "ETag: \"one\"\r\n" + length(kBytes.size()),
+                     kBytes.substr(0, asked++ == 0 ? 5000 : kBytes.size()));
     });
     pull_model(model(server.url(), 0, hash_), options(), {});
     EXPECT_EQ(read_file(file()), kBytes);
@@ -226,7 +240,8 @@ TEST_F(Pulled, AServerThatAlwaysBreaksOffIsGivenUp) {
         return r.from == 0 ? decent(r, kBytes, "\"one\"", 100)
                            : reply("206 Partial Content", "Content-Range: bytes 0-9/10\r\n" + length(10), "0123456789");
     });
-    EXPECT_NE(complaint(model(wrong.url()), options()).find("given up"), std::string::npos) << "other bytes than were asked for";
+    EXPECT_NE(complaint(model(wrong.url()), options()).find("given up"), std::string::npos)
+        << "other bytes than were asked for";
     EXPECT_FALSE(fs::exists(file()));
 }
 
@@ -281,18 +296,22 @@ TEST_F(Pulled, RedirectsAreFollowedWithinReason) {
 }
 
 TEST_F(Pulled, AnswersThatAreNoFileAreTold) {
-    Server page([](const Request&) { return reply("200 OK", "Content-Type: text/html; charset=utf-8\r\n" + length(6), "<html>"); });
+    Server page([](const Request&) {
+        return reply("200 OK", "Content-Type: text/html; charset=utf-8\r\n" + length(6), "<html>");
+    });
     EXPECT_NE(complaint(model(page.url()), options()).find("web page"), std::string::npos);
     Server closed([](const Request&) { return reply("403 Forbidden", length(0), ""); });
     EXPECT_NE(complaint(model(closed.url()), options()).find("account"), std::string::npos);
     Server none([](const Request&) { return reply("404 Not Found", length(3), "no!"); });
     EXPECT_NE(complaint(model(none.url()), options()).find("no such file"), std::string::npos);
-    EXPECT_NE(complaint(model("http://127.0.0.1:1/"), options()).find("given up"), std::string::npos) << "nobody listens";
+    EXPECT_NE(complaint(model("http://127.0.0.1:1/"), options()).find("given up"), std::string::npos)
+        << "nobody listens";
     EXPECT_FALSE(fs::exists(file()));
 }
 
 TEST_F(Pulled, TheFirstAlternativeThatIsThereIsTaken) {
-    Server server([](const Request& r) { return r.path.ends_with(".bin") ? decent(r) : reply("404 Not Found", length(0), ""); });
+    Server server(
+        [](const Request& r) { return r.path.ends_with(".bin") ? decent(r) : reply("404 Not Found", length(0), ""); });
     Model toy = model(server.url());
     toy.files[0].name = "part/a.safetensors|part/a.bin";
     EXPECT_EQ(pull_model(toy, options(), {}).files[0].name, "part/a.bin");
@@ -321,7 +340,8 @@ TEST_F(Pulled, AMirrorIsAFolderOrAnAddress) {
 TEST_F(Pulled, AMirrorThatIsNotThereIsNamed) {
     PullOptions how = options();
     write_file(root_.parent_path() / "a file", kBytes);
-    for (const std::string& mirror : {(root_.parent_path() / "nowhere").string(), std::string("file:///no%20such%20place")}) {
+    for (const std::string& mirror :
+         {(root_.parent_path() / "nowhere").string(), std::string("file:///no%20such%20place")}) {
         how.mirror = mirror;
         const std::string said = complaint(model(""), how);
         EXPECT_NE(said.find("mirror " + mirror + ": expected a folder"), std::string::npos) << said;
@@ -377,7 +397,8 @@ TEST_F(Pulled, WhatIsDamagedIsFetchedAgain) {
     Server server([](const Request& r) { return decent(r); });
     std::string damaged = kBytes;
     damaged[777] ^= 1;
-    for (const Model& toy : {model(server.url(), static_cast<std::int64_t>(kBytes.size()), hash_), model(server.url())}) {  // known, and recorded
+    for (const Model& toy : {model(server.url(), static_cast<std::int64_t>(kBytes.size()), hash_),
+                             model(server.url())}) {  // known, and recorded
         fs::remove_all(root_ / "toy");
         pull_model(toy, options(), {});
         const std::size_t before = server.seen().size();
@@ -393,7 +414,8 @@ TEST_F(Pulled, WhatIsDamagedIsFetchedAgain) {
     EXPECT_NE(complaint(model("http://127.0.0.1:1/", 0, hash_), options()), "none");
     EXPECT_EQ(read_file(file()), damaged);
     // Another alternative replaces it.
-    Server other([](const Request& r) { return r.path.ends_with(".pt") ? decent(r) : reply("404 Not Found", length(0), ""); });
+    Server other(
+        [](const Request& r) { return r.path.ends_with(".pt") ? decent(r) : reply("404 Not Found", length(0), ""); });
     Model two = model(other.url());
     two.files[0].name = "part/a.bin|part/a.pt";
     EXPECT_EQ(pull_model(two, options(), {}).files[0].name, "part/a.pt");
@@ -421,7 +443,8 @@ TEST_F(Pulled, WhatIsKeptBesideTheFilesIsReadWithCare) {
     const Model toy = model("");
     fs::create_directories(file().parent_path());
     write_file(file(), kBytes);
-    for (const char* kept : {"[]", "3", R"({"files": []})", R"({"files": {"part/a.bin": 3}})", R"({"files": {"part/a.bin": {"sha256": 7}}})"}) {
+    for (const char* kept : {"[]", "3", R"({"files": []})", R"({"files": {"part/a.bin": 3}})",
+                             R"({"files": {"part/a.bin": {"sha256": 7}}})"}) {
         SCOPED_TRACE(kept);
         write_file(root_ / "toy/toy.record.json", kept);
         const std::string said = complaint(toy, options());
@@ -455,11 +478,13 @@ TEST(Registry, SaysWhatItKnowsOfEveryFile) {
         EXPECT_TRUE(model.licence_url.starts_with("https://") && model.home.starts_with("https://"));
         EXPECT_TRUE(model.by_hand() || (model.base.starts_with("https://") && model.base.ends_with("/")));
         for (const ModelFile& file : model.files) {
-            EXPECT_TRUE(file.sha256.empty() || (file.sha256.size() == 64 && file.sha256.find_first_not_of("0123456789abcdef") == std::string::npos))
+            EXPECT_TRUE(file.sha256.empty() || (file.sha256.size() == 64 &&
+                                                file.sha256.find_first_not_of("0123456789abcdef") == std::string::npos))
                 << file.name;
             EXPECT_EQ(urls_of(model, file).empty(), model.by_hand()) << file.name;
             EXPECT_TRUE(file.names().size() == 1 || file.sha256.empty()) << "one hash for two files: " << file.name;
-            for (const std::string& name : file.names()) EXPECT_FALSE(name.empty() || name.starts_with("/") || name.find("..") != std::string::npos);
+            for (const std::string& name : file.names())
+                EXPECT_FALSE(name.empty() || name.starts_with("/") || name.find("..") != std::string::npos);
         }
     }
     EXPECT_THROW(model_named("nothing"), UsageError);

@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path licences_of(const fs::path& root) { return root / "licences.json"; }
-fs::path record_of(const Model& model, const fs::path& root) { return root / model.folder / (model.name + ".record.json"); }
+fs::path record_of(const Model& model, const fs::path& root) {
+    return root / model.folder / (model.name + ".record.json");
+}
 
 // What was kept in `file`, an object; where there is none, an empty one.
 Json read_or_empty(const fs::path& file) {
@@ -33,7 +35,10 @@ Json read_record(const Model& model, const fs::path& root) {
     const bool good = files.is_object() && std::all_of(files.begin(), files.end(), [](const Json& one) {
                           return one.is_object() && (!one.contains("sha256") || one["sha256"].is_string());
                       });
-    if (!good) throw Error("{}: expected \"files\" with the SHA-256 of each, found {}: remove it, the next verify writes another", file.string(), files.dump().substr(0, 80));
+    if (!good)
+        throw Error(
+            "{}: expected \"files\" with the SHA-256 of each, found {}: remove it, the next verify writes another",
+            file.string(), files.dump().substr(0, 80));
     return json;
 }
 
@@ -44,7 +49,8 @@ class Lock {
         : fd_(::open((root / model.folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
         if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
             if (fd_ >= 0) ::close(fd_);
-            throw Error("models pull {}: expected to be alone, found another pull at work in {}", model.name, (root / model.folder).string());
+            throw Error("models pull {}: expected to be alone, found another pull at work in {}", model.name,
+                        (root / model.folder).string());
         }
     }
     ~Lock() { ::close(fd_); }
@@ -58,8 +64,9 @@ class Lock {
 void accept_licence(const Model& model, const PullOptions& options) {
     if (is_accepted(model, options.root)) return;
     if (!options.accept)
-        throw UsageError("{}: {}\n  licence: {}\n  {}\n  from: {}\nRead it, then accept it once: fastscene models pull {} --accept", model.name, model.what, model.licence,
-                         model.licence_url, model.home, model.name);
+        throw UsageError(
+            "{}: {}\n  licence: {}\n  {}\n  from: {}\nRead it, then accept it once: fastscene models pull {} --accept",
+            model.name, model.what, model.licence, model.licence_url, model.home, model.name);
     Json all = read_or_empty(licences_of(options.root));
     all[model.name] = model.licence;
     write_json(licences_of(options.root), all);
@@ -71,10 +78,8 @@ std::string percent_encoded(std::string_view text, std::string_view stays) {
     for (const unsigned char c : text) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                            std::string_view("-._~").find(static_cast<char>(c)) != std::string_view::npos;
-        if (plain || stays.find(static_cast<char>(c)) != std::string_view::npos)
-            out += static_cast<char>(c);
-        else
-            out += fmt::format("%{:02X}", c);
+        if (plain || stays.find(static_cast<char>(c)) != std::string_view::npos) out += static_cast<char>(c);
+        else out += fmt::format("%{:02X}", c);
     }
     return out;
 }
@@ -83,21 +88,25 @@ std::string percent_encoded(std::string_view text, std::string_view stays) {
 std::string mirror_base(const std::string& mirror) {
     constexpr std::string_view local = "file://";
     std::string base = mirror;
-    if (mirror.find("://") == std::string::npos) base = std::string(local) + percent_encoded(fs::absolute(mirror).lexically_normal().string(), "/");
+    if (mirror.find("://") == std::string::npos)
+        base = std::string(local) + percent_encoded(fs::absolute(mirror).lexically_normal().string(), "/");
     // After a file:// of the user's too, but what is encoded there already stays.
-    else if (mirror.starts_with(local)) base = std::string(local) + percent_encoded(std::string_view(mirror).substr(local.size()), "/%");
+    else if (mirror.starts_with(local))
+        base = std::string(local) + percent_encoded(std::string_view(mirror).substr(local.size()), "/%");
     while (base.ends_with('/')) base.pop_back();
     return base + "/";
 }
 // The folder that a mirror of this machine names; nothing for addresses of the net.
 std::optional<fs::path> mirror_folder(const std::string& mirror) {
     constexpr std::string_view local = "file://";
-    if (!mirror.starts_with(local)) return mirror.find("://") == std::string::npos ? std::optional<fs::path>(mirror) : std::nullopt;
+    if (!mirror.starts_with(local))
+        return mirror.find("://") == std::string::npos ? std::optional<fs::path>(mirror) : std::nullopt;
     std::string path;
     for (std::size_t i = local.size(); i < mirror.size(); ++i) {
         unsigned byte = 0;
         const char* digits = mirror.data() + i + 1;
-        const bool encoded = mirror[i] == '%' && i + 2 < mirror.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+        const bool encoded = mirror[i] == '%' && i + 2 < mirror.size() &&
+                             std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
         path += encoded ? static_cast<char>(byte) : mirror[i];
         i += encoded ? 2 : 0;
     }
@@ -107,7 +116,8 @@ std::optional<fs::path> mirror_folder(const std::string& mirror) {
 void check_mirror(const std::string& mirror) {
     const auto folder = mirror_folder(mirror);
     if (folder && !fs::is_directory(*folder))
-        throw Error("mirror {}: expected a folder that holds the files as `fastscene models list` has them, found {}", mirror, fs::exists(*folder) ? "a file" : "none");
+        throw Error("mirror {}: expected a folder that holds the files as `fastscene models list` has them, found {}",
+                    mirror, fs::exists(*folder) ? "a file" : "none");
 }
 std::string address_of(const Model& model, const ModelFile& file, const std::string& name, const PullOptions& options) {
     if (!options.mirror.empty()) return mirror_base(options.mirror) + model.folder + "/" + name;
@@ -118,7 +128,8 @@ std::string hash_with_progress(const fs::path& file, const std::string& label, c
     const auto total = static_cast<std::int64_t>(fs::file_size(file));
     return sha256_of_file(file, [&](std::size_t done) {
         run.check_stop();
-        if (run.events && total > 0) run.events->tell(ProgressEvent{"check " + label, static_cast<std::int64_t>(done), total});
+        if (run.events && total > 0)
+            run.events->tell(ProgressEvent{"check " + label, static_cast<std::int64_t>(done), total});
     });
 }
 
@@ -152,11 +163,17 @@ std::optional<fs::path> any_file(const Model& model, const ModelFile& file, cons
     return std::nullopt;
 }
 
-FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root, const Run& run) {
+FileReport verified(const Model& model, const ModelFile& file, const Json& record, const fs::path& root,
+                    const Run& run) {
     auto path = file_in_cache(model, file, root);
     if (!path) path = any_file(model, file, root);
     if (!path) return {file.names().front(), FileState::missing, 0, {}, !file.sha256.empty(), "not there"};
-    FileReport report{path->lexically_relative(root / model.folder).string(), FileState::here, static_cast<std::int64_t>(fs::file_size(*path)), {}, !file.sha256.empty(), {}};
+    FileReport report{path->lexically_relative(root / model.folder).string(),
+                      FileState::here,
+                      static_cast<std::int64_t>(fs::file_size(*path)),
+                      {},
+                      !file.sha256.empty(),
+                      {}};
     report.sha256 = hash_with_progress(*path, path->filename().string(), run);
     const std::string expected = file.sha256.empty() ? recorded_hash(record, report.name) : file.sha256;
     if (report.bytes == 0) {
@@ -182,7 +199,8 @@ class Pull {
     // The file as it is here, when it is whole. What is damaged gives way only when another one has come.
     std::optional<FileReport> here(const ModelFile& file) const {
         FileReport report = verified(model_, file, known_, options_.root, run_);
-        if (report.state == FileState::damaged) run_.note(fmt::format("{}/{}: {}; to be fetched again", model_.name, report.name, report.problem));
+        if (report.state == FileState::damaged)
+            run_.note(fmt::format("{}/{}: {}; to be fetched again", model_.name, report.name, report.problem));
         if (report.state != FileState::here && report.state != FileState::recorded) return std::nullopt;
         return report;
     }
@@ -190,11 +208,13 @@ class Pull {
         for (const std::string& name : file.names()) {
             const auto fetched = fetch(file, name);
             if (!fetched) continue;
-            for (const std::string& other : file.names())  // a damaged one under another of its names would be found first
+            for (const std::string& other :
+                 file.names())  // a damaged one under another of its names would be found first
                 if (other != name) fs::remove(options_.root / model_.folder / other);
             return *fetched;
         }
-        throw Error("{}: expected {}, found no such file", model_.name, address_of(model_, file, file.names().front(), options_));
+        throw Error("{}: expected {}, found no such file", model_.name,
+                    address_of(model_, file, file.names().front(), options_));
     }
 
   private:
@@ -216,12 +236,18 @@ class Pull {
             const std::string hash = hash_with_progress(part, label(name), run_);
             if (file.sha256.empty() || hash == file.sha256) {
                 fs::rename(part, target);
-                if (const std::string before = recorded_hash(known_, name); file.sha256.empty() && !before.empty() && before != hash)
-                    run_.warn(fmt::format("{}: SHA-256 {} is not the one recorded before, {}: its publisher may have changed it", target.string(), hash, before));
-                return FileReport{name, FileState::fetched, static_cast<std::int64_t>(fs::file_size(target)), hash, !file.sha256.empty(), {}};
+                if (const std::string before = recorded_hash(known_, name);
+                    file.sha256.empty() && !before.empty() && before != hash)
+                    run_.warn(fmt::format(
+                        "{}: SHA-256 {} is not the one recorded before, {}: its publisher may have changed it",
+                        target.string(), hash, before));
+                return FileReport{name, FileState::fetched,   static_cast<std::int64_t>(fs::file_size(target)),
+                                  hash, !file.sha256.empty(), {}};
             }
             fs::remove(part);
-            if (!resumed) throw Error("{}: expected SHA-256 {}, found {}; the bytes were thrown away", wanted.url, file.sha256, hash);
+            if (!resumed)
+                throw Error("{}: expected SHA-256 {}, found {}; the bytes were thrown away", wanted.url, file.sha256,
+                            hash);
             run_.note(fmt::format("{}: what was left of an earlier pull does not fit; from the beginning", wanted.url));
         }
     }
@@ -252,14 +278,20 @@ std::string_view name_of(FileState state) {
 }
 
 bool ModelReport::whole() const {
-    return std::none_of(files.begin(), files.end(),
-                        [](const FileReport& file) { return file.state == FileState::missing || file.state == FileState::damaged; });
+    return std::none_of(files.begin(), files.end(), [](const FileReport& file) {
+        return file.state == FileState::missing || file.state == FileState::damaged;
+    });
 }
 
 Json to_json(const ModelReport& report) {
     Json files = Json::array();
     for (const FileReport& file : report.files)
-        files.push_back({{"name", file.name}, {"state", name_of(file.state)}, {"bytes", file.bytes}, {"sha256", file.sha256}, {"known", file.known}, {"problem", file.problem}});
+        files.push_back({{"name", file.name},
+                         {"state", name_of(file.state)},
+                         {"bytes", file.bytes},
+                         {"sha256", file.sha256},
+                         {"known", file.known},
+                         {"problem", file.problem}});
     return {{"model", report.model}, {"folder", report.folder.string()}, {"whole", report.whole()}, {"files", files}};
 }
 
@@ -280,8 +312,8 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
         return report;
     }
     if (model.by_hand() && options.mirror.empty())
-        throw Error("{}: has no address to pull from. Fetch {} by hand at {} and put it into {}, or pull from a mirror", model.name, model.files[0].name, model.home,
-                    report.folder.string());
+        throw Error("{}: has no address to pull from. Fetch {} by hand at {} and put it into {}, or pull from a mirror",
+                    model.name, model.files[0].name, model.home, report.folder.string());
     if (!options.mirror.empty()) check_mirror(options.mirror);
     make_directories(options.root);
     accept_licence(model, options);

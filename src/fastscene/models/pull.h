@@ -25,7 +25,7 @@ enum class FileState { fetched, here, recorded, missing, damaged };
 std::string_view name_of(FileState state);
 
 struct FileReport {
-    std::string name;     // the alternative that is there
+    std::string name;  // the alternative that is there
     FileState state = FileState::missing;
     std::int64_t bytes = 0;
     std::string sha256;   // found
@@ -40,13 +40,15 @@ struct ModelReport {
 };
 Json to_json(const ModelReport& report);
 
-// Each file goes to NAME.part and gets its name when its size and hash are right; an interrupted pull goes on where it was. What is there
-// already is read again and stays when it is whole (as verify_model judges); what is damaged is fetched again, and gives way when the new
-// one has come. Throws UsageError while the licence is not accepted, with the licence; Error for what `download` throws, for a wrong hash
-// (the bytes are thrown away), for a model that can only be fetched by hand, and when another pull works on it. Throws Stopped.
+// Each file goes to NAME.part and gets its name when its size and hash are right; an interrupted pull goes on where it
+// was. What is there already is read again and stays when it is whole (as verify_model judges); what is damaged is
+// fetched again, and gives way when the new one has come. Throws UsageError while the licence is not accepted, with the
+// licence; Error for what `download` throws, for a wrong hash (the bytes are thrown away), for a model that can only be
+// fetched by hand, and when another pull works on it. Throws Stopped.
 ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run);
 
-// Reads every file and holds it against the registry, else against what was recorded when it was first seen, else records it.
+// Reads every file and holds it against the registry, else against what was recorded when it was first seen, else
+// records it.
 ModelReport verify_model(const Model& model, const std::filesystem::path& root, const Run& run);
 
 // Does this model's licence still have to be accepted?

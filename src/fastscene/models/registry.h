@@ -1,5 +1,6 @@
-// The files of others that this program can use, as far as they are known: where they are, how large, what they must hash to, and under
-// which licence. Sizes and hashes were read at the places themselves; what could not be read there is not known, and said so.
+// The files of others that this program can use, as far as they are known: where they are, how large, what they must
+// hash to, and under which licence. Sizes and hashes were read at the places themselves; what could not be read there
+// is not known, and said so.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ struct Model {
     std::string use;      // the command that looks for it
     std::string licence;  // its name, and whose it is
     std::string licence_url;
-    std::string home;     // a page for people
-    std::string base;     // before each file's name; empty: no address to pull from, the file is fetched by hand at home
+    std::string home;  // a page for people
+    std::string base;  // before each file's name; empty: no address to pull from, the file is fetched by hand at home
     std::vector<ModelFile> files;
 
     bool by_hand() const { return base.empty(); }

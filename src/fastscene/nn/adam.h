@@ -20,7 +20,8 @@ class Adam {
     void step();
     void forget_gradients();
     const NamedTensors& parameters() const { return parameters_; }
-    // Averages of gradients and of their squares: "<parameter>.mean", "<parameter>.square". Share memory with the optimizer.
+    // Averages of gradients and of their squares: "<parameter>.mean", "<parameter>.square". Share memory with the
+    // optimizer.
     NamedTensors memory() const;
     std::int64_t steps = 0;
     AdamSettings settings;

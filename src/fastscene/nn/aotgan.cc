@@ -30,8 +30,10 @@ Aotgan Aotgan::of(Weights found) {
     const nn::AotganShape shape = nn::aotgan_shape(weights);
     const std::string holes = weights.metadata.contains("holes") ? weights.metadata.at("holes") : "white";
     if (holes != "white" && holes != "harmonic")
-        throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", weights.path.string(), holes);
-    Aotgan out(std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
+        throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", weights.path.string(),
+                    holes);
+    Aotgan out(
+        std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
     // Once through the smallest picture: whatever does not fit is told now, not in the middle of a walk.
     (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});
     return out;
@@ -60,7 +62,9 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
                 const bool open = picture.hole.at(x, y) != 0;
                 hole[i][0][y][x] = open ? 1.f : 0.f;
                 for (int c = 0; c < 3; ++c)
-                    in[i][c][y][x] = open && !adds_to_fill() ? 1.f : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
+                    in[i][c][y][x] = open && !adds_to_fill()
+                                         ? 1.f
+                                         : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
             }
     }
     at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask);
@@ -72,7 +76,9 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
         ImageColor& image = result.emplace_back(w, h);
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x)
-                image.at(x, y) = (Vec3f{painted[i][0][y][x], painted[i][1][y][x], painted[i][2][y][x]} + Vec3f{1, 1, 1}) * 0.5f;
+                image.at(x,
+                         y) = (Vec3f{painted[i][0][y][x], painted[i][1][y][x], painted[i][2][y][x]} + Vec3f{1, 1, 1}) *
+                              0.5f;
     }
     return result;
 }

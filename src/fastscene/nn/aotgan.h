@@ -22,8 +22,8 @@ class Aotgan {
     Aotgan& operator=(Aotgan&&) noexcept;
     ~Aotgan();
 
-    // Whether the network wants to find the harmonic fill in the holes, to which it adds; else what stands there does not matter. Said by the
-    // file's metadata ("holes": "harmonic"); the official files say nothing.
+    // Whether the network wants to find the harmonic fill in the holes, to which it adds; else what stands there does
+    // not matter. Said by the file's metadata ("holes": "harmonic"); the official files say nothing.
     bool adds_to_fill() const;
 
     // Sides must be multiples of kMultiple and at least kSmallest.
@@ -32,7 +32,8 @@ class Aotgan {
         ImageColor color;  // sRGB values in 0..1
         ImageMask hole;    // nonzero = to be painted
     };
-    // All of one size; known pixels are repainted too (the difference there tells how well the network fits). Values in 0..1.
+    // All of one size; known pixels are repainted too (the difference there tells how well the network fits). Values in
+    // 0..1.
     std::vector<ImageColor> paint(const std::vector<Picture>& pictures, const Run& run) const;
 
   private:

@@ -14,14 +14,18 @@ struct Step {
     const char* name;
     bool pool_before;
 };
-constexpr Step kVgg19[] = {{0, 64, "relu1_1", false},   {2, 64, "relu1_2", false},   {5, 128, "relu2_1", true},   {7, 128, "relu2_2", false},  {10, 256, "relu3_1", true},
-                           {12, 256, "relu3_2", false}, {14, 256, "relu3_3", false}, {16, 256, "relu3_4", false}, {19, 512, "relu4_1", true},  {21, 512, "relu4_2", false},
-                           {23, 512, "relu4_3", false}, {25, 512, "relu4_4", false}, {28, 512, "relu5_1", true},  {30, 512, "relu5_2", false}};
+constexpr Step kVgg19[] = {{0, 64, "relu1_1", false},   {2, 64, "relu1_2", false},   {5, 128, "relu2_1", true},
+                           {7, 128, "relu2_2", false},  {10, 256, "relu3_1", true},  {12, 256, "relu3_2", false},
+                           {14, 256, "relu3_3", false}, {16, 256, "relu3_4", false}, {19, 512, "relu4_1", true},
+                           {21, 512, "relu4_2", false}, {23, 512, "relu4_3", false}, {25, 512, "relu4_4", false},
+                           {28, 512, "relu5_1", true},  {30, 512, "relu5_2", false}};
 
 // ImageNet's mean and deviation.
 constexpr double kMean[] = {0.485, 0.456, 0.406}, kDeviation[] = {0.229, 0.224, 0.225};
 
-Tensor color(const double (&values)[3], const Tensor& like) { return at::tensor(std::vector<double>{values[0], values[1], values[2]}, like.options()).reshape({1, 3, 1, 1}); }
+Tensor color(const double (&values)[3], const Tensor& like) {
+    return at::tensor(std::vector<double>{values[0], values[1], values[2]}, like.options()).reshape({1, 3, 1, 1});
+}
 
 Tensor mean_square(const Tensor& a, const Tensor& b) { return (a - b).square().mean(); }
 
@@ -38,7 +42,8 @@ struct Verdicts {
     Tensor of_fake, of_fake_detached, of_real;
 };
 Verdicts verdicts(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real, const Tensor& mask) {
-    const Tensor a = aotgan_discriminator(s, width, fake, true), b = aotgan_discriminator(s, width, fake.detach(), true),
+    const Tensor a = aotgan_discriminator(s, width, fake, true),
+                 b = aotgan_discriminator(s, width, fake.detach(), true),
                  c = aotgan_discriminator(s, width, real, true);
     return {at_size_of(a, mask), at_size_of(b, mask), at_size_of(c, mask)};
 }
@@ -84,28 +89,34 @@ Tensor gaussian_blur(const Tensor& x, std::int64_t size, double sigma) {
     Tensor row = at::exp(-at_x.square() / (2 * sigma * sigma));
     row = row / row.sum();
     const std::int64_t channels = x.size(1), pad = size / 2;
-    const Tensor across = row.reshape({1, 1, 1, size}).expand({channels, 1, 1, size}), down = row.reshape({1, 1, size, 1}).expand({channels, 1, size, 1});
+    const Tensor across = row.reshape({1, 1, 1, size}).expand({channels, 1, 1, size}),
+                 down = row.reshape({1, 1, size, 1}).expand({channels, 1, size, 1});
     const Tensor blurred = at::conv2d(x, across, {}, 1, at::IntArrayRef{0, pad}, 1, channels);
     return at::conv2d(blurred, down, {}, 1, at::IntArrayRef{pad, 0}, 1, channels);
 }
 
-Adversarial soft_mask_loss_as_published(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real, const Tensor& mask) {
+Adversarial soft_mask_loss_as_published(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real,
+                                        const Tensor& mask) {
     const Verdicts v = verdicts(s, width, fake, real, mask);
-    const Tensor discriminator = mean_square(v.of_fake_detached, softened(mask)) + mean_square(v.of_real, at::zeros_like(v.of_real));
+    const Tensor discriminator = mean_square(v.of_fake_detached, softened(mask)) +
+                                 mean_square(v.of_real, at::zeros_like(v.of_real));
     const Tensor generator = (mean_square(v.of_fake, at::ones_like(v.of_fake)) * mask / mask.mean()).mean();
     return {discriminator, generator};
 }
 
-Adversarial soft_mask_loss(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real, const Tensor& mask) {
+Adversarial soft_mask_loss(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real,
+                           const Tensor& mask) {
     const Verdicts v = verdicts(s, width, fake, real, mask);
     // Outside of the picture nothing is made up: soften the known part, not its complement's zeros.
-    const Tensor discriminator = mean_square(v.of_fake_detached, 1 - softened(mask)) + mean_square(v.of_real, at::ones_like(v.of_real));
+    const Tensor discriminator = mean_square(v.of_fake_detached, 1 - softened(mask)) +
+                                 mean_square(v.of_real, at::ones_like(v.of_real));
     const Tensor generator = ((v.of_fake - 1).square() * mask).sum() / mask.sum().clamp_min(1);
     return {discriminator, generator};
 }
 
 Adversarial plain_loss(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real) {
-    const Tensor of_fake = aotgan_discriminator(s, width, fake.detach(), true), of_real = aotgan_discriminator(s, width, real, true);
+    const Tensor of_fake = aotgan_discriminator(s, width, fake.detach(), true),
+                 of_real = aotgan_discriminator(s, width, real, true);
     const Tensor discriminator = at::softplus(-of_real).mean() + at::softplus(of_fake).mean();
     return {discriminator, at::softplus(-aotgan_discriminator(s, width, fake, true)).mean()};
 }

@@ -12,10 +12,12 @@ namespace {
 
 using at::Tensor;
 
-// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d is slow for that order of channels.
+// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d is slow for that order of
+// channels.
 Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
     const std::int64_t h = x.size(2), w = x.size(3);
-    const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by}, x.options().memory_format(at::MemoryFormat::ChannelsLast));
+    const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by},
+                                 x.options().memory_format(at::MemoryFormat::ChannelsLast));
     const Tensor rows = out.narrow(2, by, h);
     rows.narrow(3, by, w).copy_(x);
     for (std::int64_t i = 1; i <= by; ++i) {
@@ -32,7 +34,8 @@ Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
 // at::reflection_pad2d knows no bfloat16 in libtorch 1.13; autocast does not reach it.
 Tensor reflected(const Tensor& x, std::int64_t by) {
     FASTSCENE_CHECK(by < x.size(2) && by < x.size(3));
-    if (!at::GradMode::is_enabled() && x.is_contiguous(at::MemoryFormat::ChannelsLast)) return reflected_by_pixels(x, by);
+    if (!at::GradMode::is_enabled() && x.is_contiguous(at::MemoryFormat::ChannelsLast))
+        return reflected_by_pixels(x, by);
     if (x.scalar_type() != at::kBFloat16) return at::reflection_pad2d(x, {by, by, by, by});
     return at::reflection_pad2d(x.to(at::kFloat), {by, by, by, by}).to(at::kBFloat16);
 }
@@ -40,12 +43,15 @@ Tensor reflected(const Tensor& x, std::int64_t by) {
 // conv3x3 over a picture continued by reflection.
 Tensor reflected_conv(const Scope& s, const Tensor& x, std::int64_t out, std::int64_t dilation = 1) {
     const Scope conv = s / 1;  // 0 is the padding
-    return at::conv2d(reflected(x, dilation), conv.parameter("weight", {out, x.size(1), 3, 3}), conv.parameter("bias", {out}), at::IntArrayRef{1}, at::IntArrayRef{0}, at::IntArrayRef{dilation});
+    return at::conv2d(reflected(x, dilation), conv.parameter("weight", {out, x.size(1), 3, 3}),
+                      conv.parameter("bias", {out}), at::IntArrayRef{1}, at::IntArrayRef{0}, at::IntArrayRef{dilation});
 }
 
-// The published "layer norm": each channel of each picture to mean 0 and deviation 2 (N - 1 in the denominator), minus 1, times 5.
+// The published "layer norm": each channel of each picture to mean 0 and deviation 2 (N - 1 in the denominator), minus
+// 1, times 5.
 Tensor contrast(const Tensor& x) {
-    const Tensor mean = x.mean({2, 3}, true), deviation = at::std(x, at::IntArrayRef{2, 3}, /*unbiased=*/true, /*keepdim=*/true) + 1e-9;
+    const Tensor mean = x.mean({2, 3}, true),
+                 deviation = at::std(x, at::IntArrayRef{2, 3}, /*unbiased=*/true, /*keepdim=*/true) + 1e-9;
     return 5 * (2 * (x - mean) / deviation - 1);
 }
 
@@ -55,19 +61,22 @@ Tensor aot_block(const Scope& s, const AotganShape& shape, const Tensor& x) {
     std::vector<Tensor> gathered;
     for (std::int64_t i = 0; i < branches; ++i) {
         const Scope branch = s / ("block" + std::string(i < 10 ? "0" : "") + std::to_string(i));
-        gathered.push_back(branch.out(at::relu(reflected_conv(branch, x, channels / branches, shape.rates[static_cast<std::size_t>(i)]))));
+        gathered.push_back(branch.out(
+            at::relu(reflected_conv(branch, x, channels / branches, shape.rates[static_cast<std::size_t>(i)]))));
     }
     const Scope fuse = s / "fuse", gate = s / "gate";
     const Tensor fused = fuse.out(reflected_conv(fuse, at::cat(gathered, 1), channels));
-    const Tensor open = at::sigmoid(contrast(gate.out(reflected_conv(gate, x, channels)).to(at::kFloat))).to(x.scalar_type());
+    const Tensor open = at::sigmoid(contrast(gate.out(reflected_conv(gate, x, channels)).to(at::kFloat)))
+                            .to(x.scalar_type());
     return s.out(x * (1 - open) + fused * open);
 }
 
 Tensor twice_as_large(const Tensor& x) {
-    return at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);   // corners on corners
+    return at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);  // corners on corners
 }
 
-// conv3x3 of maps that lie side by side, without laying them there: each has its part of the kernel, and the parts' outputs add up.
+// conv3x3 of maps that lie side by side, without laying them there: each has its part of the kernel, and the parts'
+// outputs add up.
 Tensor conv_of(const Scope& s, const std::vector<Tensor>& maps, std::int64_t out) {
     std::int64_t channels = 0;
     for (const Tensor& map : maps) channels += map.size(1);
@@ -75,7 +84,8 @@ Tensor conv_of(const Scope& s, const std::vector<Tensor>& maps, std::int64_t out
     Tensor sum;
     std::int64_t first = 0;
     for (const Tensor& map : maps) {
-        const Tensor part = at::conv2d(map, kernel.narrow(1, first, map.size(1)), sum.defined() ? Tensor() : bias, 1, 1);
+        const Tensor part = at::conv2d(map, kernel.narrow(1, first, map.size(1)), sum.defined() ? Tensor() : bias, 1,
+                                       1);
         sum = sum.defined() ? sum + part : part;
         first += map.size(1);
     }
@@ -103,7 +113,8 @@ Tensor spectral_kernel(const Scope& s, at::IntArrayRef shape, bool power_iterati
 AotganShape aotgan_shape(const Weights& weights) {
     const auto& first = weights.at("encoder.1.weight").shape;
     if (first.size() != 4 || first[0] < 1 || first[0] > 1024 || first[1] != 4)
-        throw Error("{}: encoder.1.weight: expected shape [width, 4, 7, 7], found {}", weights.path.string(), text_of_shape(first));
+        throw Error("{}: encoder.1.weight: expected shape [width, 4, 7, 7], found {}", weights.path.string(),
+                    text_of_shape(first));
     AotganShape shape{first[0], 0, {}};
     if (weights.has("decoder.4.weight")) {
         const auto& last = weights.at("decoder.4.weight").shape;
@@ -112,11 +123,15 @@ AotganShape aotgan_shape(const Weights& weights) {
     while (weights.has("middle." + std::to_string(shape.blocks) + ".fuse.1.weight")) ++shape.blocks;
     for (std::int64_t i = 0; i < 10 && weights.has(fmt::format("middle.0.block0{}.1.weight", i)); ++i)
         shape.rates.push_back(std::int64_t{1} << i);
-    if (shape.blocks == 0 || shape.rates.empty() || 4 * shape.width % static_cast<std::int64_t>(shape.rates.size()) != 0)
-        throw Error("{}: expected AOT-GAN's blocks (middle.0.block00.1.weight …), found {} blocks of {} branches", weights.path.string(), shape.blocks, shape.rates.size());
+    if (shape.blocks == 0 || shape.rates.empty() ||
+        4 * shape.width % static_cast<std::int64_t>(shape.rates.size()) != 0)
+        throw Error("{}: expected AOT-GAN's blocks (middle.0.block00.1.weight …), found {} blocks of {} branches",
+                    weights.path.string(), shape.blocks, shape.rates.size());
     if (const auto said = weights.metadata.find("rates"); said != weights.metadata.end()) {
         const Json list = Json::parse(said->second, nullptr, false);
-        if (!list.is_array() || list.size() != shape.rates.size()) throw Error("{}: rates: expected {} numbers, found {}", weights.path.string(), shape.rates.size(), said->second);
+        if (!list.is_array() || list.size() != shape.rates.size())
+            throw Error("{}: rates: expected {} numbers, found {}", weights.path.string(), shape.rates.size(),
+                        said->second);
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (!list[i].is_number_integer() || list[i] < 1 || list[i] > 64)
                 throw Error("{}: rates: expected numbers from 1 to 64, found {}", weights.path.string(), said->second);
@@ -133,7 +148,9 @@ Tensor aotgan_generator(const Scope& s, const AotganShape& shape, const Tensor& 
     const Tensor half = at::relu(conv(encoder / 3, whole, 2 * shape.width, {4, 2, 1}));
     x = at::relu(conv(encoder / 5, half, 4 * shape.width, {4, 2, 1}));
     for (std::int64_t i = 0; i < shape.blocks; ++i) x = aot_block(s / "middle" / i, shape, x);
-    const auto beside = [&](const Tensor& made, const Tensor& seen) { return shape.skips ? std::vector{made, seen} : std::vector{made}; };
+    const auto beside = [&](const Tensor& made, const Tensor& seen) {
+        return shape.skips ? std::vector{made, seen} : std::vector{made};
+    };
     const auto larger = [&](const Scope& part, const std::vector<Tensor>& maps, std::int64_t out) {
         std::vector<Tensor> large;
         for (const Tensor& map : maps) large.push_back(twice_as_large(map));

@@ -18,14 +18,14 @@ namespace {
 using namespace nn;
 using at::Tensor;
 
-constexpr std::int64_t kSmallest = 64;        // picture through which a new network is run once
+constexpr std::int64_t kSmallest = 64;  // picture through which a new network is run once
 constexpr std::size_t kRowsOfSheet = 8;
 constexpr std::size_t kLookTogether = 8;
 constexpr int kPyramidLevels = 4;
 
 // What a step sees: pictures [N, 3, H, W] in -1..1, masks [N, 1, H, W] with 1 = hole.
 struct Pictures {
-    Tensor truth, shown, hole;   // `shown`: with white or the harmonic fill in the holes
+    Tensor truth, shown, hole;  // `shown`: with white or the harmonic fill in the holes
 };
 
 // Examples side by side in memory.
@@ -36,7 +36,8 @@ Batch batch_of(const std::vector<const InpaintExample*>& examples, bool harmonic
     auto t = truth.accessor<float, 4>(), s = shown.accessor<float, 4>(), m = hole.accessor<float, 4>();
     for (std::int64_t i = 0; i < n; ++i) {
         const InpaintExample& e = *examples[static_cast<std::size_t>(i)];
-        FASTSCENE_CHECK(e.truth.width == w && e.truth.height == h && e.hole.same_size(e.truth) && (!harmonic || e.filled.same_size(e.truth)));
+        FASTSCENE_CHECK(e.truth.width == w && e.truth.height == h && e.hole.same_size(e.truth) &&
+                        (!harmonic || e.filled.same_size(e.truth)));
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 const Rgb8 c = e.truth.at(x, y);
@@ -45,7 +46,9 @@ Batch batch_of(const std::vector<const InpaintExample*>& examples, bool harmonic
                 m[i][0][y][x] = open ? 1.f : 0.f;
                 for (int k = 0; k < 3; ++k) {
                     t[i][k][y][x] = static_cast<float>(rgb[k]) / 127.5f - 1;
-                    s[i][k][y][x] = !open ? t[i][k][y][x] : harmonic ? 2 * e.filled.at(x, y)[static_cast<std::size_t>(k)] - 1 : 1.f;
+                    s[i][k][y][x] = !open      ? t[i][k][y][x]
+                                    : harmonic ? 2 * e.filled.at(x, y)[static_cast<std::size_t>(k)] - 1
+                                               : 1.f;
                 }
             }
     }
@@ -58,32 +61,38 @@ Batch batch_of(const std::vector<InpaintExample>& examples, std::size_t begin, s
     return batch_of(some, harmonic);
 }
 
-// Differences of two pictures at each of several sizes, what is coarser taken out (Burt and Adelson 1983). Stands in for the perceptual
-// loss where there is no VGG19: unlike a plain difference it sees edges and textures before they are the last thing that is wrong.
+// Differences of two pictures at each of several sizes, what is coarser taken out (Burt and Adelson 1983). Stands in
+// for the perceptual loss where there is no VGG19: unlike a plain difference it sees edges and textures before they are
+// the last thing that is wrong.
 Tensor pyramid_loss(Tensor difference) {
     Tensor sum = at::zeros({}, difference.options());
     for (int level = 0; level < kPyramidLevels; ++level) {
-        const Tensor coarse = at::avg_pool2d(difference, 2), back = at::upsample_bilinear2d(coarse, difference.sizes().slice(2), false);
+        const Tensor coarse = at::avg_pool2d(difference, 2),
+                     back = at::upsample_bilinear2d(coarse, difference.sizes().slice(2), false);
         sum = sum + (difference - back).abs().mean();
         difference = coarse;
     }
     return sum;
 }
 
-Tensor mean_in_holes(const Tensor& values, const Tensor& hole) { return (values * hole).sum() / (hole.sum() * values.size(1)).clamp_min(1); }
+Tensor mean_in_holes(const Tensor& values, const Tensor& hole) {
+    return (values * hole).sum() / (hole.sum() * values.size(1)).clamp_min(1);
+}
 
-// Minus PSNR / 10 in the holes, mean over the pictures. A mean square listens to the few pictures that nobody could paint; this one asks
-// each picture for the same share of what is wrong with it.
+// Minus PSNR / 10 in the holes, mean over the pictures. A mean square listens to the few pictures that nobody could
+// paint; this one asks each picture for the same share of what is wrong with it.
 Tensor lacking_psnr(const Tensor& difference, const Tensor& hole) {
-    constexpr double kRounding = 1e-5;   // what eight bits leave, in squares of -1..1
+    constexpr double kRounding = 1e-5;  // what eight bits leave, in squares of -1..1
     const std::vector<std::int64_t> picture{1, 2, 3};
-    const Tensor square = (difference.square() * hole).sum(picture) / (hole.sum(picture) * difference.size(1)).clamp_min(1);
+    const Tensor square = (difference.square() * hole).sum(picture) /
+                          (hole.sum(picture) * difference.size(1)).clamp_min(1);
     return (square / 4 + kRounding).log10().mean();
 }
 
 class Trainer {
   public:
-    Trainer(const AotganTrainingParams& params, const InpaintExamples& examples, std::filesystem::path folder, std::uint64_t seed)
+    Trainer(const AotganTrainingParams& params, const InpaintExamples& examples, std::filesystem::path folder,
+            std::uint64_t seed)
         : params_(params),
           examples_(examples),
           folder_(std::move(folder)),
@@ -100,10 +109,13 @@ class Trainer {
             discriminator_ = std::make_unique<Learner>(
                 "discriminator", start_normal(seed, 0.02), at::TensorOptions(device_).dtype(at::kFloat),
                 [&](const Scope& s) {
-                    (void)aotgan_discriminator(s, params_.width, at::zeros({1, 3, kSmallest, kSmallest}, device_), false);
+                    (void)aotgan_discriminator(s, params_.width, at::zeros({1, 3, kSmallest, kSmallest}, device_),
+                                               false);
                 },
                 settings());
-        if (!params.vgg.empty()) vgg_ = std::make_unique<LoadedWeights>(load_weights(params.vgg), at::TensorOptions(device_).dtype(at::kFloat));
+        if (!params.vgg.empty())
+            vgg_ = std::make_unique<LoadedWeights>(load_weights(params.vgg),
+                                                   at::TensorOptions(device_).dtype(at::kFloat));
     }
 
     TrainingTask task() {
@@ -111,13 +123,15 @@ class Trainer {
         out.learners = {&generator_};
         if (discriminator_) out.learners.push_back(discriminator_.get());
         out.draw = [this](Random& dice) { return draw(dice); };
-        out.step = [this](const Batch& batch, std::int64_t step, double rate) { return this->step(on_device(batch), step, rate); };
+        out.step = [this](const Batch& batch, std::int64_t step, double rate) {
+            return this->step(on_device(batch), step, rate);
+        };
         out.look = [this] { return look(); };
         AotganTrainingParams network = params_;
         network.training = {};
         out.settings = fields_json(network);
         const Json loop = fields_json(TrainingParams{});
-        for (const auto& [name, value] : loop.items()) out.settings.erase(name);   // train() keeps those itself
+        for (const auto& [name, value] : loop.items()) out.settings.erase(name);  // train() keeps those itself
         out.settings["examples"] = examples_.about;
         return out;
     }
@@ -126,7 +140,9 @@ class Trainer {
     AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}, params_.skips}; }
     bool harmonic() const { return params_.holes == "harmonic"; }
     LearnerSettings settings() const {
-        return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999}, params_.training.average, params_.training.clip};
+        return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999},
+                params_.training.average,
+                params_.training.clip};
     }
 
     // A network that adds to the harmonic fill begins by adding nothing.
@@ -137,13 +153,15 @@ class Trainer {
             return nothing && key == "decoder.4.weight" ? at::zeros(shape) : kernels(key, shape);
         };
         if (params.start.empty()) return fresh;
-        return start_from(as_wide(unwrapped(load_weights(params.start), "encoder.1.weight"), params.width, seed), "encoder.1.weight", fresh);
+        return start_from(as_wide(unwrapped(load_weights(params.start), "encoder.1.weight"), params.width, seed),
+                          "encoder.1.weight", fresh);
     }
     // A narrower generator is widened where that goes without a rest; others are told where they do not fit.
     static Weights as_wide(Weights weights, std::int64_t width, std::uint64_t seed) {
         if (!weights.has("encoder.1.weight")) return weights;
         const AotganShape found = aotgan_shape(weights);
-        return found.width < width && width % found.width == 0 ? widened(weights, found, width / found.width, seed) : weights;
+        return found.width < width && width % found.width == 0 ? widened(weights, found, width / found.width, seed)
+                                                               : weights;
     }
 
     Batch draw(Random& dice) const {
@@ -151,11 +169,13 @@ class Trainer {
         for (int i = 0; i < params_.training.batch; ++i) drawn.push_back(examples_.draw(dice));
         return batch_of(drawn, 0, drawn.size(), harmonic());
     }
-    Pictures on_device(const Batch& batch) const { return {batch[0].to(device_), batch[1].to(device_), batch[2].to(device_)}; }
+    Pictures on_device(const Batch& batch) const {
+        return {batch[0].to(device_), batch[1].to(device_), batch[2].to(device_)};
+    }
 
     Tensor painted(const Scope& generator, const Pictures& p) const {
         const Tensor out = aotgan_generator(generator, shape(), p.shown, p.hole).to(at::kFloat);
-        return harmonic() ? p.shown + out * p.hole : out;   // what it says of known pixels is never used
+        return harmonic() ? p.shown + out * p.hole : out;  // what it says of known pixels is never used
     }
 
     Numbers step(const Pictures& p, std::int64_t step, double rate) {
@@ -183,7 +203,7 @@ class Trainer {
             const Adversarial said = soft_mask_loss(discriminator_->scope(), params_.width, composed, p.truth, p.hole);
             add("adversarial", step >= params_.adversarial_from ? params_.adversarial : 0, said.generator);
             loss.backward();
-            discriminator_->forget_gradients();   // the generator's wish is no lesson for the discriminator
+            discriminator_->forget_gradients();  // the generator's wish is no lesson for the discriminator
             said.discriminator.backward();
             numbers.emplace_back("discriminator", said.discriminator.item<double>());
             discriminator_->update(rate);
@@ -207,17 +227,22 @@ class Trainer {
                 psnr_fill += psnr_in_holes(p.shown[i], p.truth[i], p.hole[i]);
                 l1 += mean_in_holes((made[i] - p.truth[i]).abs().unsqueeze(0), p.hole[i].unsqueeze(0)).item<double>();
                 if (rows.size() < kRowsOfSheet)
-                    rows.push_back(picture_of(at::cat({p.shown[i] * (1 - p.hole[i]) + p.hole[i], p.shown[i], made[i], p.truth[i]}, 2)));
+                    rows.push_back(picture_of(
+                        at::cat({p.shown[i] * (1 - p.hole[i]) + p.hole[i], p.shown[i], made[i], p.truth[i]}, 2)));
             }
         }
         keep();
         const double n = std::max<double>(1, static_cast<double>(examples_.held_out.size()));
-        return {{{"psnr", psnr / n}, {harmonic() ? "psnr of the harmonic fill" : "psnr of white", psnr_fill / n}, {"l1", l1 / n}}, stacked(rows)};
+        return {{{"psnr", psnr / n},
+                 {harmonic() ? "psnr of the harmonic fill" : "psnr of white", psnr_fill / n},
+                 {"l1", l1 / n}},
+                stacked(rows)};
     }
 
     static double psnr_in_holes(const Tensor& a, const Tensor& b, const Tensor& hole) {
         const auto bytes = [](const Tensor& x) { return ((x + 1) * 127.5).round(); };
-        const double square = mean_in_holes((bytes(a) - bytes(b)).square().unsqueeze(0), hole.unsqueeze(0)).item<double>();
+        const double square = mean_in_holes((bytes(a) - bytes(b)).square().unsqueeze(0), hole.unsqueeze(0))
+                                  .item<double>();
         return 10 * std::log10(255.0 * 255.0 / std::max(square, 1e-3));
     }
 
@@ -227,7 +252,8 @@ class Trainer {
         ImageRgb8 out(static_cast<int>(x.size(2)), static_cast<int>(x.size(1)));
         for (int row = 0; row < out.height; ++row)
             for (int col = 0; col < out.width; ++col)
-                out.at(col, row) = {static_cast<std::uint8_t>(v[0][row][col]), static_cast<std::uint8_t>(v[1][row][col]),
+                out.at(col, row) = {static_cast<std::uint8_t>(v[0][row][col]),
+                                    static_cast<std::uint8_t>(v[1][row][col]),
                                     static_cast<std::uint8_t>(v[2][row][col])};
         return out;
     }
@@ -243,7 +269,8 @@ class Trainer {
 
     void keep() const {
         Weights weights = generator_.kept();
-        weights.metadata = {{"holes", params_.holes}, {"rates", "[1, 2, 4, 8]"}, {"steps", std::to_string(generator_.steps())}};
+        weights.metadata = {
+            {"holes", params_.holes}, {"rates", "[1, 2, 4, 8]"}, {"steps", std::to_string(generator_.steps())}};
         save_safetensors(folder_ / "generator.safetensors", weights, SaveAs::f16);
     }
 
@@ -259,7 +286,8 @@ class Trainer {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params, const InpaintExamples& examples,
+std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params,
+                                                         const InpaintExamples& examples,
                                                          const std::filesystem::path& folder, const Run& run) {
     FASTSCENE_CHECK(examples.draw != nullptr && !examples.held_out.empty());
     Trainer trainer(params, examples, folder, run.seed);

@@ -11,8 +11,9 @@ using at::Tensor;
 // How far the shares of copies stray from equal ones.
 constexpr float kUneven = 0.5f;
 
-// Hands out the narrow network's parameters, and makes wide ones of them as they are asked for: the generator itself says which there are
-// and how large. Only where channels lie side by side from several sources, in a branch's cat or a skip's, is more to be known.
+// Hands out the narrow network's parameters, and makes wide ones of them as they are asked for: the generator itself
+// says which there are and how large. Only where channels lie side by side from several sources, in a branch's cat or a
+// skip's, is more to be known.
 class Wide final : public WeightSource {
   public:
     Wide(const Weights& narrow, const AotganShape& shape, std::int64_t times, std::uint64_t seed)
@@ -52,7 +53,8 @@ class Wide final : public WeightSource {
     // [O, sources n, k, k] -> [O, sources times n, k, k]: each source's channels come `times` times in a row.
     Tensor shared_among_copies(const std::string& key, const Tensor& kernel, std::int64_t inputs) const {
         if (kernel.size(1) == inputs) return kernel;
-        const std::int64_t out = kernel.size(0), sources = sources_of(key), n = kernel.size(1) / sources, k = kernel.size(2);
+        const std::int64_t out = kernel.size(0), sources = sources_of(key), n = kernel.size(1) / sources,
+                           k = kernel.size(2);
         Tensor shares = at::empty({out, sources, times_, n, 1, 1}, at::kFloat);
         Random dice(seed_, "widened " + key);
         float* share = shares.data_ptr<float>();

@@ -46,11 +46,16 @@ TEST(AotganWidened, PaintsWhatTheNarrowOnePaints) {
 TEST(AotganWidened, CopiesAreReadDifferently) {
     const Narrow narrow(true);
     const Weights wide = widened(narrow.weights, narrow.shape, 2, 7);
-    for (const char* key : {"encoder.3.weight", "middle.1.fuse.1.weight", "middle.0.gate.1.weight", "decoder.2.conv.weight", "decoder.4.weight"}) {
+    for (const char* key : {"encoder.3.weight", "middle.1.fuse.1.weight", "middle.0.gate.1.weight",
+                            "decoder.2.conv.weight", "decoder.4.weight"}) {
         const at::Tensor kernel = tensor_of(wide.at(key));
-        const std::int64_t sources = std::string(key).find("fuse") != std::string::npos ? 4 : std::string(key).starts_with("decoder") ? 2 : 1;
+        const std::int64_t sources = std::string(key).find("fuse") != std::string::npos ? 4
+                                     : std::string(key).starts_with("decoder")          ? 2
+                                                                                        : 1;
         const at::Tensor copies = kernel.reshape({kernel.size(0), sources, 2, -1});
-        EXPECT_GT((copies.select(2, 0) - copies.select(2, 1)).abs().mean().item<double>(), 0.1 * kernel.abs().mean().item<double>()) << key;
+        EXPECT_GT((copies.select(2, 0) - copies.select(2, 1)).abs().mean().item<double>(),
+                  0.1 * kernel.abs().mean().item<double>())
+            << key;
     }
 }
 

@@ -18,7 +18,7 @@ using at::Tensor;
 
 constexpr int kVectors = 3, kPanel = kVectors * kLanes;
 
-constexpr std::int64_t kTileRows = 8 * kRows;   // of q: their part of the weights is 64 x 480 floats, 123 KB
+constexpr std::int64_t kTileRows = 8 * kRows;  // of q: their part of the weights is 64 x 480 floats, 123 KB
 constexpr std::int64_t kTileKeys = 10 * 48;
 static_assert(kTileKeys % kPanel == 0);
 
@@ -41,12 +41,17 @@ Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
 // What a thread works in.
 struct Bench {
     Floats q, weights, sum;
-    Floats greatest, total;   // of each row so far
+    Floats greatest, total;  // of each row so far
     Bench(std::int64_t d, std::int64_t wide)
-        : q(kTileRows * d), weights(kTileRows * kTileKeys), sum(kTileRows * wide), greatest(kTileRows), total(kTileRows) {}
+        : q(kTileRows * d),
+          weights(kTileRows * kTileKeys),
+          sum(kTileRows * wide),
+          greatest(kTileRows),
+          total(kTileRows) {}
 };
 
-// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that grows.
+// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that
+// grows.
 void weigh(Bench& b, std::int64_t row, std::int64_t keys, std::int64_t padded, std::int64_t wide) {
     float* s = b.weights.data() + row * kTileKeys;
     std::fill(s + keys, s + padded, -std::numeric_limits<float>::infinity());
@@ -69,14 +74,16 @@ void weigh(Bench& b, std::int64_t row, std::int64_t keys, std::int64_t padded, s
     for (int i = 0; i < kLanes; ++i) sum += total[i];
     b.total[row] = sum;
     if (shrink != 1.f)
-        for (std::int64_t i = 0; i < wide; i += kLanes) store(b.sum.data() + row * wide + i, load(b.sum.data() + row * wide + i) * all(shrink));
+        for (std::int64_t i = 0; i < wide; i += kLanes)
+            store(b.sum.data() + row * wide + i, load(b.sum.data() + row * wide + i) * all(shrink));
 }
 
 void add_values(Bench& b, std::int64_t row, const float* values, std::int64_t keys, std::int64_t wide) {
     const float* weights = b.weights.data() + row * kTileKeys;
     float* to = b.sum.data() + row * wide;
     std::int64_t at = 0;
-    for (; at + kPanel <= wide; at += kPanel) multiply<kVectors, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
+    for (; at + kPanel <= wide; at += kPanel)
+        multiply<kVectors, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
     if (wide - at == 2 * kLanes) multiply<2, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
     if (wide - at == kLanes) multiply<1, true>(weights, kTileKeys, 1, values + at, wide, keys, to + at, wide);
 }
@@ -94,10 +101,11 @@ void tile(const float* q, std::int64_t count, const Packed& p, std::int64_t m, s
         const std::int64_t keys = std::min(kTileKeys, m - from), padded = rounded_up(keys, kPanel);
         for (std::int64_t j = 0; j < padded; j += kPanel)
             for (std::int64_t row = 0; row < rows; row += kRows)
-                multiply<kVectors, false>(b.q.data() + row * d, d, 1, p.keys.data() + (from + j) * d, kPanel, d, b.weights.data() + row * kTileKeys + j,
-                                          kTileKeys);
+                multiply<kVectors, false>(b.q.data() + row * d, d, 1, p.keys.data() + (from + j) * d, kPanel, d,
+                                          b.weights.data() + row * kTileKeys + j, kTileKeys);
         for (std::int64_t row = 0; row < rows; ++row) weigh(b, row, keys, padded, p.wide);
-        for (std::int64_t row = 0; row < rows; row += kRows) add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);
+        for (std::int64_t row = 0; row < rows; row += kRows)
+            add_values(b, row, p.values.data() + from * p.wide, keys, p.wide);
     }
     for (std::int64_t row = 0; row < count; ++row)
         for (std::int64_t i = 0; i < d; ++i) out[row * d + i] = b.sum[row * p.wide + i] / b.total[row];
@@ -112,10 +120,11 @@ Tensor through_bf16(const Tensor& q, const Tensor& k, const Tensor& v) {
     for (std::int64_t i = 0; i < q.size(0); ++i) {
         bf16::pack(numbers(k) + i * m * d, numbers(v) + i * m * d, m, d, numbers(keys), numbers(values));
         at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
-            const Tensor work = at::empty({static_cast<std::int64_t>(bf16::workspace(d))}, at::kByte);   // libtorch aligns to 64
+            const Tensor work = at::empty({static_cast<std::int64_t>(bf16::workspace(d))},
+                                          at::kByte);  // libtorch aligns to 64
             const std::int64_t from = begin * kAtOnce, to = std::min(end * kAtOnce, l);
             bf16::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d,
-                        reinterpret_cast<std::byte*>(work.data_ptr()), numbers(out) + (i * l + from) * d);
+                         reinterpret_cast<std::byte*>(work.data_ptr()), numbers(out) + (i * l + from) * d);
         });
     }
     return out;
@@ -124,7 +133,8 @@ Tensor through_bf16(const Tensor& q, const Tensor& k, const Tensor& v) {
 }  // namespace
 
 Tensor tiled_attention(const Tensor& q, const Tensor& k, const Tensor& v) {
-    FASTSCENE_CHECK(q.dim() == 3 && k.sizes() == v.sizes() && q.size(0) == k.size(0) && q.size(2) == k.size(2) && k.size(1) > 0);
+    FASTSCENE_CHECK(q.dim() == 3 && k.sizes() == v.sizes() && q.size(0) == k.size(0) && q.size(2) == k.size(2) &&
+                    k.size(1) > 0);
     FASTSCENE_CHECK(q.scalar_type() == k.scalar_type() && k.scalar_type() == v.scalar_type() && q.device().is_cpu());
     if (q.scalar_type() == at::kBFloat16) {
         if (bf16::available()) return through_bf16(q.contiguous(), k.contiguous(), v.contiguous());
@@ -132,7 +142,8 @@ Tensor tiled_attention(const Tensor& q, const Tensor& k, const Tensor& v) {
     }
     FASTSCENE_CHECK(q.scalar_type() == at::kFloat);
     const Tensor rows = q.contiguous(), keys = k.contiguous(), values = v.contiguous();
-    const std::int64_t n = q.size(0), l = q.size(1), m = k.size(1), d = q.size(2), tiles = (l + kTileRows - 1) / kTileRows;
+    const std::int64_t n = q.size(0), l = q.size(1), m = k.size(1), d = q.size(2),
+                       tiles = (l + kTileRows - 1) / kTileRows;
     Tensor out = at::empty(q.sizes(), rows.options());
     for (std::int64_t i = 0; i < n; ++i) {
         const Packed p = packed(keys.data_ptr<float>() + i * m * d, values.data_ptr<float>() + i * m * d, m, d);
@@ -141,7 +152,8 @@ Tensor tiled_attention(const Tensor& q, const Tensor& k, const Tensor& v) {
         at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
             Bench bench(d, p.wide);
             for (std::int64_t t = begin; t < end; ++t)
-                tile(from + t * kTileRows * d, std::min(kTileRows, l - t * kTileRows), p, m, d, bench, to + t * kTileRows * d);
+                tile(from + t * kTileRows * d, std::min(kTileRows, l - t * kTileRows), p, m, d, bench,
+                     to + t * kTileRows * d);
         });
     }
     return out;

@@ -1,5 +1,5 @@
-// Compiled for the processors that have one of them, wherever the rest runs (attention.cmake): nothing but intrinsics in here, so that no
-// function of a header is compiled for them too and then taken by others.
+// Compiled for the processors that have one of them, wherever the rest runs (attention.cmake): nothing but intrinsics
+// in here, so that no function of a header is compiled for them too and then taken by others.
 #include "fastscene/nn/attention_bf16.h"
 
 #include "fastscene/base/isa.h"
@@ -13,22 +13,24 @@
 namespace fastscene::nn::bf16 {
 namespace {
 
-constexpr std::int64_t kTile = 16;            // rows of a tile, and numbers of a row of sums
-constexpr std::int64_t kDeep = 32;            // bfloat16 numbers in a row
+constexpr std::int64_t kTile = 16;  // rows of a tile, and numbers of a row of sums
+constexpr std::int64_t kDeep = 32;  // bfloat16 numbers in a row
 constexpr std::int64_t kTileSize = kTile * kDeep;
-constexpr std::int64_t kKeys = 256;           // whose weights are in memory at once: 32 KB of scores
-constexpr float kLowest = -1e37f;               // times the scale still a number
+constexpr std::int64_t kKeys = 256;  // whose weights are in memory at once: 32 KB of scores
+constexpr float kLowest = -1e37f;    // times the scale still a number
 
 std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
 
 struct Sizes {
-    std::int64_t deep, wide, keys;   // d for products over it, d for sums of it, m: each with zeros to whole tiles
-    Sizes(std::int64_t m, std::int64_t d) : deep(rounded_up(d, kDeep)), wide(rounded_up(d, kTile)), keys(rounded_up(m, kDeep)) {}
+    std::int64_t deep, wide, keys;  // d for products over it, d for sums of it, m: each with zeros to whole tiles
+    Sizes(std::int64_t m, std::int64_t d)
+        : deep(rounded_up(d, kDeep)), wide(rounded_up(d, kTile)), keys(rounded_up(m, kDeep)) {}
 };
 
 bool has_matrix_unit() {
     static const bool there = [] {
-        constexpr long kAskForState = 0x1023, kTileData = 18;   // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the tiles' state is given on request only
+        constexpr long kAskForState = 0x1023,
+                       kTileData = 18;  // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the tiles' state is given on request only
         return __builtin_cpu_supports("amx-bf16") && syscall(SYS_arch_prctl, kAskForState, kTileData) == 0;
     }();
     return there;
@@ -41,8 +43,8 @@ class Tiles {
         if (!has_matrix_unit()) return;
         alignas(64) std::uint8_t config[64] = {1};
         for (int t = 0; t < 8; ++t) {
-            config[16 + 2 * t] = 64;   // bytes a row
-            config[48 + t] = 16;       // rows
+            config[16 + 2 * t] = 64;  // bytes a row
+            config[48 + t] = 16;      // rows
         }
         // GCC 12 believes that the instruction reads eight bytes only, and may leave out the rest as stores to nowhere.
         asm volatile("" : : "r"(config) : "memory");
@@ -57,8 +59,8 @@ class Tiles {
 
 // What a thread works in.
 struct Work {
-    Bf16 *q, *weights;             // [kRows, deep], [kRows, kKeys]
-    float *scores, *sum;           // [kRows, kKeys], [kRows, wide]
+    Bf16 *q, *weights;    // [kRows, deep], [kRows, kKeys]
+    float *scores, *sum;  // [kRows, kKeys], [kRows, wide]
     float greatest[kRows], total[kRows];
     Work(std::byte* memory, const Sizes& s)
         : q(reinterpret_cast<Bf16*>(memory)),
@@ -101,15 +103,18 @@ __m512bh pair_of(const Bf16* at) {
 }
 __m512bh pairs_of(const Bf16* at) { return reinterpret_cast<__m512bh>(_mm512_loadu_si512(at)); }
 
-// sum[kTall][kWide vectors] += left [kTall rows of `left_row` numbers] by the tiles at `right`, `deep` of them one after the other `right_step` numbers
-// apart; kWide tiles beside each other lie `right_beside` numbers apart. What the matrix unit does in one instruction, in registers.
+// sum[kTall][kWide vectors] += left [kTall rows of `left_row` numbers] by the tiles at `right`, `deep` of them one
+// after the other `right_step` numbers apart; kWide tiles beside each other lie `right_beside` numbers apart. What the
+// matrix unit does in one instruction, in registers.
 constexpr int kTall = 8;
 template <int kWide>
-void multiply_by_vectors(const Bf16* left, std::int64_t left_row, const Bf16* right, std::int64_t right_step, std::int64_t right_beside, std::int64_t deep,
-                         float* sum, std::int64_t sum_row, bool from_zero) {
+void multiply_by_vectors(const Bf16* left, std::int64_t left_row, const Bf16* right, std::int64_t right_step,
+                         std::int64_t right_beside, std::int64_t deep, float* sum, std::int64_t sum_row,
+                         bool from_zero) {
     __m512 sums[kTall][kWide];
     for (int r = 0; r < kTall; ++r)
-        for (int c = 0; c < kWide; ++c) sums[r][c] = from_zero ? _mm512_setzero_ps() : _mm512_load_ps(sum + r * sum_row + c * kTile);
+        for (int c = 0; c < kWide; ++c)
+            sums[r][c] = from_zero ? _mm512_setzero_ps() : _mm512_load_ps(sum + r * sum_row + c * kTile);
     for (std::int64_t chunk = 0; chunk < deep; ++chunk, left += kDeep, right += right_step)
         for (int pair = 0; pair < kDeep / 2; ++pair) {
             __m512bh columns[kWide];
@@ -131,8 +136,8 @@ void score_by_vectors(const Work& w, const Bf16* keys, std::int64_t count, const
     const std::int64_t chunks = s.deep / kDeep;
     for (std::int64_t j = 0; j < count; j += 2 * kTile)
         for (std::int64_t r = 0; r < kRows; r += kTall)
-            multiply_by_vectors<2>(w.q + r * s.deep, s.deep, keys + j / kTile * chunks * kTileSize, kTileSize, chunks * kTileSize, chunks,
-                                   w.scores + r * kKeys + j, kKeys, true);
+            multiply_by_vectors<2>(w.q + r * s.deep, s.deep, keys + j / kTile * chunks * kTileSize, kTileSize,
+                                   chunks * kTileSize, chunks, w.scores + r * kKeys + j, kKeys, true);
 }
 void add_values_by_vectors(const Work& w, const Bf16* values, std::int64_t keys, const Sizes& s) {
     const std::int64_t columns = s.wide / kTile, step = columns * kTileSize;
@@ -141,14 +146,18 @@ void add_values_by_vectors(const Work& w, const Bf16* values, std::int64_t keys,
         float* sum = w.sum + r * s.wide;
         std::int64_t c = 0;
         for (; c + 2 <= columns; c += 2)
-            multiply_by_vectors<2>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep, sum + c * kTile, s.wide, false);
-        if (c < columns) multiply_by_vectors<1>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep, sum + c * kTile, s.wide, false);
+            multiply_by_vectors<2>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep,
+                                   sum + c * kTile, s.wide, false);
+        if (c < columns)
+            multiply_by_vectors<1>(weights, kKeys, values + c * kTileSize, step, kTileSize, keys / kDeep,
+                                   sum + c * kTile, s.wide, false);
     }
 }
 
 // 2^x for x <= 0, relative error 5e-5: the weights are rounded to 4e-3 anyway.
 __m512 power_of_two(__m512 x) {
-    const __m512 whole = _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC), rest = _mm512_sub_ps(x, whole);
+    const __m512 whole = _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC),
+                 rest = _mm512_sub_ps(x, whole);
     __m512 p = _mm512_set1_ps(9.6181291e-3f);
     p = _mm512_fmadd_ps(p, rest, _mm512_set1_ps(5.5504109e-2f));
     p = _mm512_fmadd_ps(p, rest, _mm512_set1_ps(2.4022651e-1f));
@@ -157,7 +166,8 @@ __m512 power_of_two(__m512 x) {
     return _mm512_scalef_ps(p, whole);
 }
 
-// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that grows.
+// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that
+// grows.
 void weigh(Work& w, std::int64_t row, std::int64_t count, std::int64_t padded, float scale, const Sizes& s) {
     float* scores = w.scores + row * kKeys;
     for (std::int64_t j = count; j < padded; ++j) scores[j] = kLowest;
@@ -167,7 +177,8 @@ void weigh(Work& w, std::int64_t row, std::int64_t count, std::int64_t padded, f
     if (greatest > w.greatest[row]) {
         const __m512 shrink = power_of_two(_mm512_set1_ps((w.greatest[row] - greatest) * scale));
         float* sum = w.sum + row * s.wide;
-        for (std::int64_t i = 0; i < s.wide; i += kTile) _mm512_store_ps(sum + i, _mm512_mul_ps(_mm512_load_ps(sum + i), shrink));
+        for (std::int64_t i = 0; i < s.wide; i += kTile)
+            _mm512_store_ps(sum + i, _mm512_mul_ps(_mm512_load_ps(sum + i), shrink));
         w.total[row] *= _mm512_cvtss_f32(shrink);
         w.greatest[row] = greatest;
     }
@@ -239,9 +250,12 @@ void pack(const Bf16* k, const Bf16* v, std::int64_t m, std::int64_t d, Bf16* ke
     __builtin_memset(values, 0, static_cast<std::size_t>(s.keys * s.wide) * sizeof(Bf16));
     for (std::int64_t j = 0; j < m; ++j)
         for (std::int64_t i = 0; i < d; ++i) {
-            // Keys: tiles of 16 keys by 32 numbers, which are the unit's 32 rows. Values: tiles of 32 keys by 16 numbers.
-            keys[(j / kTile * (s.deep / kDeep) + i / kDeep) * kTileSize + i % kDeep / 2 * 32 + j % kTile * 2 + i % 2] = k[j * d + i];
-            values[(j / kDeep * (s.wide / kTile) + i / kTile) * kTileSize + j % kDeep / 2 * 32 + i % kTile * 2 + j % 2] = v[j * d + i];
+            // Keys: tiles of 16 keys by 32 numbers, which are the unit's 32 rows. Values: tiles of 32 keys by 16
+            // numbers.
+            keys[(j / kTile * (s.deep / kDeep) + i / kDeep) * kTileSize + i % kDeep / 2 * 32 + j % kTile * 2 + i % 2] =
+                k[j * d + i];
+            values[(j / kDeep * (s.wide / kTile) + i / kTile) * kTileSize + j % kDeep / 2 * 32 + i % kTile * 2 +
+                   j % 2] = v[j * d + i];
         }
 }
 
@@ -250,7 +264,8 @@ std::size_t workspace(std::int64_t d) {
     return static_cast<std::size_t>(kRows * (2 * s.deep + 2 * kKeys + 4 * kKeys + 4 * s.wide));
 }
 
-void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* values, std::int64_t m, std::int64_t d, std::byte* work, Bf16* out) {
+void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* values, std::int64_t m, std::int64_t d,
+            std::byte* work, Bf16* out) {
     const Sizes s(m, d);
     const float scale = 1.44269504088896341f / __builtin_sqrtf(static_cast<float>(d));
     const Tiles tiles;
@@ -262,7 +277,8 @@ void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* val
         for (std::int64_t r = 0; r < kRows; ++r) {
             w.greatest[r] = kLowest;
             w.total[r] = 0;
-            if (r < rows) __builtin_memcpy(w.q + r * s.deep, q + (first + r) * d, static_cast<std::size_t>(d) * sizeof(Bf16));
+            if (r < rows)
+                __builtin_memcpy(w.q + r * s.deep, q + (first + r) * d, static_cast<std::size_t>(d) * sizeof(Bf16));
         }
         for (std::int64_t from = 0; from < m; from += kKeys) {
             const std::int64_t some = m - from < kKeys ? m - from : kKeys, padded = rounded_up(some, kDeep);
@@ -275,7 +291,8 @@ void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* val
             alignas(32) Bf16 rounded[kTile];
             for (std::int64_t i = 0; i < d; i += kTile) {
                 const __m512 mean = _mm512_mul_ps(_mm512_load_ps(w.sum + r * s.wide + i), share);
-                _mm256_store_si256(reinterpret_cast<__m256i*>(rounded), reinterpret_cast<__m256i>(_mm512_cvtneps_pbh(mean)));
+                _mm256_store_si256(reinterpret_cast<__m256i*>(rounded),
+                                   reinterpret_cast<__m256i>(_mm512_cvtneps_pbh(mean)));
                 const std::int64_t left = d - i < kTile ? d - i : kTile;
                 __builtin_memcpy(out + (first + r) * d + i, rounded, static_cast<std::size_t>(left) * sizeof(Bf16));
             }

@@ -1,8 +1,8 @@
-// Attention's products in bfloat16, by the matrix unit of a processor (AMX) or by its vectors (AVX512-BF16): single precision sums and softmax.
-// Private to nn/attention.cc.
+// Attention's products in bfloat16, by the matrix unit of a processor (AMX) or by its vectors (AVX512-BF16): single
+// precision sums and softmax. Private to nn/attention.cc.
 //
-// A tile of the matrix unit is 16 rows of 64 bytes; it multiplies 16 x 32 by 32 x 16 at once, the second one stored as pairs of rows. A vector multiplies
-// two numbers of one row by such a pair of rows.
+// A tile of the matrix unit is 16 rows of 64 bytes; it multiplies 16 x 32 by 32 x 16 at once, the second one stored as
+// pairs of rows. A vector multiplies two numbers of one row by such a pair of rows.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ using Bf16 = std::uint16_t;
 // Whether this program was built for such processors and runs on one. Asked once.
 bool available();
 
-inline constexpr std::int64_t kRows = 32;   // of q, in one go
+inline constexpr std::int64_t kRows = 32;  // of q, in one go
 
 // Sizes of what pack() writes: the m keys and values of one head, of d numbers each.
 std::int64_t packed_keys(std::int64_t m, std::int64_t d);
@@ -25,6 +25,7 @@ void pack(const Bf16* k, const Bf16* v, std::int64_t m, std::int64_t d, Bf16* ke
 // Bytes that attend() works in, aligned to 64.
 std::size_t workspace(std::int64_t d);
 // out [count, d] = softmax(q k' / sqrt(d)) v for q [count, d], any count.
-void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* values, std::int64_t m, std::int64_t d, std::byte* work, Bf16* out);
+void attend(const Bf16* q, std::int64_t count, const Bf16* keys, const Bf16* values, std::int64_t m, std::int64_t d,
+            std::byte* work, Bf16* out);
 
 }  // namespace fastscene::nn::bf16

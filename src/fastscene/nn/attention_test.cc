@@ -16,16 +16,19 @@ Tensor plain(const Tensor& q, const Tensor& k, const Tensor& v) {
     const Tensor a = q.to(at::kDouble), b = k.to(at::kDouble).transpose(1, 2), c = v.to(at::kDouble);
     return at::bmm(at::softmax(at::bmm(a, b) / std::sqrt(static_cast<double>(q.size(2))), -1), c);
 }
-double farthest(const Tensor& a, const Tensor& b) { return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>(); }
+double farthest(const Tensor& a, const Tensor& b) {
+    return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>();
+}
 
 // The error's bounds are ten times what it differs by from one instruction set to another (sse4, avx2, avx512), or
 // more.
-constexpr double kAsGood = 1e-4, kAsGoodFarInBfloat16 = 0.08;   // 5e-6 and 0.008
+constexpr double kAsGood = 1e-4, kAsGoodFarInBfloat16 = 0.08;  // 5e-6 and 0.008
 
 struct Shape {
     std::int64_t n, l, m, d;
 };
-constexpr Shape kShapes[] = {{1, 1, 1, 1}, {2, 37, 53, 7}, {3, 130, 481, 40}, {1, 64, 77, 160}, {1, 65, 960, 512}, {2, 200, 1000, 64}};
+constexpr Shape kShapes[] = {{1, 1, 1, 1},     {2, 37, 53, 7},    {3, 130, 481, 40},
+                             {1, 64, 77, 160}, {1, 65, 960, 512}, {2, 200, 1000, 64}};
 
 TEST(TiledAttention, IsSoftmaxOfProductsForAnyShape) {
     const at::NoGradGuard no_gradients;
@@ -41,11 +44,14 @@ TEST(TiledAttention, OfBfloat16IsAsNearAsItsRounding) {
     const at::NoGradGuard no_gradients;
     for (const auto& [n, l, m, d] : kShapes) {
         at::manual_seed(n + l + m + d);
-        const auto drawn = [n = n, d = d](std::int64_t rows, double by) { return (by * at::randn({n, rows, d})).to(at::kBFloat16); };
+        const auto drawn = [n = n, d = d](std::int64_t rows, double by) {
+            return (by * at::randn({n, rows, d})).to(at::kBFloat16);
+        };
         const Tensor q = drawn(l, 3), k = drawn(m, 3), v = drawn(m, 1), half = tiled_attention(q, k, v);
         EXPECT_EQ(half.scalar_type(), at::kBFloat16);
         EXPECT_LT(farthest(half, plain(q, k, v)), 0.02) << l << " x " << m << " x " << d;
-        EXPECT_LT((half.to(at::kDouble) - plain(q, k, v)).square().mean().sqrt().item<double>(), 0.004) << l << " x " << m << " x " << d;
+        EXPECT_LT((half.to(at::kDouble) - plain(q, k, v)).square().mean().sqrt().item<double>(), 0.004)
+            << l << " x " << m << " x " << d;
     }
     const Tensor far = (200 * at::randn({1, 700, 16})).to(at::kBFloat16), v = at::randn({1, 700, 16}).to(at::kBFloat16);
     EXPECT_LT(farthest(tiled_attention(far.narrow(1, 0, 20), far, v), plain(far.narrow(1, 0, 20), far, v)),
@@ -57,7 +63,7 @@ TEST(TiledAttention, SurvivesScoresThatExpCannotHold) {
     at::manual_seed(1);
     const Tensor q = 200 * at::randn({1, 20, 16}), k = 200 * at::randn({1, 700, 16}), v = at::randn({1, 700, 16});
     EXPECT_LT(farthest(tiled_attention(q, k, v), plain(q, k, v)), 2e-3);
-    const Tensor same = tiled_attention(at::zeros({1, 3, 16}), k, v);   // all weights alike: the mean
+    const Tensor same = tiled_attention(at::zeros({1, 3, 16}), k, v);  // all weights alike: the mean
     EXPECT_LT(farthest(same, v.mean(1, true).expand({1, 3, 16})), 1e-5);
 }
 

@@ -27,7 +27,8 @@ Tensor blend_rows(const Tensor& a, Tensor b, std::int64_t count) { return blend(
 
 Tensor extended(const Tensor& x, std::int64_t count) { return at::cat({x, x.narrow(3, 0, count)}, 3); }
 
-Tensor circular_decode(const Scope& s, const VaeConfig& config, const Tensor& z, std::int64_t tile, bool always_closed) {
+Tensor circular_decode(const Scope& s, const VaeConfig& config, const Tensor& z, std::int64_t tile,
+                       bool always_closed) {
     const std::int64_t h = z.size(2), w = z.size(3), scale = config.factor();
     if (h <= tile && w <= tile && !always_closed) return vae_decode(s, config, z);
     constexpr double overlap = 0.25;

@@ -15,7 +15,8 @@ namespace {
 // Of the first `asked` tokens to all.
 Tensor self_attention(const Scope& s, const Tensor& x, std::int64_t asked, const ClipTower& tower, const Tensor& mask) {
     const std::int64_t w = tower.width;
-    const Tensor q = linear(s / "q_proj", x.narrow(1, 0, asked), w), k = linear(s / "k_proj", x, w), v = linear(s / "v_proj", x, w);
+    const Tensor q = linear(s / "q_proj", x.narrow(1, 0, asked), w), k = linear(s / "k_proj", x, w),
+                 v = linear(s / "v_proj", x, w);
     return linear(s / "out_proj", attention(q, k, v, tower.heads, mask), w);
 }
 
@@ -29,7 +30,8 @@ Tensor layers(const Scope& s, Tensor x, std::int64_t wanted, const ClipTower& to
     for (std::int64_t i = 0; i < tower.layers; ++i) {
         const Scope layer = s / "layers" / i;
         const std::int64_t asked = i + 1 == tower.layers ? wanted : x.size(1);
-        x = x.narrow(1, 0, asked) + self_attention(layer / "self_attn", layer_norm(layer / "layer_norm1", x, tower.eps), asked, tower, mask);
+        x = x.narrow(1, 0, asked) +
+            self_attention(layer / "self_attn", layer_norm(layer / "layer_norm1", x, tower.eps), asked, tower, mask);
         x = layer.out(x + perceptron(layer / "mlp", layer_norm(layer / "layer_norm2", x, tower.eps), tower));
     }
     return x;
@@ -43,7 +45,9 @@ ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     t.layers = f.whole("num_hidden_layers", t.layers);
     t.heads = f.whole("num_attention_heads", t.heads);
     if (t.layers < 1) throw Error("{}: expected \"num_hidden_layers\" from 1, found {}", where, t.layers);
-    if (t.width < 1 || t.heads < 1 || t.width % t.heads) throw Error("{}: expected \"hidden_size\" to divide among the heads, found {} among {}", where, t.width, t.heads);
+    if (t.width < 1 || t.heads < 1 || t.width % t.heads)
+        throw Error("{}: expected \"hidden_size\" to divide among the heads, found {} among {}", where, t.width,
+                    t.heads);
     const std::string act = f.text("hidden_act", "quick_gelu");
     if (act != "quick_gelu" && act != "gelu") throw f.wrong("hidden_act", "\"quick_gelu\" or \"gelu\"", act);
     t.quick_gelu = act == "quick_gelu";
@@ -52,7 +56,9 @@ ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     t.positions = f.whole("max_position_embeddings", t.positions);
     t.image_size = f.whole("image_size", t.image_size);
     t.patch = f.whole("patch_size", t.patch);
-    if (t.patch < 1 || t.image_size < t.patch || t.image_size % t.patch) throw Error("{}: expected \"image_size\" to be a multiple of \"patch_size\", found {} and {}", where, t.image_size, t.patch);
+    if (t.patch < 1 || t.image_size < t.patch || t.image_size % t.patch)
+        throw Error("{}: expected \"image_size\" to be a multiple of \"patch_size\", found {} and {}", where,
+                    t.image_size, t.patch);
     return t;
 }
 
@@ -82,8 +88,8 @@ ClipConfig clip_config(const Json& json, const std::string& where) {
         if (tower.empty() && !whole) throw Error("{}: expected \"{}\" (a CLIPModel), found none", where, key);
         return tower;
     };
-    return {clip_text_tower(part("text_config"), where + ": text_config"), clip_vision_tower(part("vision_config"), where + ": vision_config"),
-            f.whole("projection_dim", 512)};
+    return {clip_text_tower(part("text_config"), where + ": text_config"),
+            clip_vision_tower(part("vision_config"), where + ": vision_config"), f.whole("projection_dim", 512)};
 }
 
 ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids) {
@@ -101,11 +107,16 @@ ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids)
 Tensor clip_vision(const Scope& root, const ClipTower& tower, const Tensor& pixels) {
     const Scope s = root / "vision_model", embeddings = s / "embeddings";
     const std::int64_t n = pixels.size(0), side = tower.image_size / tower.patch, count = side * side + 1;
-    const Tensor patches = conv(embeddings / "patch_embedding", pixels, tower.width, {tower.patch, tower.patch, 0, false}).flatten(2).transpose(1, 2);
+    const Tensor patches = conv(embeddings / "patch_embedding", pixels, tower.width,
+                                {tower.patch, tower.patch, 0, false})
+                               .flatten(2)
+                               .transpose(1, 2);
     const Tensor first = embeddings.parameter("class_embedding", {tower.width}).expand({n, 1, tower.width});
     const Tensor places = (embeddings / "position_embedding").parameter("weight", {count, tower.width});
-    const Tensor x = layer_norm(s / "pre_layrnorm", at::cat({first, patches}, 1) + places, tower.eps);  // the name is CLIP's
-    const std::int64_t wanted = s.is_heard() ? count : 1;   // the first token's state is the picture's; who listens hears all
+    const Tensor x = layer_norm(s / "pre_layrnorm", at::cat({first, patches}, 1) + places,
+                                tower.eps);  // the name is CLIP's
+    const std::int64_t wanted = s.is_heard() ? count
+                                             : 1;  // the first token's state is the picture's; who listens hears all
     return layer_norm(s / "post_layernorm", layers(s / "encoder", x, wanted, tower, {}).select(1, 0), tower.eps);
 }
 

@@ -1,5 +1,5 @@
-// CLIP (Radford et al. 2021): text and pictures as vectors whose angle tells whether they fit. Stable Diffusion reads prompts with its text
-// half. Keys as in transformers' CLIPModel and CLIPTextModel. Private to nn/ (torch).
+// CLIP (Radford et al. 2021): text and pictures as vectors whose angle tells whether they fit. Stable Diffusion reads
+// prompts with its text half. Keys as in transformers' CLIPModel and CLIPTextModel. Private to nn/ (torch).
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@ struct ClipTower {
     std::int64_t vocabulary = 49408, positions = 77;  // text
     std::int64_t image_size = 224, patch = 32;        // pictures
 };
-// One tower's object of config.json: a text_encoder/config.json as a whole, or text_config or vision_config of a CLIPModel. What is left
-// out has the value that transformers gives it, which is ViT-B/32's and differs between the towers.
-// Throw Error naming `where`, the key, what was expected and what was found.
+// One tower's object of config.json: a text_encoder/config.json as a whole, or text_config or vision_config of a
+// CLIPModel. What is left out has the value that transformers gives it, which is ViT-B/32's and differs between the
+// towers. Throw Error naming `where`, the key, what was expected and what was found.
 ClipTower clip_text_tower(const Json& json, const std::string& where);
 ClipTower clip_vision_tower(const Json& json, const std::string& where);
 
@@ -28,20 +28,23 @@ struct ClipConfig {
     ClipTower text, vision;
     std::int64_t dimension = 512;
 };
-// A CLIPModel's config.json. Older files have text_config_dict and vision_config_dict besides, which win, as in transformers.
+// A CLIPModel's config.json. Older files have text_config_dict and vision_config_dict besides, which win, as in
+// transformers.
 ClipConfig clip_config(const Json& json, const std::string& where);
 
 struct ClipText {
     at::Tensor states;  // [N, L, width], after the last norm
     at::Tensor pooled;  // [N, width]: the state at the first end token (the largest number)
 };
-// ids [N, L] int64, L <= positions. Each position sees itself and those before it; padding is not masked, as in training.
+// ids [N, L] int64, L <= positions. Each position sees itself and those before it; padding is not masked, as in
+// training.
 ClipText clip_text(const Scope& s, const ClipTower& tower, const at::Tensor& ids);
 // pixels [N, 3, image_size, image_size], normalized -> [N, width] after the last norm.
 at::Tensor clip_vision(const Scope& s, const ClipTower& tower, const at::Tensor& pixels);
 
 // Into the common space, not normalized: [N, dimension].
 at::Tensor clip_text_features(const Scope& s, const ClipTower& tower, const at::Tensor& ids, std::int64_t dimension);
-at::Tensor clip_image_features(const Scope& s, const ClipTower& tower, const at::Tensor& pixels, std::int64_t dimension);
+at::Tensor clip_image_features(const Scope& s, const ClipTower& tower, const at::Tensor& pixels,
+                               std::int64_t dimension);
 
 }  // namespace fastscene::nn

@@ -28,12 +28,14 @@ std::vector<Taps> taps_for(int from, int to) {
     std::vector<Taps> out;
     for (int i = 0; i < to; ++i) {
         const double center = (i + 0.5) * scale;
-        const int first = std::max(0, static_cast<int>(center - reach + 0.5)), last = std::min(from, static_cast<int>(center + reach + 0.5));
+        const int first = std::max(0, static_cast<int>(center - reach + 0.5)),
+                  last = std::min(from, static_cast<int>(center + reach + 0.5));
         std::vector<double> weights;
         double sum = 0;
         for (int k = first; k < last; ++k) sum += weights.emplace_back(cubic((k - center + 0.5) / widen));
         Taps taps{first, {}};
-        for (const double w : weights) taps.weights.push_back(static_cast<std::int32_t>(w / sum * (1 << kBits) + (w < 0 ? -0.5 : 0.5)));
+        for (const double w : weights)
+            taps.weights.push_back(static_cast<std::int32_t>(w / sum * (1 << kBits) + (w < 0 ? -0.5 : 0.5)));
         out.push_back(std::move(taps));
     }
     return out;
@@ -65,14 +67,16 @@ ImageRgb8 pillow_bicubic(const ImageRgb8& image, int width, int height) {
         const std::vector<Taps> taps = taps_for(image.width, width);
         rows = ImageRgb8(width, image.height);
         for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < width; ++x) rows.at(x, y) = gathered(image.row(y), 1, taps[static_cast<std::size_t>(x)]);
+            for (int x = 0; x < width; ++x)
+                rows.at(x, y) = gathered(image.row(y), 1, taps[static_cast<std::size_t>(x)]);
     }
     if (height == image.height) return rows;
     const std::vector<Taps> taps = taps_for(image.height, height);
     ImageRgb8 out(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            out.at(x, y) = gathered(rows.pixels.data() + x, static_cast<std::size_t>(width), taps[static_cast<std::size_t>(y)]);
+            out.at(x, y) = gathered(rows.pixels.data() + x, static_cast<std::size_t>(width),
+                                    taps[static_cast<std::size_t>(y)]);
     return out;
 }
 
@@ -80,7 +84,9 @@ ImageRgb8 clip_crop(const ImageRgb8& image, int side) {
     if (image.empty()) throw Error("CLIP: expected a picture of at least one pixel, found none");
     const int shorter = std::min(image.width, image.height), longer = std::max(image.width, image.height);
     const auto other = static_cast<int>(static_cast<std::int64_t>(side) * longer / shorter);
-    if (other > 64 * side) throw Error("CLIP: expected a picture whose sides differ by less than 64 times, found {} x {}", image.width, image.height);
+    if (other > 64 * side)
+        throw Error("CLIP: expected a picture whose sides differ by less than 64 times, found {} x {}", image.width,
+                    image.height);
     const bool upright = image.height >= image.width;
     const ImageRgb8 small = pillow_bicubic(image, upright ? side : other, upright ? other : side);
     const int left = rounded((small.width - side) / 2.0), top = rounded((small.height - side) / 2.0);

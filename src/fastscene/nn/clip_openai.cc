@@ -13,14 +13,17 @@ constexpr std::int64_t kHeadWidth = 64;
 const WeightTensor& tensor_of_rank(const Weights& w, const std::string& name, std::size_t rank) {
     const WeightTensor& tensor = w.at(name);
     if (tensor.shape.size() != rank || tensor.count() < 1)
-        throw Error("{}: {}: expected {} sides, found shape {}", w.path.string(), name, rank, text_of_shape(tensor.shape));
+        throw Error("{}: {}: expected {} sides, found shape {}", w.path.string(), name, rank,
+                    text_of_shape(tensor.shape));
     return tensor;
 }
 
 // Queries, keys and values lie below each other in one matrix.
 WeightTensor third_of(const Weights& w, const std::string& name, std::size_t rank, std::size_t which) {
     WeightTensor part = tensor_of_rank(w, name, rank);
-    if (part.shape[0] % 3) throw Error("{}: {}: expected three parts of equal height, found shape {}", w.path.string(), name, text_of_shape(part.shape));
+    if (part.shape[0] % 3)
+        throw Error("{}: {}: expected three parts of equal height, found shape {}", w.path.string(), name,
+                    text_of_shape(part.shape));
     part.shape[0] /= 3;
     const std::size_t size = part.bytes.size() / 3;
     part.bytes = part.bytes.subspan(which * size, size);
@@ -30,7 +33,8 @@ WeightTensor third_of(const Weights& w, const std::string& name, std::size_t ran
 // OpenAI multiplies from the right.
 WeightTensor transposed(const Weights& w, const std::string& name) {
     const WeightTensor& from = tensor_of_rank(w, name, 2);
-    const auto rows = static_cast<std::size_t>(from.shape[0]), columns = static_cast<std::size_t>(from.shape[1]), size = bytes_of(from.type);
+    const auto rows = static_cast<std::size_t>(from.shape[0]), columns = static_cast<std::size_t>(from.shape[1]),
+               size = bytes_of(from.type);
     auto bytes = std::make_shared<std::vector<std::byte>>(from.bytes.size());
     for (std::size_t y = 0; y < rows; ++y)
         for (std::size_t x = 0; x < columns; ++x)
@@ -69,7 +73,8 @@ std::int64_t layers_in(const Weights& w, const std::string& blocks) {
 // What both towers are told by alike: the first layer's perceptron and the count of layers.
 ClipTower tower_of(const Weights& w, const std::string& blocks, std::int64_t width) {
     const std::int64_t inner = tensor_of_rank(w, blocks + "0.mlp.c_fc.weight", 2).shape[0];
-    if (width % kHeadWidth) throw Error("{}: expected a width of whole heads of {}, found {}", w.path.string(), kHeadWidth, width);
+    if (width % kHeadWidth)
+        throw Error("{}: expected a width of whole heads of {}, found {}", w.path.string(), kHeadWidth, width);
     return {.width = width, .inner = inner, .layers = layers_in(w, blocks), .heads = width / kHeadWidth};
 }
 
@@ -79,13 +84,15 @@ constexpr const char* kPictureBlocks = "visual.transformer.resblocks.";
 ClipConfig config_of(const Weights& w) {
     const std::vector<std::int64_t>& words = tensor_of_rank(w, "token_embedding.weight", 2).shape;
     const std::vector<std::int64_t>& patches = tensor_of_rank(w, "visual.conv1.weight", 4).shape;
-    ClipConfig out{tower_of(w, kTextBlocks, words[1]), tower_of(w, kPictureBlocks, patches[0]), tensor_of_rank(w, "text_projection", 2).shape[1]};
+    ClipConfig out{tower_of(w, kTextBlocks, words[1]), tower_of(w, kPictureBlocks, patches[0]),
+                   tensor_of_rank(w, "text_projection", 2).shape[1]};
     out.text.vocabulary = words[0];
     out.text.positions = tensor_of_rank(w, "positional_embedding", 2).shape[0];
     const std::int64_t places = tensor_of_rank(w, "visual.positional_embedding", 2).shape[0] - 1;
     const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(static_cast<double>(places))));
     if (side < 1 || side * side != places)
-        throw Error("{}: visual.positional_embedding: expected one place more than a square of patches, found {}", w.path.string(), places + 1);
+        throw Error("{}: visual.positional_embedding: expected one place more than a square of patches, found {}",
+                    w.path.string(), places + 1);
     out.vision.patch = patches[3];
     out.vision.image_size = side * patches[3];
     return out;
@@ -96,7 +103,8 @@ ClipConfig config_of(const Weights& w) {
 OpenAiClip openai_clip(const Weights& weights) {
     const Weights w = unwrapped(weights, "token_embedding.weight");
     if (w.has("visual.layer1.0.conv1.weight"))
-        throw Error("{}: expected CLIP with a vision transformer (ViT-B-32.pt, ViT-L-14.pt), found one with a ResNet", w.path.string());
+        throw Error("{}: expected CLIP with a vision transformer (ViT-B-32.pt, ViT-L-14.pt), found one with a ResNet",
+                    w.path.string());
     OpenAiClip out{config_of(w), {w.path, {}, {}, {}}};
     const Renaming names{w, out.weights};
     names.move("token_embedding.weight", "text_model.embeddings.token_embedding.weight");

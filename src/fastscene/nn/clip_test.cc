@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 using nn::HashedWeights;
 using nn::Scope;
 
-void expect_tower(const nn::ClipTower& t, std::int64_t width, std::int64_t inner, std::int64_t layers, std::int64_t heads) {
+void expect_tower(const nn::ClipTower& t, std::int64_t width, std::int64_t inner, std::int64_t layers,
+                  std::int64_t heads) {
     EXPECT_EQ(t.width, width);
     EXPECT_EQ(t.inner, inner);
     EXPECT_EQ(t.layers, layers);
@@ -34,7 +35,9 @@ void expect_tower(const nn::ClipTower& t, std::int64_t width, std::int64_t inner
 }
 
 TEST(ClipConfig, WhatIsLeftOutIsViTB32) {
-    for (const Json& json : {Json{{"model_type", "clip"}}, Json{{"text_config", {{"model_type", "clip_text_model"}}}, {"vision_config", {{"model_type", "clip_vision_model"}}}}}) {
+    for (const Json& json :
+         {Json{{"model_type", "clip"}}, Json{{"text_config", {{"model_type", "clip_text_model"}}},
+                                             {"vision_config", {{"model_type", "clip_vision_model"}}}}}) {
         const nn::ClipConfig c = nn::clip_config(json, "config.json");
         expect_tower(c.text, 512, 2048, 12, 8);
         expect_tower(c.vision, 768, 3072, 12, 12);
@@ -47,11 +50,22 @@ TEST(ClipConfig, WhatIsLeftOutIsViTB32) {
     }
 }
 
-// As ViT-L/14's file has it: the differences from B/32 in dictionaries of their own, beside towers that say nothing or something else.
+// As ViT-L/14's file has it: the differences from B/32 in dictionaries of their own, beside towers that say nothing or
+// something else.
 TEST(ClipConfig, TheOlderDictionariesWin) {
-    const Json json = {{"model_type", "clip"}, {"projection_dim", 768}, {"text_config", {{"hidden_size", 512}, {"vocab_size", 49408}}}, {"vision_config", nullptr},
-                       {"text_config_dict", {{"hidden_size", 768}, {"intermediate_size", 3072}, {"num_attention_heads", 12}, {"num_hidden_layers", 12}}},
-                       {"vision_config_dict", {{"hidden_size", 1024}, {"intermediate_size", 4096}, {"num_attention_heads", 16}, {"num_hidden_layers", 24}, {"patch_size", 14}}}};
+    const Json json = {
+        {"model_type", "clip"},
+        {"projection_dim", 768},
+        {"text_config", {{"hidden_size", 512}, {"vocab_size", 49408}}},
+        {"vision_config", nullptr},
+        {"text_config_dict",
+         {{"hidden_size", 768}, {"intermediate_size", 3072}, {"num_attention_heads", 12}, {"num_hidden_layers", 12}}},
+        {"vision_config_dict",
+         {{"hidden_size", 1024},
+          {"intermediate_size", 4096},
+          {"num_attention_heads", 16},
+          {"num_hidden_layers", 24},
+          {"patch_size", 14}}}};
     const nn::ClipConfig c = nn::clip_config(json, "config.json");
     expect_tower(c.text, 768, 3072, 12, 12);
     expect_tower(c.vision, 1024, 4096, 24, 16);
@@ -61,18 +75,32 @@ TEST(ClipConfig, TheOlderDictionariesWin) {
 
 TEST(ClipConfig, WhatIsNoClipIsNamed) {
     const auto why = [](const Json& json) { return message_of([&] { (void)nn::clip_config(json, "x/config.json"); }); };
-    EXPECT_NE(why({{"model_type", "clip_text_model"}, {"hidden_size", 768}}).find("x/config.json: expected \"text_config\""), std::string::npos);
-    EXPECT_NE(why({{"model_type", "clip"}, {"text_config", 7}}).find("\"text_config\" to be an object, found 7"), std::string::npos);
+    EXPECT_NE(
+        why({{"model_type", "clip_text_model"}, {"hidden_size", 768}}).find("x/config.json: expected \"text_config\""),
+        std::string::npos);
+    EXPECT_NE(why({{"model_type", "clip"}, {"text_config", 7}}).find("\"text_config\" to be an object, found 7"),
+              std::string::npos);
     EXPECT_NE(why({{"model_type", "clip"}, {"projection_dim", "wide"}}).find("projection_dim"), std::string::npos);
-    EXPECT_NE(why({{"model_type", "clip"}, {"vision_config", {{"num_attention_heads", 7}}}}).find("x/config.json: vision_config"), std::string::npos);
-    EXPECT_NE(why({{"model_type", "clip"}, {"vision_config", {{"patch_size", 0}}}}).find("patch_size"), std::string::npos);
+    EXPECT_NE(why({{"model_type", "clip"}, {"vision_config", {{"num_attention_heads", 7}}}})
+                  .find("x/config.json: vision_config"),
+              std::string::npos);
+    EXPECT_NE(why({{"model_type", "clip"}, {"vision_config", {{"patch_size", 0}}}}).find("patch_size"),
+              std::string::npos);
 }
 
 // ---- a tiny network: heads of 64, pictures of 64 pixels in patches of 32 ----
 
-const Json kTiny = {{"model_type", "clip"}, {"projection_dim", 24},
-                    {"text_config", {{"hidden_size", 64}, {"intermediate_size", 96}, {"num_hidden_layers", 2}, {"num_attention_heads", 1}}},
-                    {"vision_config", {{"hidden_size", 128}, {"intermediate_size", 160}, {"num_hidden_layers", 1}, {"num_attention_heads", 2}, {"image_size", 64}}}};
+const Json kTiny = {
+    {"model_type", "clip"},
+    {"projection_dim", 24},
+    {"text_config",
+     {{"hidden_size", 64}, {"intermediate_size", 96}, {"num_hidden_layers", 2}, {"num_attention_heads", 1}}},
+    {"vision_config",
+     {{"hidden_size", 128},
+      {"intermediate_size", 160},
+      {"num_hidden_layers", 1},
+      {"num_attention_heads", 2},
+      {"image_size", 64}}}};
 
 using Named = std::map<std::string, at::Tensor>;
 
@@ -113,8 +141,11 @@ Named as_openai_names_them(Named from) {
         std::string name = key;
         for (const auto& [pattern, with] : names) name = std::regex_replace(name, pattern, with);
         if (const std::size_t q = name.find("q_proj."); q != std::string::npos) {
-            const auto other = [&](const char* which) { return from.at(std::regex_replace(key, std::regex("q_proj"), which)); };
-            out[name.substr(0, q) + "in_proj_" + name.substr(q + 7)] = at::cat({tensor, other("k_proj"), other("v_proj")}, 0);
+            const auto other = [&](const char* which) {
+                return from.at(std::regex_replace(key, std::regex("q_proj"), which));
+            };
+            out[name.substr(0, q) + "in_proj_" + name.substr(q + 7)] = at::cat(
+                {tensor, other("k_proj"), other("v_proj")}, 0);
         } else if (name.find("k_proj.") == std::string::npos && name.find("v_proj.") == std::string::npos) {
             out[name] = tensor;
         }
@@ -134,7 +165,8 @@ torch::jit::Module module_of(const Named& tensors, int& count) {
     torch::jit::Module module("__torch__.tiny.Part" + std::to_string(count++));
     std::map<std::string, Named> parts;
     for (const auto& [key, tensor] : tensors)
-        if (const std::size_t dot = key.find('.'); dot == std::string::npos) module.register_parameter(key, tensor.clone(), false);
+        if (const std::size_t dot = key.find('.'); dot == std::string::npos)
+            module.register_parameter(key, tensor.clone(), false);
         else parts[key.substr(0, dot)][key.substr(dot + 1)] = tensor;
     for (const auto& [name, part] : parts) module.register_module(name, module_of(part, count));
     return module;
@@ -201,8 +233,10 @@ TEST(ClipVision, ListeningChangesNothing) {
     HashedWeights weights;
     std::map<std::string, at::Tensor> heard;
     const nn::Listener listener = [&](const std::string& name, const at::Tensor& out) { heard[name] = out; };
-    const at::Tensor pixels = nn::hashed_input("pixels", {2, 3, 64, 64}), alone = nn::clip_vision(Scope(weights), c.vision, pixels);
-    EXPECT_LT((alone - nn::clip_vision(Scope(weights, "", &listener), c.vision, pixels)).abs().max().item<double>(), 1e-5);
+    const at::Tensor pixels = nn::hashed_input("pixels", {2, 3, 64, 64}),
+                     alone = nn::clip_vision(Scope(weights), c.vision, pixels);
+    EXPECT_LT((alone - nn::clip_vision(Scope(weights, "", &listener), c.vision, pixels)).abs().max().item<double>(),
+              1e-5);
     EXPECT_EQ(heard.at("vision_model.encoder.layers.0").sizes(), (at::IntArrayRef{2, 5, 128}));
 }
 
@@ -210,7 +244,7 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
     const auto formula = [](const at::Tensor& x) { return x.to(at::kDouble) * at::sigmoid(1.702 * x.to(at::kDouble)); };
     for (const std::int64_t count : {1, 15, 16, 100'003}) {
         const at::Tensor x = 40 * nn::hashed_input("x", {count});
-        const at::Tensor tried = nn::quick_gelu(x);   // with gradients, which need x as it was
+        const at::Tensor tried = nn::quick_gelu(x);  // with gradients, which need x as it was
         EXPECT_TRUE(at::equal(x, 40 * nn::hashed_input("x", {count})));
         const at::NoGradGuard no_gradients;
         const at::Tensor expected = formula(x), found = nn::quick_gelu(x.clone());
@@ -226,7 +260,8 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
     at::Tensor given = nn::hashed_input("x", {64}).clone();
     const void* memory = given.data_ptr();
     EXPECT_EQ(nn::quick_gelu(std::move(given)).data_ptr(), memory);
-    const at::Tensor ends = nn::quick_gelu(at::tensor({-1e30f, -1e3f, 0.f, 1e3f, 1e30f, std::numeric_limits<float>::quiet_NaN()}));
+    const at::Tensor ends = nn::quick_gelu(
+        at::tensor({-1e30f, -1e3f, 0.f, 1e3f, 1e30f, std::numeric_limits<float>::quiet_NaN()}));
     EXPECT_TRUE(at::allclose(ends.narrow(0, 1, 4), at::tensor({0.f, 0.f, 1e3f, 1e30f})));
     EXPECT_TRUE(ends[5].isnan().item<bool>());
 }
@@ -234,7 +269,11 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
 TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {
     int count = 0;
     const fs::path file = root / "module.pt";
-    module_of({{"a.b.0.weight", at::arange(6, at::kFloat).reshape({2, 3})}, {"a.b.1.weight", at::full({4}, 2.5).to(at::kHalf)}, {"scale", at::full({}, 3.0f)}}, count).save(file);
+    module_of({{"a.b.0.weight", at::arange(6, at::kFloat).reshape({2, 3})},
+               {"a.b.1.weight", at::full({4}, 2.5).to(at::kHalf)},
+               {"scale", at::full({}, 3.0f)}},
+              count)
+        .save(file);
     const Weights w = load_weights(file);
     EXPECT_EQ(w.tensors.size(), 3u);
     EXPECT_EQ(w.at("a.b.0.weight").floats(), (std::vector<float>{0, 1, 2, 3, 4, 5}));
@@ -249,7 +288,8 @@ TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {
         std::string bytes = i < 60 ? whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 60) : whole;
         if (i >= 60)
             for (int k = random.index(4); k >= 0; --k)
-                bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] = static_cast<char>(random.next_u32());
+                bytes[static_cast<std::size_t>(random.index(static_cast<int>(bytes.size())))] = static_cast<char>(
+                    random.next_u32());
         write_file(broken, bytes);
         const std::string what = message_of([&] {
             for (const auto& [name, tensor] : load_weights(broken).tensors) (void)tensor.floats();
@@ -274,7 +314,8 @@ TEST_F(Clip, WhatIsBrokenIsNamed) {
               std::string::npos);
     EXPECT_NE(without("text_projection").find("text_projection"), std::string::npos);
     openai["visual.proj"] = at::zeros({127, 24});
-    EXPECT_NE(without("logit_scale").find("visual_projection.weight: expected shape [24, 128], found [24, 127]"), std::string::npos)
+    EXPECT_NE(without("logit_scale").find("visual_projection.weight: expected shape [24, 128], found [24, 127]"),
+              std::string::npos)
         << without("logit_scale");
     openai["visual.layer1.0.conv1.weight"] = at::zeros({1});
     EXPECT_NE(without("logit_scale").find("a ResNet"), std::string::npos);
@@ -312,18 +353,25 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
     EXPECT_GT(lpips.distance(a, shifted(10)), 0);
     EXPECT_GT(lpips.distance(a, shifted(90)), lpips.distance(a, shifted(10)));
     EXPECT_NEAR(lpips.distance(a, shifted(90)), lpips.distance(shifted(90), a), 1e-6);
-    EXPECT_NE(message_of([&] { (void)lpips.distance(a, noise(64, 49, 1)); }).find("64 x 48 and 64 x 49"), std::string::npos);
-    EXPECT_NE(message_of([&] { (void)lpips.distance(noise(31, 40, 1), noise(31, 40, 1)); }).find("31 x 40"), std::string::npos);
-    EXPECT_NE(
-        message_of([&] { const LpipsMeasure other("vgg", root / "alexnet.safetensors", root / "alex.safetensors"); }).find("alexnet.safetensors"),
-        std::string::npos);
-    EXPECT_NE(message_of([&] { const LpipsMeasure other("alex", root / "alex.safetensors", root / "alex.safetensors"); }).find("alex.safetensors"),
+    EXPECT_NE(message_of([&] { (void)lpips.distance(a, noise(64, 49, 1)); }).find("64 x 48 and 64 x 49"),
               std::string::npos);
-    for (const float dead : {0.f, std::numeric_limits<float>::quiet_NaN()}) {  // all pictures are equal to it: no perfect score
+    EXPECT_NE(message_of([&] { (void)lpips.distance(noise(31, 40, 1), noise(31, 40, 1)); }).find("31 x 40"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  const LpipsMeasure other("vgg", root / "alexnet.safetensors", root / "alex.safetensors");
+              }).find("alexnet.safetensors"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  const LpipsMeasure other("alex", root / "alex.safetensors", root / "alex.safetensors");
+              }).find("alex.safetensors"),
+              std::string::npos);
+    for (const float dead :
+         {0.f, std::numeric_limits<float>::quiet_NaN()}) {  // all pictures are equal to it: no perfect score
         Named tensors;
         for (const auto& [key, tensor] : backbone.seen()) tensors[key] = at::full_like(tensor, dead);
         save_safetensors(root / "dead.safetensors", weights_of(tensors));
-        const std::string why = message_of([&] { const LpipsMeasure other("alex", root / "dead.safetensors", root / "alex.safetensors"); });
+        const std::string why = message_of(
+            [&] { const LpipsMeasure other("alex", root / "dead.safetensors", root / "alex.safetensors"); });
         EXPECT_NE(why.find("dead.safetensors: expected a network that"), std::string::npos) << why;
     }
 }

@@ -66,7 +66,8 @@ class ConfigFields {
         return out;
     }
     Error wrong(const char* key, const std::string& expected, const Json& found) const {
-        return Error("{}: expected \"{}\" to be {}, found {}", where_, key, expected, found.is_null() ? "none" : found.dump());
+        return Error("{}: expected \"{}\" to be {}, found {}", where_, key, expected,
+                     found.is_null() ? "none" : found.dump());
     }
 
   private:

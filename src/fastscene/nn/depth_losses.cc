@@ -16,7 +16,8 @@ Tensor aligned_depth(const Tensor& found, const Tensor& truth, const Tensor& mas
     const Tensor n = sum_of_picture(mask).clamp_min(1);
     const Tensor mean_found = sum_of_picture(mask * found) / n, mean_truth = sum_of_picture(mask * truth) / n;
     const Tensor off_found = (found - mean_found) * mask, off_truth = (truth - mean_truth) * mask;
-    const Tensor variance = sum_of_picture(off_found.square()) / n, together = sum_of_picture(off_found * off_truth) / n;
+    const Tensor variance = sum_of_picture(off_found.square()) / n,
+                 together = sum_of_picture(off_found * off_truth) / n;
     const Tensor fits = variance > 1e-9;
     const Tensor scale = at::where(fits, together / variance.clamp_min(1e-9), at::ones_like(variance));
     const Tensor shift = at::where(fits, mean_truth - scale * mean_found, at::zeros_like(variance));
@@ -31,7 +32,8 @@ Tensor gradient_loss(const Tensor& aligned, const Tensor& truth, const Tensor& m
     Tensor sum = at::zeros({}, aligned.options());
     for (const std::int64_t step : {1, 2, 4, 8}) {
         const Slice every(None, None, step);
-        const Tensor m = mask.index({Slice(), Slice(), every, every}), difference = (aligned - truth).index({Slice(), Slice(), every, every}) * m;
+        const Tensor m = mask.index({Slice(), Slice(), every, every}),
+                     difference = (aligned - truth).index({Slice(), Slice(), every, every}) * m;
         const std::int64_t h = m.size(2), w = m.size(3);
         const auto change = [&](std::int64_t along, std::int64_t size) {
             const Tensor both = m.narrow(along, 1, size - 1) * m.narrow(along, 0, size - 1);

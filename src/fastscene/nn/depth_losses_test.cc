@@ -21,12 +21,14 @@ double value(const Tensor& t) { return t.item<double>(); }
 TEST(DepthLoss, KnowsNeitherScaleNorShift) {
     const Tensor truth = some_depth(), all = at::ones_like(truth);
     for (const double scale : {0.3, 1., 4.})
-        for (const double shift : {-0.2, 0., 0.5}) EXPECT_NEAR(value(depth_loss(truth * scale + shift, truth, all)), 0, 1e-6);
+        for (const double shift : {-0.2, 0., 0.5})
+            EXPECT_NEAR(value(depth_loss(truth * scale + shift, truth, all)), 0, 1e-6);
 }
 
 TEST(DepthLoss, AlignmentIsLeastSquares) {
     at::manual_seed(3);
-    const Tensor truth = some_depth(), found = truth * 0.5 + 0.1 + 0.02 * at::randn_like(truth), mask = (at::rand_like(truth) > 0.3).to(at::kFloat);
+    const Tensor truth = some_depth(), found = truth * 0.5 + 0.1 + 0.02 * at::randn_like(truth),
+                 mask = (at::rand_like(truth) > 0.3).to(at::kFloat);
     const auto square = [&](const Tensor& x) { return value(((x - truth).square() * mask).sum()); };
     const Tensor aligned = aligned_depth(found, truth, mask);
     for (const double d : {-0.01, 0.01}) {
@@ -82,7 +84,8 @@ TEST(DepthLoss, GradientsFlowAndAgreeWithDifferences) {
         const double h = 1e-6;
         Tensor up = found.detach().clone(), down = up.clone();
         up.view(-1)[i] += h, down.view(-1)[i] -= h;
-        EXPECT_NEAR(value(gradient.view(-1)[i]), (value(depth_loss(up, t, m)) - value(depth_loss(down, t, m))) / (2 * h), 1e-6);
+        EXPECT_NEAR(value(gradient.view(-1)[i]),
+                    (value(depth_loss(up, t, m)) - value(depth_loss(down, t, m))) / (2 * h), 1e-6);
     }
 }
 

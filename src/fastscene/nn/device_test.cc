@@ -1,5 +1,5 @@
-// That networks may be computed elsewhere than on the processor. No graphics card is needed: libtorch's "meta" device knows shapes and
-// types without numbers, and complains as CUDA does about a tensor that was left on the processor.
+// That networks may be computed elsewhere than on the processor. No graphics card is needed: libtorch's "meta" device
+// knows shapes and types without numbers, and complains as CUDA does about a tensor that was left on the processor.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <gtest/gtest.h>
@@ -22,11 +22,13 @@ using nn::Scope;
 #if TORCH_VERSION_MAJOR < 2
 // The layers whose shapes libtorch 1.13 does not know there.
 void expect_same(const at::Tensor& x, const at::Tensor& weight, const c10::optional<at::Tensor>& bias) {
-    TORCH_CHECK(x.is_meta() && weight.is_meta() && (!bias || bias->is_meta()) && x.scalar_type() == weight.scalar_type(),
-                "expected all tensors on the same device and of the same type");
+    TORCH_CHECK(
+        x.is_meta() && weight.is_meta() && (!bias || bias->is_meta()) && x.scalar_type() == weight.scalar_type(),
+        "expected all tensors on the same device and of the same type");
 }
-at::Tensor convolution_elsewhere(const at::Tensor& x, const at::Tensor& weight, const c10::optional<at::Tensor>& bias, at::IntArrayRef stride,
-                                 at::IntArrayRef padding, at::IntArrayRef dilation, bool, at::IntArrayRef, std::int64_t) {
+at::Tensor convolution_elsewhere(const at::Tensor& x, const at::Tensor& weight, const c10::optional<at::Tensor>& bias,
+                                 at::IntArrayRef stride, at::IntArrayRef padding, at::IntArrayRef dilation, bool,
+                                 at::IntArrayRef, std::int64_t) {
     expect_same(x, weight, bias);
     std::vector<std::int64_t> shape{x.size(0), weight.size(0)};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -35,14 +37,17 @@ at::Tensor convolution_elsewhere(const at::Tensor& x, const at::Tensor& weight, 
     }
     return at::empty(shape, x.options());
 }
-std::tuple<at::Tensor, at::Tensor, at::Tensor> group_norm_elsewhere(const at::Tensor& x, const c10::optional<at::Tensor>& weight,
-                                                                    const c10::optional<at::Tensor>& bias, c10::SymInt n, c10::SymInt, c10::SymInt,
+std::tuple<at::Tensor, at::Tensor, at::Tensor> group_norm_elsewhere(const at::Tensor& x,
+                                                                    const c10::optional<at::Tensor>& weight,
+                                                                    const c10::optional<at::Tensor>& bias,
+                                                                    c10::SymInt n, c10::SymInt, c10::SymInt,
                                                                     std::int64_t groups, double) {
     expect_same(x, *weight, bias);
     const at::Tensor of_groups = at::empty({n.expect_int(), groups}, x.options());
     return {at::empty_like(x), of_groups, of_groups};
 }
-std::tuple<at::Tensor, at::Tensor, at::Tensor> layer_norm_elsewhere(const at::Tensor& x, c10::SymIntArrayRef, const c10::optional<at::Tensor>& weight,
+std::tuple<at::Tensor, at::Tensor, at::Tensor> layer_norm_elsewhere(const at::Tensor& x, c10::SymIntArrayRef,
+                                                                    const c10::optional<at::Tensor>& weight,
                                                                     const c10::optional<at::Tensor>& bias, double) {
     expect_same(x, *weight, bias);
     return {at::empty_like(x), at::empty_like(x), at::empty_like(x)};
@@ -69,7 +74,9 @@ class NetworksElsewhere : public ::testing::TestWithParam<at::ScalarType> {
     at::TensorOptions there = at::TensorOptions(at::kMeta).dtype(GetParam());
     WeightsElsewhere weights{there};
     Scope scope{weights};
-    at::Tensor picture(std::int64_t channels, std::int64_t side) const { return at::empty({1, channels, side, side}, there); }
+    at::Tensor picture(std::int64_t channels, std::int64_t side) const {
+        return at::empty({1, channels, side, side}, there);
+    }
     void expect_there(const at::Tensor& x) const {
         EXPECT_TRUE(x.device() == at::Device(at::kMeta));
         EXPECT_EQ(x.scalar_type(), GetParam());
@@ -114,15 +121,20 @@ TEST(Device, WhatIsNotThereIsToldWithTheFlag) {
     };
     if (!at::hasCUDA()) {
         EXPECT_TRUE(nn::device_named("auto", "--panorama-device").is_cpu());
-        EXPECT_NE(message([] { nn::device_named("cuda", "--panorama-device"); }).find("--panorama-device: expected cpu"), std::string::npos);
+        EXPECT_NE(
+            message([] { nn::device_named("cuda", "--panorama-device"); }).find("--panorama-device: expected cpu"),
+            std::string::npos);
     }
     EXPECT_TRUE(nn::device_named("cpu", "--panorama-device").is_cpu());
-    EXPECT_NE(message([] { nn::type_of_precision("fp16", at::kCPU); }).find("--panorama-device cuda"), std::string::npos);
+    EXPECT_NE(message([] { nn::type_of_precision("fp16", at::kCPU); }).find("--panorama-device cuda"),
+              std::string::npos);
     EXPECT_EQ(nn::type_of_precision("fp16", at::kCUDA), at::kHalf);
 }
 
 TEST(Device, AFullGraphicsCardIsToldInOurWords) {
-    const auto full = []() -> ImageRgb8 { throw c10::OutOfMemoryError({"here", "here.cc", 1}, "CUDA out of memory. Tried to allocate 2.00 GiB"); };
+    const auto full = []() -> ImageRgb8 {
+        throw c10::OutOfMemoryError({"here", "here.cc", 1}, "CUDA out of memory. Tried to allocate 2.00 GiB");
+    };
     try {
         nn::fitting_the_card(full);
         FAIL() << "nothing was thrown";

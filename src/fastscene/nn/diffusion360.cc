@@ -26,7 +26,8 @@ using nn::kPixelsPerLatent;
 using nn::Scope;
 
 const std::string_view kDiffusion360Negative =
-    "persons, complex texture, small objects, sheltered, blur, worst quality, low quality, zombie, logo, text, watermark, username, monochrome, complex lighting";
+    "persons, complex texture, small objects, sheltered, blur, worst quality, low quality, zombie, logo, text, "
+    "watermark, username, monochrome, complex lighting";
 
 std::string diffusion360_prompt(const std::string& prompt) {
     return "<360panorama>, " + prompt + ", photorealistic, trend on artstation, ((best quality)), ((ultra high res))";
@@ -38,12 +39,14 @@ constexpr std::int64_t kMaskAndColor = 4;
 
 fs::path base_of(const fs::path& weights, const char* inside) {
     if (!fs::is_directory(weights))
-        throw Error("--weights {}: expected a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/, found none", weights.string());
+        throw Error("--weights {}: expected a folder with unet/ vae/ text_encoder/ tokenizer/ scheduler/, found none",
+                    weights.string());
     const fs::path base = !fs::exists(weights / "unet") && fs::exists(weights / inside) ? weights / inside : weights;
     std::string missing;
     for (const char* part : {"unet", "vae", "text_encoder", "tokenizer", "scheduler"})
         if (!fs::is_directory(base / part)) missing += (missing.empty() ? "" : ", ") + std::string(part) + "/";
-    if (!missing.empty()) throw Error("--weights {}: expected a model as diffusers saves it, found no {}", base.string(), missing);
+    if (!missing.empty())
+        throw Error("--weights {}: expected a model as diffusers saves it, found no {}", base.string(), missing);
     return base;
 }
 
@@ -55,7 +58,9 @@ nn::Sampler sampler_named(const std::string& name) {
 }
 
 // After which steps people may look: early, and halfway.
-bool is_preview_step(int step, int steps) { return step + 1 == (steps + 9) / 10 || (steps >= 8 && step + 1 == steps / 2); }
+bool is_preview_step(int step, int steps) {
+    return step + 1 == (steps + 9) / 10 || (steps >= 8 && step + 1 == steps / 2);
+}
 
 }  // namespace
 
@@ -67,11 +72,13 @@ struct Diffusion360::Parts {
     mutable at::Generator random;
 
     Parts(const fs::path& weights, const Diffusion360Settings& s, From from)
-        : settings(s), model(base_of(weights, from == From::text ? "sd-base" : "sr-base"),
-                             nn::sd_options(s.precision, s.device, sampler_named(s.sampler), s.low_memory, from == From::photo)) {
+        : settings(s),
+          model(base_of(weights, from == From::text ? "sd-base" : "sr-base"),
+                nn::sd_options(s.precision, s.device, sampler_named(s.sampler), s.low_memory, from == From::photo)) {
         if (from == From::text) return;
         if (!fs::is_directory(weights / "sd-i2p"))
-            throw Error("--photo: expected sd-i2p/ in {}, found none (fastscene models pull diffusion360-photo)", weights.string());
+            throw Error("--photo: expected sd-i2p/ in {}, found none (fastscene models pull diffusion360-photo)",
+                        weights.string());
         control.emplace(weights / "sd-i2p", model, kMaskAndColor);
     }
     // The published bands are as wide as the picture; larger pictures, and little memory, want tiles.
@@ -82,36 +89,46 @@ struct Diffusion360::Parts {
     Tensor decode(const Tensor& latents, const Run& run) const;  // [1, 3, H, W] in [0, 1]
     Tensor encode(const Tensor& unit, const Run& run) const;
     // The control's folder is not one of the model's.
-    fs::path folder_of(const std::string& part) const { return part == "control" ? control->weights->path() : model.base / part; }
+    fs::path folder_of(const std::string& part) const {
+        return part == "control" ? control->weights->path() : model.base / part;
+    }
     Tensor noise(at::IntArrayRef shape) const { return at::randn(shape, random, at::TensorOptions(at::kFloat)); }
-    ImageRgb8 finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt, const Run& run,
-                     const Preview& preview) const;
+    ImageRgb8 finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt,
+                     const Run& run, const Preview& preview) const;
 };
 
 void Diffusion360::Parts::estimate(const Run& run) {
     info.family = model.family();
     info.prediction = model.schedule.prediction == nn::Prediction::noise ? "epsilon" : "v_prediction";
     info.parameters = model.unet->bytes() / model.unet->dtype_bytes();
-    info.peak_bytes = diffusion_memory({settings.width, settings.low_memory, model.unet->bytes(), model.vae->bytes(), model.text->bytes(),
-                                        control ? control->weights->bytes() : 0, model.unet->largest_bytes(), decodes_in_tiles()});
+    info.peak_bytes = diffusion_memory({settings.width, settings.low_memory, model.unet->bytes(), model.vae->bytes(),
+                                        model.text->bytes(), control ? control->weights->bytes() : 0,
+                                        model.unet->largest_bytes(), decodes_in_tiles()});
     const bool on_card = model.options.device.is_cuda();
-    run.note(fmt::format("diffusion360: {}, {:.0f} million parameters, needs about {} of {}memory", info.family, static_cast<double>(info.parameters) / 1e6,
-                         gib_text(info.peak_bytes), on_card ? "the graphics card's " : ""));
+    run.note(fmt::format("diffusion360: {}, {:.0f} million parameters, needs about {} of {}memory", info.family,
+                         static_cast<double>(info.parameters) / 1e6, gib_text(info.peak_bytes),
+                         on_card ? "the graphics card's " : ""));
     if (on_card) return;  // which says itself when it is full
-    check_memory(fmt::format("diffusion360: {} x {} in {}", settings.width, settings.width / 2, settings.precision), info.peak_bytes,
-                 fmt::format("{}{}, or make it smaller with --panorama-width", settings.low_memory ? "" : ", use --panorama-low-memory",
+    check_memory(fmt::format("diffusion360: {} x {} in {}", settings.width, settings.width / 2, settings.precision),
+                 info.peak_bytes,
+                 fmt::format("{}{}, or make it smaller with --panorama-width",
+                             settings.low_memory ? "" : ", use --panorama-low-memory",
                              settings.precision == "bf16" ? "" : ", use --panorama-precision bf16"));
 }
 
 Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const {
     nn::StoppableWeights weights(*model.vae, run);
     const Scope s(weights);
-    const nn::Autocast coarse(model.options.device, settings.precision == "bf16");   // what is summed up from layer to layer stays in float
+    const nn::Autocast coarse(model.options.device,
+                              settings.precision == "bf16");  // what is summed up from layer to layer stays in float
     const Tensor z = (latents / model.vae_config.scale).to(model.options.device);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
     const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}};
-    const Tensor picture = decodes_in_tiles() ? nn::over_sphere(z, how, [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
-                                              : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
+    const Tensor picture = decodes_in_tiles()
+                               ? nn::over_sphere(
+                                     z, how,
+                                     [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
+                               : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
     nn::expect_finite(picture, folder_of("vae"), model.options.type);
     return picture.to(at::kCPU) / 2 + 0.5;
 }
@@ -119,7 +136,8 @@ Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const 
 Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
     nn::StoppableWeights weights(*model.vae, run);
     const Scope s(weights);
-    const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent, channels = model.vae_config.latent_channels;
+    const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent,
+                       channels = model.vae_config.latent_channels;
     const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}};
     const Tensor both = nn::over_sphere(unit * 2 - 1, how, [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part.to(model.options.device));
@@ -130,8 +148,8 @@ Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
     return (mean + spread * noise(mean.sizes())) * model.vae_config.scale;
 }
 
-ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler, const std::string& prompt, const Run& run,
-                                      const Preview& preview) const {
+ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler,
+                                      const std::string& prompt, const Run& run, const Preview& preview) const {
     const std::string negative = settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative;
     const Tensor text = model.read_prompt(diffusion360_prompt(prompt), negative, run);
     Progress progress(run, "panorama", settings.steps + 2);  // the decoder takes about as long as two steps
@@ -139,13 +157,17 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
     how.seam = settings.published_seam ? nn::Seam::published : nn::Seam::closed;
     how.blend_columns = latent_width() / 32;
     how.noise = [&](int, const Tensor& like) { return noise(like.sizes()); };
-    how.first_outputs = [&](const std::string& part, const Tensor& output) { nn::expect_finite(output, folder_of(part), model.options.type); };
+    how.first_outputs = [&](const std::string& part, const Tensor& output) {
+        nn::expect_finite(output, folder_of(part), model.options.type);
+    };
     how.listener = [&](int, double, const Tensor&) { progress.advance(); };
     how.preview = [&](int step, double, const Tensor& clean) {
-        if (preview && is_preview_step(step, settings.steps)) preview(nn::picture_of_unit(decode(at::avg_pool2d(clean, {2, 2}), run)));
+        if (preview && is_preview_step(step, settings.steps))
+            preview(nn::picture_of_unit(decode(at::avg_pool2d(clean, {2, 2}), run)));
     };
     nn::StoppableWeights weights(*model.unet, run);
-    const Tensor latents = nn::text_to_panorama(Scope(weights), model.unet_config, scheduler, std::move(start), text, how);
+    const Tensor latents = nn::text_to_panorama(Scope(weights), model.unet_config, scheduler, std::move(start), text,
+                                                how);
     nn::expect_finite(latents, folder_of("unet"), model.options.type);
     const Tensor decoded = decode(latents, run);
     progress.advance(2);
@@ -154,11 +176,13 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
 
 Diffusion360::Diffusion360(const fs::path& weights, const Diffusion360Settings& settings, const Run& run, From from) {
     if (settings.width < 256 || settings.width % 128)
-        throw UsageError("--panorama-width: expected a multiple of 128 from 256 for diffusion360, found {}", settings.width);
+        throw UsageError("--panorama-width: expected a multiple of 128 from 256 for diffusion360, found {}",
+                         settings.width);
     const c10::InferenceMode inference;
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings, from);
-    (void)nn::make_scheduler(parts_->model.options.sampler, parts_->model.schedule, settings.steps);  // refuses more steps than there are
+    (void)nn::make_scheduler(parts_->model.options.sampler, parts_->model.schedule,
+                             settings.steps);  // refuses more steps than there are
     parts_->estimate(run);
     parts_->model.check_shapes();
     if (parts_->control) parts_->control->check_shapes();
@@ -178,7 +202,8 @@ ImageRgb8 Diffusion360::paint(const std::string& prompt, const Run& run, const P
     return nn::fitting_the_card([&] { return p.finish(start, {}, *scheduler, prompt, run, preview); });
 }
 
-ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& prompt, const Run& run, const Preview& preview) const {
+ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& prompt, const Run& run,
+                                     const Preview& preview) const {
     const c10::InferenceMode inference;
     const Parts& p = *parts_;
     FASTSCENE_CHECK(p.control.has_value());

@@ -214,8 +214,10 @@ TEST_F(Painted, LongPromptsAreReadInPiecesAndWhatIsLeftOutIsSaid) {
 TEST_F(Painted, ShardsAreReadTogetherAndEachMustBeWhole) {
     const fs::path sharded = copy("sharded");
     const fs::path second = sharded / "unet/diffusion_pytorch_model-00002-of-00002.safetensors";
-    save_in_parts(sharded / "unet", "diffusion_pytorch_model-0000{}-of-00002.safetensors", "diffusion_pytorch_model.safetensors.index.json");
-    EXPECT_EQ(Diffusion360(sharded, small(), {}).paint("a room", {}), Diffusion360(model_, small(), {}).paint("a room", {}));
+    save_in_parts(sharded / "unet", "diffusion_pytorch_model-0000{}-of-00002.safetensors",
+                  "diffusion_pytorch_model.safetensors.index.json");
+    EXPECT_EQ(Diffusion360(sharded, small(), {}).paint("a room", {}),
+              Diffusion360(model_, small(), {}).paint("a room", {}));
     fs::resize_file(second, fs::file_size(second) - 10);
     EXPECT_NE(complaint(sharded).find("00002-of-00002"), std::string::npos) << complaint(sharded);
     fs::resize_file(second, 30);
@@ -227,7 +229,9 @@ TEST_F(Painted, ShardsAreReadTogetherAndEachMustBeWhole) {
 TEST_F(Painted, SchedulesOfOtherModelsAreRefused) {
     const fs::path other = copy("other_schedule");
     Json config = read_json(other / "scheduler/scheduler_config.json");
-    for (const auto& [key, value] : {std::pair{"prediction_type", Json("sample")}, {"beta_schedule", Json("sigmoid")}, {"rescale_betas_zero_snr", Json(true)}}) {
+    for (const auto& [key, value] : {std::pair{"prediction_type", Json("sample")},
+                                     {"beta_schedule", Json("sigmoid")},
+                                     {"rescale_betas_zero_snr", Json(true)}}) {
         Json changed = config;
         changed[key] = value;
         write_json(other / "scheduler/scheduler_config.json", changed);
@@ -261,7 +265,8 @@ class PaintedFurther : public Painted {
     static ImageRgb8 photo(int shift) {
         ImageRgb8 image(40, 30);
         for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) image.at(x, y) = {static_cast<std::uint8_t>(6 * x + shift), static_cast<std::uint8_t>(8 * y), 90};
+            for (int x = 0; x < image.width; ++x)
+                image.at(x, y) = {static_cast<std::uint8_t>(6 * x + shift), static_cast<std::uint8_t>(8 * y), 90};
         return image;
     }
 };
@@ -277,7 +282,8 @@ TEST_F(PaintedFurther, AroundOnePhoto) {
     fs::remove_all(folder / "sd-i2p");
     EXPECT_THROW(Diffusion360(folder, small(), {}, Diffusion360::From::photo), Error);
     write_tiny_control(folder / "sd-i2p", 3);
-    EXPECT_THROW(Diffusion360(folder, small(), {}, Diffusion360::From::photo), Error) << "a ControlNet for another task";
+    EXPECT_THROW(Diffusion360(folder, small(), {}, Diffusion360::From::photo), Error)
+        << "a ControlNet for another task";
 }
 
 TEST_F(PaintedFurther, ThePhotoLiesInTheMiddle) {
@@ -352,7 +358,8 @@ TEST_F(PaintedFurther, OnlyWhatIsOpenedBelongsToThePainting) {
     write_file(folder / "sd-base/unet/readme.txt", std::string_view("x"));
     write_file(folder / "other.safetensors", std::string_view("x"));
     EXPECT_EQ(painting_files(folder, false), before);
-    for (const fs::path& file : before) EXPECT_TRUE(fs::exists(file) && file.string().starts_with((folder / "sd-base").string())) << file;
+    for (const fs::path& file : before)
+        EXPECT_TRUE(fs::exists(file) && file.string().starts_with((folder / "sd-base").string())) << file;
     const auto has = [](const std::vector<fs::path>& files, const fs::path& file) {
         return std::find(files.begin(), files.end(), file) != files.end();
     };
@@ -389,12 +396,17 @@ TEST(SphereTiles, NeitherBordersNorTheSeamShow) {
     EXPECT_LT((y - at::upsample_nearest2d(x, {40, 100})).abs().max().item<double>(), 1e-6);
     EXPECT_EQ(calls, 2 * 5);
     // What a tile adds at its ends is spread: no column beside another jumps.
-    const auto tilted = [](const at::Tensor& t) { return at::zeros({1, 1, t.size(2), t.size(3)}) + at::arange(t.size(3), at::kFloat); };
+    const auto tilted = [](const at::Tensor& t) {
+        return at::zeros({1, 1, t.size(2), t.size(3)}) + at::arange(t.size(3), at::kFloat);
+    };
     how.out = 1;
     const at::Tensor ramp = nn::over_sphere(x, how, tilted);
     const double jump = (ramp - at::roll(ramp, {1}, {3})).abs().max().item<double>();
     EXPECT_LT(jump, 6) << "16 columns fall over an overlap of 4";
-    EXPECT_LT((nn::over_sphere(at::roll(x, {10}, {3}), how, tilted) - at::roll(ramp, {10}, {3})).abs().max().item<double>(), 1e-5) << "column 0 is no special one";
+    EXPECT_LT(
+        (nn::over_sphere(at::roll(x, {10}, {3}), how, tilted) - at::roll(ramp, {10}, {3})).abs().max().item<double>(),
+        1e-5)
+        << "column 0 is no special one";
 }
 
 TEST(DiffusionMemory, WhatIsKnownBeforehand) {
@@ -421,10 +433,13 @@ TEST(Samplers, FollowAPerfectDenoiserToTheCleanLatent) {
                 const double a = alphas[static_cast<std::int64_t>(s->timestep(i))].item<double>();
                 const at::Tensor input = s->scaled_input(x, i);
                 const at::Tensor noise = (input - std::sqrt(a) * clean) / std::sqrt(1 - a);
-                const at::Tensor output = prediction == nn::Prediction::noise ? noise : std::sqrt(a) * noise - std::sqrt(1 - a) * clean;
+                const at::Tensor output = prediction == nn::Prediction::noise
+                                              ? noise
+                                              : std::sqrt(a) * noise - std::sqrt(1 - a) * clean;
                 x = s->step(output, i, x, at::zeros_like(x));
             }
-            EXPECT_LT((x - clean).abs().max().item<double>(), 0.12) << static_cast<int>(sampler) << ' ' << static_cast<int>(prediction);
+            EXPECT_LT((x - clean).abs().max().item<double>(), 0.12)
+                << static_cast<int>(sampler) << ' ' << static_cast<int>(prediction);
         }
 }
 

@@ -1,5 +1,5 @@
-// Folders of weights as users bring them: named in every way, mixed up, damaged, of another model. What is wrong is said before anything
-// is computed; what can only be seen while computing is said at once, and by name.
+// Folders of weights as users bring them: named in every way, mixed up, damaged, of another model. What is wrong is
+// said before anything is computed; what can only be seen while computing is said at once, and by name.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -77,7 +77,8 @@ class Folders : public testing::Test {
 fs::path Folders::home_;
 
 void expect_says(const std::string& text, const std::vector<std::string>& words) {
-    for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << "\"" << word << "\" is not in: " << text;
+    for (const std::string& word : words)
+        EXPECT_NE(text.find(word), std::string::npos) << "\"" << word << "\" is not in: " << text;
 }
 
 TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
@@ -111,7 +112,8 @@ TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
         SCOPED_TRACE(c.file + " " + c.key + " " + c.value.dump());
         const fs::path folder = copy();
         change(folder / c.file, c.key, c.value);
-        if (c.key == "block_out_channels") change(folder / c.file, "norm_num_groups", 1), change(folder / c.file, "attention_head_dim", 1);
+        if (c.key == "block_out_channels")
+            change(folder / c.file, "norm_num_groups", 1), change(folder / c.file, "attention_head_dim", 1);
         const std::string said = complaint(folder);
         expect_says(said, c.says);
         expect_says(said, {c.file});
@@ -121,16 +123,27 @@ TEST_F(Folders, ConfigurationsThatCannotBeComputedAreRefused) {
 TEST_F(Folders, WhatNewerFilesWriteOutIsTheUsual) {
     const fs::path file = copy() / "unet/config.json";
     Json whole = read_json(file);
-    whole.update({{"act_fn", "swish"}, {"mid_block_type", "UNetMidBlock2DCrossAttn"}, {"mid_block_scale_factor", 1.0}, {"only_cross_attention", {false, false}},
-                  {"resnet_time_scale_shift", "default"}, {"attention_type", "default"}, {"time_embedding_type", "positional"}, {"conv_in_kernel", 3},
-                  {"time_embedding_act_fn", nullptr}, {"dropout", 0.0}, {"num_class_embeds", nullptr}, {"dual_cross_attention", false}});
+    whole.update({{"act_fn", "swish"},
+                  {"mid_block_type", "UNetMidBlock2DCrossAttn"},
+                  {"mid_block_scale_factor", 1.0},
+                  {"only_cross_attention", {false, false}},
+                  {"resnet_time_scale_shift", "default"},
+                  {"attention_type", "default"},
+                  {"time_embedding_type", "positional"},
+                  {"conv_in_kernel", 3},
+                  {"time_embedding_act_fn", nullptr},
+                  {"dropout", 0.0},
+                  {"num_class_embeds", nullptr},
+                  {"dual_cross_attention", false}});
     write_json(file, whole);
     EXPECT_EQ(painted(home_ / "copy"), painted(home_ / "model"));
 }
 
 TEST_F(Folders, LayersThatTheConfigurationDoesNotKnowAreNamed) {
-    for (const auto& [file, key] : {std::pair<std::string, std::string>{"unet/diffusion_pytorch_model.safetensors", "up_blocks.1.resnets.2.norm1.weight"},
-                                    {"vae/diffusion_pytorch_model.safetensors", "decoder.up_blocks.4.resnets.0.norm1.weight"}}) {
+    for (const auto& [file, key] :
+         {std::pair<std::string, std::string>{"unet/diffusion_pytorch_model.safetensors",
+                                              "up_blocks.1.resnets.2.norm1.weight"},
+          {"vae/diffusion_pytorch_model.safetensors", "decoder.up_blocks.4.resnets.0.norm1.weight"}}) {
         const fs::path folder = copy();
         Weights weights = load_weights(folder / file);
         weights.tensors["some_note"] = weights.tensors.begin()->second;
@@ -143,7 +156,9 @@ TEST_F(Folders, LayersThatTheConfigurationDoesNotKnowAreNamed) {
 }
 
 TEST_F(Folders, WordsAreWeighedWithinReason) {
-    const auto paint = [&](const std::string& prompt) { return message_of([&] { (void)Diffusion360(home_ / "model", small(), {}).paint(prompt, {}); }); };
+    const auto paint = [&](const std::string& prompt) {
+        return message_of([&] { (void)Diffusion360(home_ / "model", small(), {}).paint(prompt, {}); });
+    };
     EXPECT_EQ(paint("(a:900) (b:-2) ((c))"), "");
     expect_says(paint("(a:99999)"), {"the prompt", "1000", "99999"});
     expect_says(paint(std::string(3000, '(') + "a"), {"the prompt", "inf"});
@@ -152,8 +167,11 @@ TEST_F(Folders, WordsAreWeighedWithinReason) {
 TEST_F(Folders, AControlNetMayTakeBlueFirst) {
     const fs::path folder = with_photo();
     ImageRgb8 photo(32, 32);
-    for (std::size_t i = 0; i < photo.size(); ++i) photo.pixels[i] = {static_cast<std::uint8_t>(i % 251), static_cast<std::uint8_t>(i % 7 * 30), 90};
-    const auto paint = [&] { return Diffusion360(folder, small(), {}, Diffusion360::From::photo).paint_around(photo, "a room", {}); };
+    for (std::size_t i = 0; i < photo.size(); ++i)
+        photo.pixels[i] = {static_cast<std::uint8_t>(i % 251), static_cast<std::uint8_t>(i % 7 * 30), 90};
+    const auto paint = [&] {
+        return Diffusion360(folder, small(), {}, Diffusion360::From::photo).paint_around(photo, "a room", {});
+    };
     const ImageRgb8 plain = paint();
     change(folder / "sd-i2p/config.json", "controlnet_conditioning_channel_order", "bgr");
     EXPECT_NE(paint(), plain);
@@ -172,7 +190,8 @@ TEST_F(Folders, AControlNetMayTakeBlueFirst) {
     save_safetensors(file, weights);
     const ImageRgb8 again = paint();
     int most = 0;
-    for (std::size_t i = 0; i < again.size(); ++i) most = std::max(most, std::abs(again.pixels[i].g - plain.pixels[i].g));
+    for (std::size_t i = 0; i < again.size(); ++i)
+        most = std::max(most, std::abs(again.pixels[i].g - plain.pixels[i].g));
     EXPECT_LE(most, 1) << "but for the order of its sums";
 }
 
@@ -194,14 +213,16 @@ TEST_F(Folders, AControlNetMustHaveTheLevelsOfItsModel) {
     EXPECT_EQ(complaint(folder, Diffusion360::From::photo), "");
     const Json whole = read_json(file);
     for (const auto& [changes, says] :
-         {std::pair{Json{{"block_out_channels", {16}}, {"down_block_types", {"CrossAttnDownBlock2D"}}}, "[16 reading text]"},
+         {std::pair{Json{{"block_out_channels", {16}}, {"down_block_types", {"CrossAttnDownBlock2D"}}},
+                    "[16 reading text]"},
           {Json{{"layers_per_block", 2}}, "layers_per_block 2"},
           {Json{{"down_block_types", {"CrossAttnDownBlock2D", "CrossAttnDownBlock2D"}}}, "32 reading text"},
           {Json{{"in_channels", 9}}, "in_channels 9"},
           {Json{{"global_pool_conditions", true}}, "global_pool_conditions"},
           {Json{{"controlnet_conditioning_channel_order", "gbr"}}, "controlnet_conditioning_channel_order"},
           {Json{{"conditioning_embedding_out_channels", {4, 4, 8}}}, "conditioning_embedding_out_channels"},
-          {Json{{"_class_name", "UNet2DConditionModel"}}, "expected a ControlNetModel, found a UNet2DConditionModel"}}) {
+          {Json{{"_class_name", "UNet2DConditionModel"}},
+           "expected a ControlNetModel, found a UNet2DConditionModel"}}) {
         SCOPED_TRACE(changes.dump());
         Json other = whole;
         other.update(changes);
@@ -220,7 +241,8 @@ TEST_F(Folders, NoMoreStepsThanTheScheduleHas) {
         settings.steps = most;
         EXPECT_EQ(Diffusion360(folder, settings, {}).paint("a room", {}).width, 256) << "every step computes";
         settings.steps = most + 1;
-        expect_says(complaint(folder, Diffusion360::From::text, settings), {"--panorama-steps", "12", std::to_string(most + 1)});
+        expect_says(complaint(folder, Diffusion360::From::text, settings),
+                    {"--panorama-steps", "12", std::to_string(most + 1)});
     }
 }
 
@@ -231,9 +253,12 @@ TEST_F(Folders, ComponentsInEachOthersPlaceAreNamed) {
         fs::copy(home_ / "model" / other, folder / place, fs::copy_options::recursive);
         return folder;
     };
-    expect_says(complaint(with("unet", "vae")), {"unet/config.json", "expected a UNet2DConditionModel, found an AutoencoderKL"});
-    expect_says(complaint(with("vae", "unet")), {"vae/config.json", "expected an AutoencoderKL, found a UNet2DConditionModel"});
-    expect_says(complaint(with("text_encoder", "unet")), {"text_encoder/config.json", "expected a CLIPTextModel, found a UNet2DConditionModel"});
+    expect_says(complaint(with("unet", "vae")),
+                {"unet/config.json", "expected a UNet2DConditionModel, found an AutoencoderKL"});
+    expect_says(complaint(with("vae", "unet")),
+                {"vae/config.json", "expected an AutoencoderKL, found a UNet2DConditionModel"});
+    expect_says(complaint(with("text_encoder", "unet")),
+                {"text_encoder/config.json", "expected a CLIPTextModel, found a UNet2DConditionModel"});
     const fs::path folder = copy();
     change(folder / "text_encoder/config.json", "architectures", Json::array({"CLIPTextModel"}));
     EXPECT_EQ(complaint(folder), "");
@@ -243,11 +268,14 @@ TEST_F(Folders, ComponentsInEachOthersPlaceAreNamed) {
 
 TEST_F(Folders, WeightsAreFoundUnderAllTheNamesTheyAreSavedWith) {
     const ImageRgb8 expected = painted(home_ / "model");
-    save_in_parts(copy() / "unet", "diffusion_pytorch_model.fp16-0000{}-of-00002.safetensors", "diffusion_pytorch_model.safetensors.index.fp16.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model.fp16-0000{}-of-00002.safetensors",
+                  "diffusion_pytorch_model.safetensors.index.fp16.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
-    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.fp16.safetensors", "diffusion_pytorch_model.fp16.safetensors.index.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.fp16.safetensors",
+                  "diffusion_pytorch_model.fp16.safetensors.index.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
-    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.bin", "diffusion_pytorch_model.bin.index.json");
+    save_in_parts(copy() / "unet", "diffusion_pytorch_model-0000{}-of-00002.bin",
+                  "diffusion_pytorch_model.bin.index.json");
     EXPECT_EQ(painted(home_ / "copy"), expected);
     fs::remove(home_ / "copy/unet/diffusion_pytorch_model-00002-of-00002.bin");
     expect_says(complaint(home_ / "copy"), {"diffusion_pytorch_model.bin.index.json", "00002-of-00002.bin"});
@@ -261,7 +289,8 @@ TEST_F(Folders, WeightsAreFoundUnderAllTheNamesTheyAreSavedWith) {
 TEST_F(Folders, AStateDictIsUnwrapped) {
     const fs::path file = copy() / "unet/diffusion_pytorch_model.safetensors";
     Weights wrapped;
-    for (const auto& [key, tensor] : load_weights(home_ / "model/unet" / file.filename()).tensors) wrapped.tensors["state_dict." + key] = tensor;
+    for (const auto& [key, tensor] : load_weights(home_ / "model/unet" / file.filename()).tensors)
+        wrapped.tensors["state_dict." + key] = tensor;
     save_safetensors(file, wrapped);
     EXPECT_EQ(painted(home_ / "copy"), painted(home_ / "model"));
 }
@@ -331,13 +360,16 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
     }
     const fs::path folder = with_photo();
     spoil(folder / "sd-i2p/diffusion_pytorch_model.safetensors", "controlnet_mid_block.bias");
-    const auto paint = [&] { (void)Diffusion360(folder, settings, {}, Diffusion360::From::photo).paint_around(ImageRgb8(40, 30), "a room", {}); };
-    expect_says(message_of(paint),
-                {(folder / "sd-i2p").string() + ":", "not finite"});
+    const auto paint = [&] {
+        (void)Diffusion360(folder, settings, {}, Diffusion360::From::photo)
+            .paint_around(ImageRgb8(40, 30), "a room", {});
+    };
+    expect_says(message_of(paint), {(folder / "sd-i2p").string() + ":", "not finite"});
 }
 
 TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
-    for (const auto& [file, key] : {std::pair<std::string, std::string>{"sr-control/diffusion_pytorch_model.safetensors", "controlnet_mid_block.bias"},
+    for (const auto& [file, key] : {std::pair<std::string, std::string>{
+                                        "sr-control/diffusion_pytorch_model.safetensors", "controlnet_mid_block.bias"},
                                     {"sr-base/unet/diffusion_pytorch_model.safetensors", "conv_in.bias"},
                                     {"sr-base/vae/diffusion_pytorch_model.safetensors", "encoder.conv_in.bias"}}) {
         SCOPED_TRACE(file);
@@ -350,8 +382,11 @@ TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
         Overheard heard;
         fastscene::Run run;
         run.events = &heard;
-        expect_says(message_of([&] { (void)Upscale360(folder, 64, settings, run).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", run); }),
-                    {(folder / file).parent_path().string() + ":", "not finite"});
+        expect_says(
+            message_of([&] {
+                (void)Upscale360(folder, 64, settings, run).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", run);
+            }),
+            {(folder / file).parent_path().string() + ":", "not finite"});
         EXPECT_LE(heard.done.empty() ? 0 : heard.done.back(), 0) << "noticed in the first step";
     }
 }
@@ -369,9 +404,12 @@ TEST_F(Folders, AStopIsHeardBetweenLayers) {
         return heard.done;
     };
     const auto at = [](std::int64_t done) {
-        return [done](const Event& event) { return std::holds_alternative<ProgressEvent>(event) && std::get<ProgressEvent>(event).done == done; };
+        return [done](const Event& event) {
+            return std::holds_alternative<ProgressEvent>(event) && std::get<ProgressEvent>(event).done == done;
+        };
     };
-    EXPECT_TRUE(outcome([](const Event& event) { return std::holds_alternative<WarningEvent>(event); }).empty()) << "while the prompt is read";
+    EXPECT_TRUE(outcome([](const Event& event) { return std::holds_alternative<WarningEvent>(event); }).empty())
+        << "while the prompt is read";
     EXPECT_EQ(outcome(at(0)), (std::vector<std::int64_t>{0})) << "in the first step";
     EXPECT_EQ(outcome(at(2)), (std::vector<std::int64_t>{0, 1, 2})) << "in the decoder";
 }

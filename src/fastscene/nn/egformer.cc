@@ -24,15 +24,16 @@ namespace {
 EgformerShape shape_of(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
     if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
-        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}", weights.path.string(),
-                    text_of_shape(first.shape));
+        throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}",
+                    weights.path.string(), text_of_shape(first.shape));
     EgformerShape shape;
     shape.channels = static_cast<int>(first.shape[0]);
     shape.latitude_prior = weights.has(nn::kLatitudePrior);
     if (const auto height = weights.metadata.find("height"); height != weights.metadata.end()) {
         shape.height = std::atoi(height->second.c_str());
         if (shape.height < 32 || shape.height > 4096 || shape.height % 32 != 0)
-            throw Error("{}: metadata \"height\": expected a multiple of 32 up to 4096, found \"{}\"", weights.path.string(), height->second);
+            throw Error("{}: metadata \"height\": expected a multiple of 32 up to 4096, found \"{}\"",
+                        weights.path.string(), height->second);
         shape.width = 2 * shape.height;
     }
     return shape;
@@ -53,7 +54,9 @@ Egformer::Egformer(Egformer&&) noexcept = default;
 Egformer& Egformer::operator=(Egformer&&) noexcept = default;
 Egformer::~Egformer() = default;
 
-Egformer Egformer::load(const std::filesystem::path& path) { return of(unwrapped(load_weights(path), "patch_embed.0.weight")); }
+Egformer Egformer::load(const std::filesystem::path& path) {
+    return of(unwrapped(load_weights(path), "patch_embed.0.weight"));
+}
 Egformer Egformer::shipped(std::string_view name) { return of(shipped_weights(name)); }
 
 Egformer Egformer::of(Weights weights) {
@@ -87,7 +90,8 @@ ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
         const std::int64_t turn = look / 2 * (size.width / 4);
         const bool mirrored = look % 2 == 1;
         const at::Tensor turned = input.roll(turn, 3);
-        const at::Tensor found = nn::egformer(nn::Scope(state_->weights), state_->constants, mirrored ? turned.flip(3) : turned.contiguous());
+        const at::Tensor found = nn::egformer(nn::Scope(state_->weights), state_->constants,
+                                              mirrored ? turned.flip(3) : turned.contiguous());
         const at::Tensor back = (mirrored ? found.flip(3) : found).roll(-turn, 3);
         sum = look == 0 ? back : sum + back;
     }

@@ -14,7 +14,9 @@ namespace {
 
 using at::Tensor;
 
-double gap_of(const Tensor& a, const Tensor& b) { return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>(); }
+double gap_of(const Tensor& a, const Tensor& b) {
+    return (a.to(at::kDouble) - b.to(at::kDouble)).abs().max().item<double>();
+}
 Tensor leaf(const Tensor& x, at::ScalarType type) { return x.detach().to(type).clone().requires_grad_(true); }
 
 struct GridShape {
@@ -29,8 +31,8 @@ TEST_P(OfWindows, SayAndLearnWhatOperatorsDo) {
     const bool columns = windows == Windows::columns;
     const std::int64_t c = heads * d, length = columns ? h : w;
     at::manual_seed(c + length);
-    const Tensor numbers = at::randn({n, h * w, 3 * c}), bias = at::randn({columns ? 1 : h, length, length}), back = at::randn({n, h * w, c}),
-                 loud = at::randn({n, columns ? w : h});
+    const Tensor numbers = at::randn({n, h * w, 3 * c}), bias = at::randn({columns ? 1 : h, length, length}),
+                 back = at::randn({n, h * w, c}), loud = at::randn({n, columns ? w : h});
     const auto run = [&](at::ScalarType type, auto&& attention) {
         const Tensor qkv = leaf(numbers, type);
         const WindowAttention found = attention(qkv, bias.to(type), Grid{h, w}, heads, windows);
@@ -38,12 +40,14 @@ TEST_P(OfWindows, SayAndLearnWhatOperatorsDo) {
         return std::vector<Tensor>{found.said.detach(), found.loudness.detach(), qkv.grad()};
     };
     const auto fused = run(at::kFloat, window_attention), exact = run(at::kDouble, window_attention_by_operators);
-    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(gap_of(fused[i], exact[i]), 2e-6 * (1 + exact[i].abs().max().item<double>())) << i;
+    for (std::size_t i = 0; i < fused.size(); ++i)
+        EXPECT_LT(gap_of(fused[i], exact[i]), 2e-6 * (1 + exact[i].abs().max().item<double>())) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAnySize, OfWindows,
-                         testing::Combine(testing::Values(GridShape{1, 1, 2, 1, 1}, GridShape{2, 3, 6, 16, 16}, GridShape{2, 12, 24, 4, 12},
-                                                          GridShape{1, 48, 96, 1, 16}, GridShape{1, 20, 40, 3, 33}),
+                         testing::Combine(testing::Values(GridShape{1, 1, 2, 1, 1}, GridShape{2, 3, 6, 16, 16},
+                                                          GridShape{2, 12, 24, 4, 12}, GridShape{1, 48, 96, 1, 16},
+                                                          GridShape{1, 20, 40, 3, 33}),
                                           testing::Values(Windows::rows, Windows::columns)));
 
 // Scores that are all 0 have no direction: nothing is said, and no gradient is NaN.
@@ -72,18 +76,24 @@ TEST_P(OfPoints, MixAndLearnWhatOperatorsDo) {
         return std::vector<Tensor>{mixed.detach(), value.grad(), offset.grad(), weight.grad()};
     };
     const auto fused = run(at::kFloat, deformable_mix), exact = run(at::kDouble, deformable_mix_by_operators);
-    for (std::size_t i = 0; i < fused.size(); ++i) EXPECT_LT(gap_of(fused[i], exact[i]), 2e-5 * (1 + exact[i].abs().max().item<double>())) << i;
+    for (std::size_t i = 0; i < fused.size(); ++i)
+        EXPECT_LT(gap_of(fused[i], exact[i]), 2e-5 * (1 + exact[i].abs().max().item<double>())) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAnySize, OfPoints,
-                         testing::Values(GridShape{1, 2, 4, 1, 1}, GridShape{2, 12, 24, 2, 8}, GridShape{1, 32, 64, 1, 16},
-                                         GridShape{2, 9, 10, 3, 33}));
+                         testing::Values(GridShape{1, 2, 4, 1, 1}, GridShape{2, 12, 24, 2, 8},
+                                         GridShape{1, 32, 64, 1, 16}, GridShape{2, 9, 10, 3, 33}));
 
 TEST(DeformableMix, ReadsNothingBeyondItsGrid) {
-    const Tensor value = at::ones({1, 8, 4}), weight = at::full({1, 8, kTaps}, 1. / kTaps), patch = at::zeros({8, kTaps, 2});
+    const Tensor value = at::ones({1, 8, 4}), weight = at::full({1, 8, kTaps}, 1. / kTaps),
+                 patch = at::zeros({8, kTaps, 2});
     const Tensor nowhere = at::full({1, 8, kTaps * 2}, std::numeric_limits<double>::quiet_NaN()).to(at::kFloat);
     EXPECT_TRUE(deformable_mix(value, nowhere, weight, patch, Grid{2, 4}, 1).isnan().all().item<bool>());
-    EXPECT_EQ(deformable_mix(value, at::full({1, 8, kTaps * 2}, 1e30).to(at::kFloat), weight, patch, Grid{2, 4}, 1).abs().max().item<float>(), 0.f);
+    EXPECT_EQ(deformable_mix(value, at::full({1, 8, kTaps * 2}, 1e30).to(at::kFloat), weight, patch, Grid{2, 4}, 1)
+                  .abs()
+                  .max()
+                  .item<float>(),
+              0.f);
 }
 
 TEST(EgformerAttention, IsTheSameForAnyNumberOfThreads) {

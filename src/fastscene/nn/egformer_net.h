@@ -1,5 +1,5 @@
-// EGformer as a function of its weights: equirectangular geometry-biased transformer for panoramic depth (Yun, Lee, Rhee, ICCV 2023).
-// Private to nn/ (torch).
+// EGformer as a function of its weights: equirectangular geometry-biased transformer for panoramic depth (Yun, Lee,
+// Rhee, ICCV 2023). Private to nn/ (torch).
 #pragma once
 
 #include <array>
@@ -23,7 +23,8 @@ inline constexpr const char* kLatitudePrior = "latitude_prior";
 
 // color [N, 3, H, W] in 0..1 (sRGB as in files) -> [N, 1, H, W] in (0, 1), growing with distance; affine-invariant.
 // Names of parameters are the official checkpoint's keys without their "module.". Each picture of a batch is treated
-// alone (the official code lets the pictures of a batch share one maximum of their scores; with one picture it is the same).
+// alone (the official code lets the pictures of a batch share one maximum of their scores; with one picture it is the
+// same).
 at::Tensor egformer(const Scope& s, const EgformerConstants& constants, const at::Tensor& color);
 
 }  // namespace fastscene::nn

@@ -17,7 +17,8 @@ double floored_modulo(double value, double divisor) {
 std::vector<float> chord_table(int count, double span) {
     std::vector<float> angle(static_cast<std::size_t>(count));
     const float step = count > 1 ? static_cast<float>(count) / static_cast<float>(count - 1) : 0.f;
-    for (int i = 0; i < count; ++i) angle[static_cast<std::size_t>(i)] = static_cast<float>(i) * step * static_cast<float>(span / count);
+    for (int i = 0; i < count; ++i)
+        angle[static_cast<std::size_t>(i)] = static_cast<float>(i) * step * static_cast<float>(span / count);
     std::vector<float> table;
     table.reserve(angle.size() * angle.size());
     for (const float from : angle)
@@ -51,9 +52,13 @@ std::vector<float> tangent_patch_table(int height, int width) {
                 const double nu = std::atan(rho);
                 const double lat = std::asin(std::cos(nu) * std::sin(lat0) + y * std::sin(nu) * std::cos(lat0) / rho);
                 // atan, not atan2: beyond a pole the tap stays on this side. Published so; the weights know it.
-                const double lon = std::atan(x * std::sin(nu) / (rho * std::cos(lat0) * std::cos(nu) - y * std::sin(lat0) * std::sin(nu))) + lon0;
+                const double lon = std::atan(
+                                       x * std::sin(nu) /
+                                       (rho * std::cos(lat0) * std::cos(nu) - y * std::sin(lat0) * std::sin(nu))) +
+                                   lon0;
                 table.push_back(static_cast<float>((lat / std::numbers::pi + 0.5) * height));
-                table.push_back(static_cast<float>(floored_modulo((lon / (2 * std::numbers::pi) + 0.5) * width, width)));
+                table.push_back(
+                    static_cast<float>(floored_modulo((lon / (2 * std::numbers::pi) + 0.5) * width, width)));
             }
         }
     }

@@ -25,8 +25,8 @@ constexpr float kUnit = 16.f;  // of targets, metres
 nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShape& shape) {
     const auto n = static_cast<std::int64_t>(examples.size());
     const std::size_t pixels = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
-    const Tensor color = at::empty({n, 3, shape.height, shape.width}), truth = at::zeros({n, 1, shape.height, shape.width}),
-                 mask = at::zeros_like(truth);
+    const Tensor color = at::empty({n, 3, shape.height, shape.width}),
+                 truth = at::zeros({n, 1, shape.height, shape.width}), mask = at::zeros_like(truth);
     for (std::size_t i = 0; i < examples.size(); ++i) {
         const DepthExample& e = examples[i];
         FASTSCENE_CHECK(e.color.width == shape.width && e.color.height == shape.height && e.range.same_size(e.color));
@@ -46,7 +46,8 @@ nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShap
 
 double logit(double p) { return std::log(p / (1 - p)); }
 
-// Before anything is learned the network says what stands at that latitude in a mean room; its last layer begins near zero.
+// Before anything is learned the network says what stands at that latitude in a mean room; its last layer begins near
+// zero.
 nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
     nn::Start random = nn::start_he(seed, 1);
     if (!training.start.empty()) random = nn::start_from(load_weights(training.start), "patch_embed.0.weight", random);
@@ -62,7 +63,8 @@ nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
         for (std::int64_t i = 0; i < prior.numel(); ++i) {
             const std::size_t row = std::min(
                 means.size() - 1,
-                static_cast<std::size_t>((static_cast<double>(i) + 0.5) * static_cast<double>(means.size()) / static_cast<double>(prior.numel())));
+                static_cast<std::size_t>((static_cast<double>(i) + 0.5) * static_cast<double>(means.size()) /
+                                         static_cast<double>(prior.numel())));
             to[i] = static_cast<float>(logit(std::clamp(means[row] / kUnit, 0.01f, 0.99f)));
         }
         return prior;
@@ -75,7 +77,8 @@ struct Figures {
 Figures figures_of(const Tensor& aligned, const Tensor& truth, const Tensor& mask) {
     const Tensor known = mask > 0.5;
     const Tensor a = aligned.masked_select(known).clamp_min(1e-3), t = truth.masked_select(known);
-    return {((a - t).abs() / t).mean().item<double>(), (at::maximum(a / t, t / a) < 1.25).to(at::kFloat).mean().item<double>()};
+    return {((a - t).abs() / t).mean().item<double>(),
+            (at::maximum(a / t, t / a) < 1.25).to(at::kFloat).mean().item<double>()};
 }
 
 ImageF picture_of(const Tensor& map) {  // [1, 1, H, W]
@@ -114,7 +117,9 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     const bool bf16 = device.is_cuda() && nn::trains_in_bf16(training.training);
     const nn::EgformerConstants constants(shape, device), tiny({32, 64, shape.channels, shape.latitude_prior}, device);
     nn::Learner network("egformer", start_of(training, run.seed), at::TensorOptions(device),
-                        [&](const nn::Scope& s) { nn::egformer(s, tiny, at::zeros({1, 3, 32, 64}, device)); },
+                        [&](const nn::Scope& s) {
+                            nn::egformer(s, tiny, at::zeros({1, 3, 32, 64}, device));
+                        },
                         {.adam = {}, .average = training.training.average, .clip = training.training.clip});
     EgformerTrained trained{0, 0, 0, folder / "egformer.safetensors"};
 
@@ -127,10 +132,12 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
             run.check_stop();
             nn::Batch one = batch_of({training.held_out[i]}, shape);
             for (Tensor& t : one) t = t.to(device);
-            const Tensor aligned = nn::aligned_depth(nn::egformer(network.average(), constants, one[0]), one[1], one[2]);
+            const Tensor aligned = nn::aligned_depth(nn::egformer(network.average(), constants, one[0]), one[1],
+                                                     one[2]);
             const Figures f = figures_of(aligned, one[1], one[2]);
             mean.abs_rel += f.abs_rel, mean.delta1 += f.delta1;
-            loss += 0.5 * (nn::invariant_loss(aligned, one[1], one[2]) + nn::gradient_loss(aligned, one[1], one[2])).item<double>();
+            loss += 0.5 * (nn::invariant_loss(aligned, one[1], one[2]) + nn::gradient_loss(aligned, one[1], one[2]))
+                              .item<double>();
             if (i < 6) sheet.add(training.held_out[i], aligned, one[1], f.abs_rel);
         }
         const double n = std::max<double>(1, static_cast<double>(training.held_out.size()));
@@ -160,8 +167,9 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     Json settings = training.settings;
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
     settings["direct"] = training.direct;
-    trained.steps =
-        nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings}, training.training, folder, run).steps;
+    trained.steps = nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings},
+                              training.training, folder, run)
+                        .steps;
     return trained;
 }
 

@@ -26,24 +26,24 @@ using SurfaceMap = Image<SurfaceId>;
 struct DepthExample {
     ImageRgb8 color;
     ImageF range;
-    SurfaceMap surfaces = {};   // empty: not known
+    SurfaceMap surfaces = {};  // empty: not known
 };
 
 struct EgformerTraining {
     EgformerShape shape;
     TrainingParams training;
-    double direct = 0;                                // weight of direct_loss (nn/depth_losses.h) beside the published loss
-    std::function<DepthExample(Random& dice)> draw;   // called on another thread
-    std::vector<DepthExample> held_out;               // never drawn
-    std::vector<float> mean_range_m;                  // by latitude, from the top: what a room looks like before one has looked
-    std::filesystem::path start;                      // weights to start from; empty: random ones
-    Json settings;                                    // what else must be equal to go on with a training: the data
+    double direct = 0;  // weight of direct_loss (nn/depth_losses.h) beside the published loss
+    std::function<DepthExample(Random& dice)> draw;  // called on another thread
+    std::vector<DepthExample> held_out;              // never drawn
+    std::vector<float> mean_range_m;  // by latitude, from the top: what a room looks like before one has looked
+    std::filesystem::path start;      // weights to start from; empty: random ones
+    Json settings;                    // what else must be equal to go on with a training: the data
 };
 
 struct EgformerTrained {
     std::int64_t steps = 0;
-    double abs_rel = 0, delta1 = 0;   // of the held-out pictures, scale and shift aligned
-    std::filesystem::path weights;    // egformer.safetensors in the folder, 16 bit: what Egformer::load reads
+    double abs_rel = 0, delta1 = 0;  // of the held-out pictures, scale and shift aligned
+    std::filesystem::path weights;   // egformer.safetensors in the folder, 16 bit: what Egformer::load reads
 };
 
 // Works in `folder` as nn/training.h says; goes on from a checkpoint that is there. The loss is the published one

@@ -18,7 +18,8 @@ namespace {
 // The parts that an index names.
 std::vector<fs::path> parts_of(const fs::path& index) {
     const Json json = read_json(index);
-    if (!json.contains("weight_map") || !json["weight_map"].is_object()) throw Error("{}: expected \"weight_map\", found none", index.string());
+    if (!json.contains("weight_map") || !json["weight_map"].is_object())
+        throw Error("{}: expected \"weight_map\", found none", index.string());
     std::set<fs::path> parts;
     for (const auto& [key, part] : json["weight_map"].items()) {
         if (!part.is_string() || fs::path(part.get<std::string>()).has_parent_path())
@@ -26,7 +27,9 @@ std::vector<fs::path> parts_of(const fs::path& index) {
         parts.insert(index.parent_path() / part.get<std::string>());
     }
     for (const fs::path& part : parts)
-        if (!fs::exists(part)) throw Error("{}: expected the part {} that the index names, found none", index.string(), part.filename().string());
+        if (!fs::exists(part))
+            throw Error("{}: expected the part {} that the index names, found none", index.string(),
+                        part.filename().string());
     return {parts.begin(), parts.end()};
 }
 
@@ -41,16 +44,20 @@ std::vector<fs::path> files_of(const fs::path& component) {
             for (const std::string& stem : stems) {
                 if (const fs::path whole = component / (stem + variant + ending); fs::exists(whole)) return {whole};
                 // diffusers puts the variant behind "index", other programs before the ending.
-                for (const std::string& index : {stem + ending + ".index" + variant + ".json", stem + variant + ending + ".index.json"})
+                for (const std::string& index :
+                     {stem + ending + ".index" + variant + ".json", stem + variant + ending + ".index.json"})
                     if (fs::exists(component / index)) return parts_of(component / index);
             }
-    throw Error("{}: expected diffusion_pytorch_model or model (.safetensors or .bin), found neither", component.string());
+    throw Error("{}: expected diffusion_pytorch_model or model (.safetensors or .bin), found neither",
+                component.string());
 }
 
 // What older files call a layer of the VAE's attention.
 std::string older_name(std::string key) {
-    for (const auto& [now, then] : {std::pair{".to_q.", ".query."}, {".to_k.", ".key."}, {".to_v.", ".value."}, {".to_out.0.", ".proj_attn."}})
-        if (const std::size_t at = key.find(now); at != std::string::npos) return key.replace(at, std::strlen(now), then);
+    for (const auto& [now, then] :
+         {std::pair{".to_q.", ".query."}, {".to_k.", ".key."}, {".to_v.", ".value."}, {".to_out.0.", ".proj_attn."}})
+        if (const std::size_t at = key.find(now); at != std::string::npos)
+            return key.replace(at, std::strlen(now), then);
     return key;
 }
 
@@ -76,11 +83,15 @@ void FileWeights::expect_none_beyond(const std::set<std::string>& asked, const s
     std::string first;
     for (const Weights& part : parts_)
         for (const auto& [key, tensor] : part.tensors) {
-            const bool is_layer = std::any_of(parts.begin(), parts.end(), [&](const std::string& begin) { return key.starts_with(begin); });
+            const bool is_layer = std::any_of(parts.begin(), parts.end(),
+                                              [&](const std::string& begin) { return key.starts_with(begin); });
             if (is_layer && !known.contains(key) && count++ == 0) first = key;
         }
     if (count > 0)
-        throw Error("{}: expected the layers that config.json tells of, found {} tensors of others, such as {} (another model's config.json?)", component_.string(), count, first);
+        throw Error(
+            "{}: expected the layers that config.json tells of, found {} tensors of others, such as {} (another "
+            "model's config.json?)",
+            component_.string(), count, first);
 }
 
 std::vector<fs::path> FileWeights::files() const {
@@ -97,14 +108,16 @@ std::vector<std::int64_t> FileWeights::shape_of(const std::string& key) const {
 std::int64_t FileWeights::bytes() const {
     std::int64_t sum = 0;
     for (const Weights& part : parts_)
-        for (const auto& [key, tensor] : part.tensors) sum += tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize());
+        for (const auto& [key, tensor] : part.tensors)
+            sum += tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize());
     return sum;
 }
 
 std::int64_t FileWeights::largest_bytes() const {
     std::int64_t most = 0;
     for (const Weights& part : parts_)
-        for (const auto& [key, tensor] : part.tensors) most = std::max(most, tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize()));
+        for (const auto& [key, tensor] : part.tensors)
+            most = std::max(most, tensor.count() * static_cast<std::int64_t>(options_.dtype().itemsize()));
     return most;
 }
 
@@ -118,13 +131,16 @@ const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef
     const WeightTensor* tensor = find(key);
     if (!tensor) {
         if (parts_.size() == 1) parts_[0].at(key);  // names what is near
-        throw Error("{}: expected the tensor \"{}\" {}, found none", component_.string(), key, text_of_shape(shape.vec()));
+        throw Error("{}: expected the tensor \"{}\" {}, found none", component_.string(), key,
+                    text_of_shape(shape.vec()));
     }
     // An old VAE stores 1 x 1 convolutions where a matrix stands now.
     const at::IntArrayRef found(tensor->shape);
-    const bool fits = found == shape ||
-                      (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape && found[shape.size()] == 1 && found.back() == 1);
-    if (!fits) throw Error("{}: {}: expected shape {}, found {}", component_.string(), key, text_of_shape(shape.vec()), text_of_shape(tensor->shape));
+    const bool fits = found == shape || (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape &&
+                                         found[shape.size()] == 1 && found.back() == 1);
+    if (!fits)
+        throw Error("{}: {}: expected shape {}, found {}", component_.string(), key, text_of_shape(shape.vec()),
+                    text_of_shape(tensor->shape));
     return *tensor;
 }
 

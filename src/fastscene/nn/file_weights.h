@@ -1,4 +1,5 @@
-// Weights from a folder as Hugging Face's libraries save them: one file, or several parts with an index. Private to nn/ (torch).
+// Weights from a folder as Hugging Face's libraries save them: one file, or several parts with an index. Private to nn/
+// (torch).
 #pragma once
 
 #include <filesystem>
@@ -14,11 +15,13 @@ namespace fastscene::nn {
 class FileWeights final : public WeightSource {
   public:
     // `component`: a file, or a folder such as unet/. In a folder the names of diffusers and transformers are tried:
-    // diffusion_pytorch_model, model, pytorch_model, as .safetensors or .bin, whole or in parts, also of variant fp16. Safetensors are mapped: a
-    // tensor costs memory when it is first asked for. Throws Error naming the folder or file, what was expected and what was found.
-    // `keep`: what was converted stays; else a parameter lives only as long as it is used, and memory holds one layer instead of a network.
-    // `expected`: a tensor that must be there; where it lies within a dictionary (state_dict …), that is opened (unwrapped, weights.h).
-    FileWeights(const std::filesystem::path& component, at::TensorOptions options, bool keep = true, std::string_view expected = "");
+    // diffusion_pytorch_model, model, pytorch_model, as .safetensors or .bin, whole or in parts, also of variant fp16.
+    // Safetensors are mapped: a tensor costs memory when it is first asked for. Throws Error naming the folder or file,
+    // what was expected and what was found. `keep`: what was converted stays; else a parameter lives only as long as it
+    // is used, and memory holds one layer instead of a network. `expected`: a tensor that must be there; where it lies
+    // within a dictionary (state_dict …), that is opened (unwrapped, weights.h).
+    FileWeights(const std::filesystem::path& component, at::TensorOptions options, bool keep = true,
+                std::string_view expected = "");
 
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string& key) const override { return find(key) != nullptr; }

@@ -27,13 +27,16 @@ void sweep(const Tensor& a, const Tensor& b, const Tensor& to, const auto& of) {
     });
 }
 
-// The normal distribution: e^(-x^2 / 2), and how much of it lies below x (Abramowitz and Stegun 7.1.26, wrong by 8e-8 at most).
+// The normal distribution: e^(-x^2 / 2), and how much of it lies below x (Abramowitz and Stegun 7.1.26, wrong by 8e-8
+// at most).
 struct Normal {
     Lanes bell, below;
     explicit Normal(Lanes x) {
         const Lanes far = (x > Lanes{} ? x : -x) * all(0.70710678f), t = all(1.f) / (all(1.f) + all(0.3275911f) * far);
         bell = exp_of(-(far * far));
-        const Lanes polynomial = all(0.254829592f) + t * (all(-0.284496736f) + t * (all(1.421413741f) + t * (all(-1.453152027f) + t * all(1.061405429f))));
+        const Lanes polynomial = all(0.254829592f) +
+                                 t * (all(-0.284496736f) +
+                                      t * (all(1.421413741f) + t * (all(-1.453152027f) + t * all(1.061405429f))));
         const Lanes beyond = all(0.5f) * bell * t * polynomial;
         below = x > Lanes{} ? all(1.f) - beyond : beyond;
     }
@@ -57,8 +60,8 @@ Tensor gelu_gradient(const Tensor& back, const Tensor& x) {
 
 Tensor dense(const Tensor& x) { return x.contiguous(x.suggest_memory_format()); }
 
-// The gradient arrives in the layout that the input had: elsewhere (tokens cut from a picture and back) libtorch 1.13 leaves the memory of its own as
-// it found it.
+// The gradient arrives in the layout that the input had: elsewhere (tokens cut from a picture and back) libtorch 1.13
+// leaves the memory of its own as it found it.
 class Gelu : public torch::autograd::Function<Gelu> {
   public:
     static Tensor forward(torch::autograd::AutogradContext* context, const Tensor& x) {
@@ -66,7 +69,8 @@ class Gelu : public torch::autograd::Function<Gelu> {
         context->save_for_backward({kept});
         return gelu_of(kept);
     }
-    static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context, torch::autograd::tensor_list gradients) {
+    static torch::autograd::tensor_list backward(torch::autograd::AutogradContext* context,
+                                                 torch::autograd::tensor_list gradients) {
         const Tensor x = context->get_saved_variables()[0];
         return {gelu_gradient(gradients[0].contiguous(x.suggest_memory_format()), x)};
     }
@@ -75,19 +79,24 @@ class Gelu : public torch::autograd::Function<Gelu> {
 constexpr float kQuick = 1.702f;
 
 Lanes quick_gelu_of(Lanes x) {
-    const Lanes t = x * all(kQuick), e = exp_of(t > Lanes{} ? -t : t), above = t > Lanes{} ? all(1.f) : e;   // of the side where e^t is at most 1
+    const Lanes t = x * all(kQuick), e = exp_of(t > Lanes{} ? -t : t),
+                above = t > Lanes{} ? all(1.f) : e;  // of the side where e^t is at most 1
     return x * above / (all(1.f) + e);
 }
 
 }  // namespace
 
-Tensor exact_gelu(const Tensor& x) { return x.requires_grad() && at::GradMode::is_enabled() ? Gelu::apply(x) : gelu_of(dense(x)); }
+Tensor exact_gelu(const Tensor& x) {
+    return x.requires_grad() && at::GradMode::is_enabled() ? Gelu::apply(x) : gelu_of(dense(x));
+}
 
-// One sweep: a perceptron's inner layer is the largest thing in a network, and each temporary of its size would come from the system, cleared,
-// in every layer.
+// One sweep: a perceptron's inner layer is the largest thing in a network, and each temporary of its size would come
+// from the system, cleared, in every layer.
 Tensor quick_gelu(Tensor x) {
     const bool alone = x.use_count() == 1 && x.storage().use_count() == 1;
-    if (!alone || at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat || !x.is_contiguous()) return x * at::sigmoid(kQuick * x);
+    if (!alone || at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat ||
+        !x.is_contiguous())
+        return x * at::sigmoid(kQuick * x);
     sweep(x, x, x, [](Lanes v, Lanes) { return quick_gelu_of(v); });
     return x;
 }

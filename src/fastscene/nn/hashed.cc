@@ -26,7 +26,8 @@ at::Tensor filled(const std::string& name, at::IntArrayRef shape, Value&& value)
 
 float hashed_number(std::uint64_t name_hash, std::uint64_t index) {
     // mix64 adds one more step of the sequence before it mixes: element i lies i + 1 steps behind the name.
-    return static_cast<float>(static_cast<double>(mix64(name_hash + index * 0x9e3779b97f4a7c15ull) >> 40) * 0x1p-23 - 1);
+    return static_cast<float>(static_cast<double>(mix64(name_hash + index * 0x9e3779b97f4a7c15ull) >> 40) * 0x1p-23 -
+                              1);
 }
 
 at::Tensor hashed_input(const std::string& name, at::IntArrayRef shape) {
@@ -40,7 +41,8 @@ at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape) {
         return filled(key, shape, [scale](float u) { return static_cast<float>(u * scale); });
     }
     if (key.ends_with("running_var"))
-        return filled(key, shape, [](float u) { return static_cast<float>(1.0 + 0.1 * std::abs(static_cast<double>(u))); });
+        return filled(key, shape,
+                      [](float u) { return static_cast<float>(1.0 + 0.1 * std::abs(static_cast<double>(u))); });
     if (key.ends_with("weight")) return filled(key, shape, [](float u) { return static_cast<float>(1.0 + 0.1 * u); });
     return filled(key, shape, [](float u) { return static_cast<float>(0.1 * u); });
 }

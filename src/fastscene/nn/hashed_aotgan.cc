@@ -12,7 +12,8 @@ Weights hashed_aotgan(int width, int blocks) {
     const c10::InferenceMode inference;
     nn::HashedWeights hashed;
     // A network that is run has asked for all its parameters.
-    (void)nn::aotgan_generator(nn::Scope(hashed), {width, blocks, {1, 2, 4, 8}}, at::zeros({1, 3, 64, 64}), at::zeros({1, 1, 64, 64}));
+    (void)nn::aotgan_generator(nn::Scope(hashed), {width, blocks, {1, 2, 4, 8}}, at::zeros({1, 3, 64, 64}),
+                               at::zeros({1, 1, 64, 64}));
     Weights out{"hashed weights", {}, {}, {}};
     for (const auto& [key, tensor] : hashed.seen()) out.tensors[key] = nn::weight_of(tensor);
     return out;

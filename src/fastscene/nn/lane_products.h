@@ -14,8 +14,8 @@ constexpr int kRows = kLanes / 2;  // AVX-512: 8 rows of 3 vectors, 24 of the 32
 
 // to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors]. `rows` may lie transposed: its strides say.
 template <int W, bool add>
-void multiply(const float* rows, std::int64_t row_stride, std::int64_t depth_stride, const float* panel, std::int64_t panel_stride,
-              std::int64_t depth, float* to, std::int64_t to_stride) {
+void multiply(const float* rows, std::int64_t row_stride, std::int64_t depth_stride, const float* panel,
+              std::int64_t panel_stride, std::int64_t depth, float* to, std::int64_t to_stride) {
     Lanes sum[kRows][W];
     for (int r = 0; r < kRows; ++r)
         for (int w = 0; w < W; ++w) sum[r][w] = add ? load(to + r * to_stride + w * kLanes) : Lanes{};

@@ -1,4 +1,5 @@
-// Numbers that the processor works on at once. Private to nn/, and to sources compiled for the processor that the rest is compiled for.
+// Numbers that the processor works on at once. Private to nn/, and to sources compiled for the processor that the rest
+// is compiled for.
 #pragma once
 
 #include <bit>
@@ -18,11 +19,12 @@ inline Lanes load(const float* p) { return *reinterpret_cast<const Lanes*>(p); }
 inline void store(float* p, Lanes x) { *reinterpret_cast<Lanes*>(p) = x; }
 inline Lanes all(float x) { return x - Lanes{}; }
 
-// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); far down 1e-38, which no sum notices.
+// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); far down 1e-38, which
+// no sum notices.
 inline Lanes exp_of(Lanes x) {
     const Lanes y = x * all(1.44269504088896341f);
     const Lanes far_down = all(-126.f), clipped = y > far_down ? y : far_down;
-    const Lanes magic = all(12582912.f);   // 1.5 * 2^23: adding it rounds to a whole number
+    const Lanes magic = all(12582912.f);  // 1.5 * 2^23: adding it rounds to a whole number
     const Lanes shifted = clipped + magic, rest = clipped - (shifted - magic);
     const Whole exponent = (std::bit_cast<Whole>(shifted) - 0x4B400000) << 23;
     Lanes p = all(1.5403530e-4f);

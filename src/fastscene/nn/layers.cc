@@ -11,7 +11,8 @@ namespace fastscene::nn {
 
 using at::Tensor;
 
-// More rows at a time leave a processor's caches: 1024 rows take 1.9 times as long for a 64 x 128 latent. A graphics card wants long ones.
+// More rows at a time leave a processor's caches: 1024 rows take 1.9 times as long for a 64 x 128 latent. A graphics
+// card wants long ones.
 constexpr std::int64_t kAttentionRows = 256, kAttentionRowsCuda = 4096;
 
 Tensor conv(const Scope& s, const Tensor& x, std::int64_t out, Conv shape) {
@@ -27,13 +28,15 @@ Tensor linear(const Scope& s, const Tensor& x, std::int64_t out, bool bias) {
 
 Tensor group_norm(const Scope& s, const Tensor& x, std::int64_t groups, double eps) {
     const std::int64_t channels = x.size(1);
-    const Tensor weight = s.parameter("weight", {channels});   // its type is that of the sums, whatever a coarser convolution before made
+    const Tensor weight = s.parameter(
+        "weight", {channels});  // its type is that of the sums, whatever a coarser convolution before made
     return s.out(at::group_norm(x.to(weight.scalar_type()), groups, weight, s.parameter("bias", {channels}), eps));
 }
 
 Tensor layer_norm(const Scope& s, const Tensor& x, double eps) {
     const std::int64_t channels = x.size(-1);
-    return s.out(at::layer_norm(x, {channels}, s.parameter("weight", {channels}), s.parameter("bias", {channels}), eps));
+    return s.out(
+        at::layer_norm(x, {channels}, s.parameter("weight", {channels}), s.parameter("bias", {channels}), eps));
 }
 
 namespace {
@@ -49,7 +52,8 @@ Tensor join_heads(const Tensor& x, std::int64_t heads) {
 
 }  // namespace
 
-Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t heads, const Tensor& mask, bool in_float) {
+Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t heads, const Tensor& mask,
+                 bool in_float) {
     FASTSCENE_CHECK(heads > 0 && q.size(2) % heads == 0);
     if (!mask.defined() && q.device().is_cpu() && q.scalar_type() != at::kDouble && !at::GradMode::is_enabled()) {
         const at::ScalarType type = q.scalar_type() == at::kBFloat16 ? at::kBFloat16 : at::kFloat;

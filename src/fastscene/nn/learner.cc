@@ -30,7 +30,9 @@ Start start_with(std::uint64_t seed, std::function<double(double inputs)> deviat
             return v / v.norm().clamp_min(1e-12);
         }
         if (shape.size() >= 2)
-            return normal_numbers(seed, key, shape, deviation(static_cast<double>(c10::multiply_integers(shape)) / static_cast<double>(shape[0])));
+            return normal_numbers(
+                seed, key, shape,
+                deviation(static_cast<double>(c10::multiply_integers(shape)) / static_cast<double>(shape[0])));
         const bool one = key.ends_with("weight") || key.ends_with("running_var");
         return one ? at::ones(shape) : at::zeros(shape);
     };
@@ -61,7 +63,9 @@ Start start_from(Weights found, std::string_view expected, Start otherwise) {
     };
 }
 
-bool is_buffer(std::string_view key) { return is_spectral_vector(key) || key.ends_with("running_mean") || key.ends_with("running_var"); }
+bool is_buffer(std::string_view key) {
+    return is_spectral_vector(key) || key.ends_with("running_mean") || key.ends_with("running_var");
+}
 
 Tensor TrainableWeights::get(const std::string& key, at::IntArrayRef shape) {
     const auto found = all_.find(key);
@@ -74,11 +78,12 @@ Tensor TrainableWeights::get(const std::string& key, at::IntArrayRef shape) {
     return all_[key] = made.set_requires_grad(!is_buffer(key));
 }
 
-Learner::Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once,
-                 LearnerSettings settings)
+Learner::Learner(std::string name, const Start& start, at::TensorOptions options,
+                 const std::function<void(const Scope&)>& run_once, LearnerSettings settings)
     : name_(std::move(name)),
       weights_(start, options),
-      average_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); }, options),
+      average_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); },
+               options),
       adam_((run_once(Scope(weights_)), learning(weights_)), settings.adam),
       settings_(settings) {
     for (const auto& [key, tensor] : weights_.all()) average_.get(key, tensor.sizes()).set_requires_grad(false);
@@ -112,13 +117,12 @@ double Learner::update(double rate) {
     adam_.step();
     adam_.forget_gradients();
     // A young average forgets its random beginning faster.
-    const double stays = std::min(settings_.average, (1.0 + static_cast<double>(adam_.steps)) / (10.0 + static_cast<double>(adam_.steps)));
+    const double stays = std::min(settings_.average,
+                                  (1.0 + static_cast<double>(adam_.steps)) / (10.0 + static_cast<double>(adam_.steps)));
     for (const auto& [key, tensor] : weights_.all()) {
         Tensor mean = average_.all().at(key);
-        if (is_buffer(key))
-            mean.copy_(tensor);
-        else
-            mean.lerp_(tensor, 1 - stays);
+        if (is_buffer(key)) mean.copy_(tensor);
+        else mean.lerp_(tensor, 1 - stays);
     }
     return length;
 }

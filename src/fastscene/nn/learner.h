@@ -1,5 +1,6 @@
-// A network that learns: parameters that exist once they are asked for, their running average, their optimizer. Networks stay functions of a
-// scope (scope.h); where they are trained, the scope's source is a learner. Private to nn/ (torch).
+// A network that learns: parameters that exist once they are asked for, their running average, their optimizer.
+// Networks stay functions of a scope (scope.h); where they are trained, the scope's source is a learner. Private to nn/
+// (torch).
 #pragma once
 
 #include <functional>
@@ -17,12 +18,12 @@ class Team;
 
 // What a new parameter starts from, by its name and shape.
 using Start = std::function<at::Tensor(const std::string& key, at::IntArrayRef shape)>;
-// Kernels and matrices normal with this deviation, or with that of He et al. 2015 (`gain` / sqrt(fan-in)); weights of norms 1; the rest 0.
-// u and v of spectral norms are unit vectors. The same seed and name give the same numbers.
+// Kernels and matrices normal with this deviation, or with that of He et al. 2015 (`gain` / sqrt(fan-in)); weights of
+// norms 1; the rest 0. u and v of spectral norms are unit vectors. The same seed and name give the same numbers.
 Start start_normal(std::uint64_t seed, double deviation);
 Start start_he(std::uint64_t seed, double gain = 1.4142135623730951);
-// Parameters of a file, unwrapped (weights.h), and for those that it lacks `otherwise`. Throws Error for another shape, and when it lacks
-// `expected`: then it is another network's.
+// Parameters of a file, unwrapped (weights.h), and for those that it lacks `otherwise`. Throws Error for another shape,
+// and when it lacks `expected`: then it is another network's.
 Start start_from(Weights found, std::string_view expected, Start otherwise);
 
 // Not trained, but kept with the network: spectral norms' vectors, statistics of batch norms.
@@ -45,19 +46,19 @@ class TrainableWeights final : public WeightSource {
 struct LearnerSettings {
     AdamSettings adam;
     double average = 0.999;
-    double clip = 0;   // 0 = no
+    double clip = 0;  // 0 = no
 };
 
 class Learner {
   public:
     // `run_once` runs the network through a small example, so that every parameter is there.
-    Learner(std::string name, const Start& start, at::TensorOptions options, const std::function<void(const Scope&)>& run_once,
-            LearnerSettings settings);
+    Learner(std::string name, const Start& start, at::TensorOptions options,
+            const std::function<void(const Scope&)>& run_once, LearnerSettings settings);
 
-    Scope scope() { return Scope(weights_); }     // what learns
-    Scope average() { return Scope(average_); }   // the running average: for looking and for keeping
-    // Along the gradients that the last backward() left: shortens them, one step of Adam, moves the average, forgets them.
-    // Returns the gradients' length before. A step whose gradients are not finite is left out (NaN comes back).
+    Scope scope() { return Scope(weights_); }    // what learns
+    Scope average() { return Scope(average_); }  // the running average: for looking and for keeping
+    // Along the gradients that the last backward() left: shortens them, one step of Adam, moves the average, forgets
+    // them. Returns the gradients' length before. A step whose gradients are not finite is left out (NaN comes back).
     double update(double rate);
     // From now on update() takes the mean of the team's gradients. The team must live as long.
     void join(const Team& team) { team_ = &team; }
@@ -66,7 +67,8 @@ class Learner {
     void freeze(bool frozen);
 
     const std::string& name() const { return name_; }
-    // Everything that a training that goes on needs, sharing memory with this: NAME.weights.*, NAME.average.*, NAME.adam.*.
+    // Everything that a training that goes on needs, sharing memory with this: NAME.weights.*, NAME.average.*,
+    // NAME.adam.*.
     NamedTensors state() const;
     std::int64_t steps() const { return adam_.steps; }
     void set_steps(std::int64_t steps) { adam_.steps = steps; }

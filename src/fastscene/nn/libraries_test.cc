@@ -37,7 +37,7 @@ TEST(Libraries, OpenBlasKeepsToTheInstructionSet) {
 TEST(Libraries, OneDnnKeepsToTheInstructionSet) {
     auto* const effective = exported<int()>("dnnl_get_effective_cpu_isa");
     if (!effective) GTEST_SKIP() << "no oneDNN here";
-    constexpr int kSse41 = 0x1, kAvx2 = 0x7;   // dnnl_cpu_isa_t: each has the bits of those before it
+    constexpr int kSse41 = 0x1, kAvx2 = 0x7;  // dnnl_cpu_isa_t: each has the bits of those before it
     if (isa() == Isa::avx2) EXPECT_EQ(effective(), kAvx2);
     if (isa() == Isa::sse4) EXPECT_EQ(effective(), kSse41);
 }

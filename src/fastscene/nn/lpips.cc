@@ -16,15 +16,24 @@ struct BackboneStep {
     bool pool_before = false, compare = false;
 };
 const std::vector<BackboneStep>& steps_of(LpipsNet net) {
-    static const std::vector<BackboneStep> alex{{0, 64, {11, 4, 2}, false, true}, {3, 192, {5, 1, 2}, true, true}, {6, 384, {}, true, true}, {8, 256, {}, false, true}, {10, 256, {}, false, true}};
-    static const std::vector<BackboneStep> vgg{{0, 64, {}, false, false},  {2, 64, {}, false, true},   {5, 128, {}, true, false},  {7, 128, {}, false, true},  {10, 256, {}, true, false},
-                                       {12, 256, {}, false, false}, {14, 256, {}, false, true}, {17, 512, {}, true, false}, {19, 512, {}, false, false}, {21, 512, {}, false, true},
-                                       {24, 512, {}, true, false},  {26, 512, {}, false, false}, {28, 512, {}, false, true}};
+    static const std::vector<BackboneStep> alex{{0, 64, {11, 4, 2}, false, true},
+                                                {3, 192, {5, 1, 2}, true, true},
+                                                {6, 384, {}, true, true},
+                                                {8, 256, {}, false, true},
+                                                {10, 256, {}, false, true}};
+    static const std::vector<BackboneStep> vgg{
+        {0, 64, {}, false, false},  {2, 64, {}, false, true},   {5, 128, {}, true, false},
+        {7, 128, {}, false, true},  {10, 256, {}, true, false}, {12, 256, {}, false, false},
+        {14, 256, {}, false, true}, {17, 512, {}, true, false}, {19, 512, {}, false, false},
+        {21, 512, {}, false, true}, {24, 512, {}, true, false}, {26, 512, {}, false, false},
+        {28, 512, {}, false, true}};
     return net == LpipsNet::alex ? alex : vgg;
 }
 
 std::vector<Tensor> maps_of(const Scope& s, LpipsNet net, const Tensor& x) {
-    const auto constant = [&](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, x.options()).reshape({1, 3, 1, 1}); };
+    const auto constant = [&](double r, double g, double b) {
+        return at::tensor(std::vector<double>{r, g, b}, x.options()).reshape({1, 3, 1, 1});
+    };
     Tensor y = (x - constant(-.030, -.088, -.188)) / constant(.458, .448, .450);
     std::vector<Tensor> out;
     for (const BackboneStep& step : steps_of(net)) {

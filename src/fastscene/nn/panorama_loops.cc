@@ -21,7 +21,8 @@ Tensor guided(const Tensor& both, double guidance) {
 // One tile of the refinement: where it lies and its latents after the step.
 using TileRow = std::vector<Tensor>;
 
-// Overlapping tiles joined: each blended with its upper and its left neighbor, the first of a row with the last (the circle closes).
+// Overlapping tiles joined: each blended with its upper and its left neighbor, the first of a row with the last (the
+// circle closes).
 Tensor joined(std::vector<TileRow>& rows, std::int64_t half) {
     std::vector<Tensor> bands;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -30,8 +31,10 @@ Tensor joined(std::vector<TileRow>& rows, std::int64_t half) {
         for (std::size_t j = 0; j < row.size(); ++j) {
             if (i > 0) blend_rows(rows[i - 1][j], row[j], half);
             blend_columns(j > 0 ? row[j - 1] : row.back(), row[j], half);
-            const std::int64_t height = i + 1 < rows.size() ? half : row[j].size(2), width = j + 1 < row.size() ? half : row[j].size(3);
-            parts.push_back(row[j].narrow(2, 0, std::min(height, row[j].size(2))).narrow(3, 0, std::min(width, row[j].size(3))));
+            const std::int64_t height = i + 1 < rows.size() ? half : row[j].size(2),
+                               width = j + 1 < row.size() ? half : row[j].size(3);
+            parts.push_back(
+                row[j].narrow(2, 0, std::min(height, row[j].size(2))).narrow(3, 0, std::min(width, row[j].size(3))));
         }
         bands.push_back(at::cat(parts, 3));
     }
@@ -42,7 +45,8 @@ Tensor joined(std::vector<TileRow>& rows, std::int64_t half) {
 
 PromptEmbedding embed_prompt(const Scope& s, const ClipTower& tower, const WeightedTokens& tokens) {
     const std::int64_t chunk = ClipTokenizer::kContext;
-    const Tensor all = at::tensor(std::vector<std::int64_t>(tokens.tokens.begin(), tokens.tokens.end()), at::kLong).unsqueeze(0);
+    const Tensor all = at::tensor(std::vector<std::int64_t>(tokens.tokens.begin(), tokens.tokens.end()), at::kLong)
+                           .unsqueeze(0);
     std::vector<Tensor> parts;
     for (std::int64_t i = 0; i < tokens.chunks; ++i) {
         Tensor ids = all.narrow(1, i * kChunkTokens, chunk).clone();
@@ -52,16 +56,19 @@ PromptEmbedding embed_prompt(const Scope& s, const ClipTower& tower, const Weigh
     }
     PromptEmbedding out;
     out.plain = at::cat(parts, 1);
-    const Tensor weights = at::tensor(std::vector<double>(tokens.weights.begin(), tokens.weights.end()), out.plain.options()).reshape({1, -1, 1});
+    const Tensor weights = at::tensor(std::vector<double>(tokens.weights.begin(), tokens.weights.end()),
+                                      out.plain.options())
+                               .reshape({1, -1, 1});
     const Tensor weighted = out.plain * weights;
-    const double before = out.plain.to(at::kFloat).mean().item<double>(), after = weighted.to(at::kFloat).mean().item<double>();
+    const double before = out.plain.to(at::kFloat).mean().item<double>(),
+                 after = weighted.to(at::kFloat).mean().item<double>();
     out.rescale = after != 0 ? before / after : 1;
     out.states = weighted * out.rescale;
     return out;
 }
 
-Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, Tensor latents, const Tensor& prompts,
-                        const TextToPanorama& how) {
+Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, Tensor latents,
+                        const Tensor& prompts, const TextToPanorama& how) {
     const std::int64_t width = latents.size(3);
     const Tensor text = how.guidance == 1 ? prompts.narrow(0, 1, 1) : prompts;
     const auto repeated = [&](const Tensor& x) { return text.size(0) == 1 ? x : at::cat({x, x}, 0); };
@@ -77,20 +84,24 @@ Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& sch
         const Tensor input = repeated(scheduler.scaled_input(latents, i).to(text.options()));
         const double t = scheduler.timestep(i);
         std::optional<Residuals> hold;
-        if (held.defined()) hold = controlnet(how.control->scope, how.control->config, input, t, text, held, how.control->strength);
+        if (held.defined())
+            hold = controlnet(how.control->scope, how.control->config, input, t, text, held, how.control->strength);
         if (i == 0 && hold && how.first_outputs) how.first_outputs("control", hold->middle);
-        const Tensor output = guided(unet(s, config, input, t, text, hold ? &*hold : nullptr).to(latents.device(), at::kFloat), how.guidance);
+        const Tensor output = guided(
+            unet(s, config, input, t, text, hold ? &*hold : nullptr).to(latents.device(), at::kFloat), how.guidance);
         if (i == 0 && how.first_outputs) how.first_outputs("unet", output);
         if (how.preview) how.preview(i, t, scheduler.clean(output, i, latents).narrow(3, 0, width));
-        latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor()).contiguous();
+        latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor())
+                      .contiguous();
         if (how.listener) how.listener(i, scheduler.timestep(i), latents);
         latents = blend_columns(latents, latents.clone(), how.blend_columns);
     }
     return blend_columns(latents, latents.clone(), how.blend_columns).narrow(3, 0, width);
 }
 
-Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope, const UNetConfig& control_config,
-                       const Scheduler& scheduler, Tensor latents, const Tensor& picture, const Tensor& text, const RefinePanorama& how) {
+Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope,
+                       const UNetConfig& control_config, const Scheduler& scheduler, Tensor latents,
+                       const Tensor& picture, const Tensor& text, const RefinePanorama& how) {
     const std::int64_t width = latents.size(3), half = how.tile / 2, factor = picture.size(2) / latents.size(2);
     FASTSCENE_CHECK(how.tile >= 2 && how.tile % 2 == 0 && latents.size(2) > half);
     latents = extended(latents, half);
@@ -100,7 +111,8 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
         for (std::int64_t y = 0; y < latents.size(2) - half; y += half) {
             TileRow tiles, controls;
             for (std::int64_t x = 0; x < latents.size(3) - half; x += half) {
-                const std::int64_t h = std::min(how.tile, latents.size(2) - y), w = std::min(how.tile, latents.size(3) - x);
+                const std::int64_t h = std::min(how.tile, latents.size(2) - y),
+                                   w = std::min(how.tile, latents.size(3) - x);
                 tiles.push_back(latents.narrow(2, y, h).narrow(3, x, w));
                 controls.push_back(held.narrow(2, y * factor, h * factor).narrow(3, x * factor, w * factor));
             }
@@ -109,22 +121,27 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
             for (std::size_t from = 0; from < tiles.size(); from += at_once) {
                 const auto count = std::min(at_once, tiles.size() - from);
                 const auto some = [&](const TileRow& all) {
-                    return at::cat(
-                        std::vector<Tensor>(all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + static_cast<std::ptrdiff_t>(from + count)),
-                        0);
+                    return at::cat(std::vector<Tensor>(all.begin() + static_cast<std::ptrdiff_t>(from),
+                                                       all.begin() + static_cast<std::ptrdiff_t>(from + count)),
+                                   0);
                 };
                 const auto n = static_cast<std::int64_t>(count);
                 const Tensor x = some(tiles), c = some(controls).to(text.options());
-                const Tensor prompts = at::cat({text.narrow(0, 0, 1).expand({n, -1, -1}), text.narrow(0, 1, 1).expand({n, -1, -1})}, 0);
-                const Tensor input = scheduler.scaled_input(x, step).to(text.options()), twice = at::cat({input, input}, 0);
+                const Tensor prompts = at::cat(
+                    {text.narrow(0, 0, 1).expand({n, -1, -1}), text.narrow(0, 1, 1).expand({n, -1, -1})}, 0);
+                const Tensor input = scheduler.scaled_input(x, step).to(text.options()),
+                             twice = at::cat({input, input}, 0);
                 const double t = scheduler.timestep(step);
-                const Residuals hold = controlnet(control_scope, control_config, twice, t, prompts, at::cat({c, c}, 0), how.control);
+                const Residuals hold = controlnet(control_scope, control_config, twice, t, prompts, at::cat({c, c}, 0),
+                                                  how.control);
                 const bool is_first = step == how.first_step && rows.empty() && from == 0 && how.first_outputs;
                 if (is_first) how.first_outputs("control", hold.middle);
-                const Tensor output = guided(unet(unet_scope, config, twice, t, prompts, &hold).to(x.device(), at::kFloat), how.guidance);
+                const Tensor output = guided(
+                    unet(unet_scope, config, twice, t, prompts, &hold).to(x.device(), at::kFloat), how.guidance);
                 if (is_first) how.first_outputs("unet", output);
                 // A fresh sampler each time: as published, every step is of first order.
-                for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0)) done.push_back(tile.clone());
+                for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0))
+                    done.push_back(tile.clone());
             }
             rows.push_back(std::move(done));
         }

@@ -10,7 +10,8 @@ namespace {
 
 TEST(PanoramaLoops, WithGuidanceOneOnlyThePromptIsComputed) {
     const nn::UNetConfig config = nn::small_unet(32);
-    const at::Tensor latents = nn::hashed_input("latents", {1, 4, 8, 16}), text = nn::hashed_input("text", {2, 3, config.text_width});
+    const at::Tensor latents = nn::hashed_input("latents", {1, 4, 8, 16}),
+                     text = nn::hashed_input("text", {2, 3, config.text_width});
     nn::HashedWeights weights;
     std::vector<std::int64_t> batches;
     const nn::Listener listener = [&](const std::string& name, const at::Tensor& output) {

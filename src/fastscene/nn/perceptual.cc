@@ -28,7 +28,8 @@ namespace {
 constexpr int kLeastSide = 32;  // below it the backbone has no pixels left
 
 Tensor tensor_of(const ImageRgb8& image) {  // [3, H, W], 0..255
-    const Tensor bytes = at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3}, at::kByte);
+    const Tensor bytes = at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3},
+                                       at::kByte);
     return bytes.permute({2, 0, 1}).to(at::kFloat).contiguous();
 }
 
@@ -53,21 +54,31 @@ struct LpipsMeasure::Parts {
 };
 
 LpipsMeasure::LpipsMeasure(const std::string& net, const fs::path& backbone, const fs::path& heads)
-    : parts_(new Parts{net == "vgg" ? nn::LpipsNet::vgg : nn::LpipsNet::alex, FileWeights(backbone, at::kFloat), FileWeights(heads, at::kFloat)}) {
-    // Every tensor is there and has its shape, and the network sees: one of zeros finds all pictures equal, which reads as a perfect score.
+    : parts_(new Parts{net == "vgg" ? nn::LpipsNet::vgg : nn::LpipsNet::alex, FileWeights(backbone, at::kFloat),
+                       FileWeights(heads, at::kFloat)}) {
+    // Every tensor is there and has its shape, and the network sees: one of zeros finds all pictures equal, which reads
+    // as a perfect score.
     const double seen = distance(ImageRgb8(kLeastSide, kLeastSide), noise(kLeastSide));
     if (!(seen > 0) || !std::isfinite(seen))
-        throw Error("{}: expected a network that with {} tells black from noise, found a distance of {} (weights of zeros, or damaged?)", backbone.string(), heads.string(), seen);
+        throw Error(
+            "{}: expected a network that with {} tells black from noise, found a distance of {} (weights of zeros, or "
+            "damaged?)",
+            backbone.string(), heads.string(), seen);
 }
 LpipsMeasure::~LpipsMeasure() = default;
 
 double LpipsMeasure::distance(const ImageRgb8& a, const ImageRgb8& b) const {
-    if (!a.same_size(b)) throw Error("LPIPS: expected pictures of one size, found {} x {} and {} x {}", a.width, a.height, b.width, b.height);
-    if (a.width < kLeastSide || a.height < kLeastSide) throw Error("LPIPS: expected a picture of at least {0} x {0} pixels, found {1} x {2}", kLeastSide, a.width, a.height);
+    if (!a.same_size(b))
+        throw Error("LPIPS: expected pictures of one size, found {} x {} and {} x {}", a.width, a.height, b.width,
+                    b.height);
+    if (a.width < kLeastSide || a.height < kLeastSide)
+        throw Error("LPIPS: expected a picture of at least {0} x {0} pixels, found {1} x {2}", kLeastSide, a.width,
+                    a.height);
     const c10::InferenceMode inference;
     use_our_threads();
     const auto input = [](const ImageRgb8& image) { return (tensor_of(image) / 127.5 - 1).unsqueeze(0); };
-    return nn::lpips(Scope(parts_->backbone), Scope(parts_->heads), parts_->net, input(a), input(b)).distance.item<double>();
+    return nn::lpips(Scope(parts_->backbone), Scope(parts_->heads), parts_->net, input(a), input(b))
+        .distance.item<double>();
 }
 
 namespace {
@@ -88,11 +99,13 @@ struct ClipMeasure::Parts {
     std::vector<fs::path> files;
     ClipTokenizer tokenizer;
 
-    explicit Parts(const fs::path& place) : tokenizer(vocabulary_in(fs::is_directory(place) ? place : place.parent_path())) {
+    explicit Parts(const fs::path& place)
+        : tokenizer(vocabulary_in(fs::is_directory(place) ? place : place.parent_path())) {
         fs::is_directory(place) ? read_folder(place) : read_file_of_openai(place);
         if (config.text.positions < ClipTokenizer::kContext || config.text.vocabulary <= ClipTokenizer::kEnd)
-            throw Error("{}: expected a text tower for {} places and {} pieces, found {} and {}", place.string(), ClipTokenizer::kContext, ClipTokenizer::kEnd + 1,
-                        config.text.positions, config.text.vocabulary);
+            throw Error("{}: expected a text tower for {} places and {} pieces, found {} and {}", place.string(),
+                        ClipTokenizer::kContext, ClipTokenizer::kEnd + 1, config.text.positions,
+                        config.text.vocabulary);
     }
     void read_folder(const fs::path& folder) {
         const fs::path file = folder / "config.json";
@@ -127,11 +140,15 @@ std::vector<float> ClipMeasure::of_picture(const ImageRgb8& image) const { retur
 std::vector<std::vector<float>> ClipMeasure::of_pictures(const std::vector<const ImageRgb8*>& images) const {
     const c10::InferenceMode inference;
     use_our_threads();
-    const auto row = [](double r, double g, double b) { return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1}); };
+    const auto row = [](double r, double g, double b) {
+        return at::tensor(std::vector<double>{r, g, b}, at::kFloat).reshape({3, 1, 1});
+    };
     const Tensor mean = row(.48145466, .4578275, .40821073), deviation = row(.26862954, .26130258, .27577711);
     std::vector<Tensor> normalized;
-    for (const ImageRgb8* image : images) normalized.push_back((tensor_of(clip_crop(*image, picture_side())) / 255 - mean) / deviation);
-    const Tensor features = nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision, at::stack(normalized), parts_->config.dimension);
+    for (const ImageRgb8* image : images)
+        normalized.push_back((tensor_of(clip_crop(*image, picture_side())) / 255 - mean) / deviation);
+    const Tensor features = nn::clip_image_features(Scope(*parts_->weights), parts_->config.vision,
+                                                    at::stack(normalized), parts_->config.dimension);
     std::vector<std::vector<float>> out;
     for (const Tensor& of_one : features.unbind()) out.push_back(unit_features(of_one));
     return out;
@@ -142,7 +159,8 @@ std::vector<float> ClipMeasure::of_text(const std::string& text) const {
     use_our_threads();
     const std::vector<int> tokens = parts_->tokenizer.padded(text, 0);
     const Tensor ids = at::tensor(std::vector<std::int64_t>(tokens.begin(), tokens.end()), at::kLong).unsqueeze(0);
-    return unit_features(nn::clip_text_features(Scope(*parts_->weights), parts_->config.text, ids, parts_->config.dimension));
+    return unit_features(
+        nn::clip_text_features(Scope(*parts_->weights), parts_->config.text, ids, parts_->config.dimension));
 }
 
 double cosine(const std::vector<float>& a, const std::vector<float>& b) {

@@ -15,11 +15,13 @@ PhotoOnSphere photo_on_sphere(const ImageRgb8& photo, int width, double fov_deg)
     if (photo.width < 16 || photo.height < 16)
         throw Error("--photo: expected a picture of at least 16 x 16 pixels, found {} x {}", photo.width, photo.height);
     const int height = width / 2;
-    const double half_width = std::tan(fov_deg / 360 * std::numbers::pi), half_height = half_width * photo.height / photo.width;
+    const double half_width = std::tan(fov_deg / 360 * std::numbers::pi),
+                 half_height = half_width * photo.height / photo.width;
     const Tensor lon = ((at::arange(width, at::kFloat) + 0.5) / width - 0.5) * (2 * std::numbers::pi);
     const Tensor lat = (0.5 - (at::arange(height, at::kFloat) + 0.5) / height) * std::numbers::pi;
     const Tensor forward = at::cos(lat).unsqueeze(1) * at::cos(lon).unsqueeze(0);
-    const Tensor right = at::cos(lat).unsqueeze(1) * at::sin(lon).unsqueeze(0), down = (-at::sin(lat)).unsqueeze(1).expand({height, width});
+    const Tensor right = at::cos(lat).unsqueeze(1) * at::sin(lon).unsqueeze(0),
+                 down = (-at::sin(lat)).unsqueeze(1).expand({height, width});
     const Tensor u = right / forward / half_width, v = down / forward / half_height;  // -1 to 1 within the photo
     const Tensor inside = (forward > 0).logical_and(u.abs() <= 1).logical_and(v.abs() <= 1);
     const Tensor place = at::where(inside.unsqueeze(-1), at::stack({u, v}, -1), at::zeros({1}));

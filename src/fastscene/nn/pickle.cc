@@ -13,17 +13,18 @@ namespace {
 
 using pickle::Value;
 
-constexpr int kDeepest = 16;               // dictionaries within dictionaries
+constexpr int kDeepest = 16;  // dictionaries within dictionaries
 constexpr std::size_t kMostVisits = 1 << 22;
 constexpr std::size_t kMostNumbers = 1 << 16;  // loose ones: a long history of losses is of no interest
-constexpr std::size_t kMostTensors = 1 << 17;    // one may have many names
+constexpr std::size_t kMostTensors = 1 << 17;  // one may have many names
 constexpr std::size_t kLongestName = 1024;
 
 std::optional<NumberType> type_of_storage(std::string_view name) {
     static const std::map<std::string_view, NumberType> types{
-        {"DoubleStorage", NumberType::f64}, {"FloatStorage", NumberType::f32}, {"HalfStorage", NumberType::f16}, {"BFloat16Storage", NumberType::bf16},
-        {"LongStorage", NumberType::i64},   {"IntStorage", NumberType::i32},   {"ShortStorage", NumberType::i16}, {"CharStorage", NumberType::i8},
-        {"ByteStorage", NumberType::u8},    {"BoolStorage", NumberType::boolean}};
+        {"DoubleStorage", NumberType::f64},    {"FloatStorage", NumberType::f32}, {"HalfStorage", NumberType::f16},
+        {"BFloat16Storage", NumberType::bf16}, {"LongStorage", NumberType::i64},  {"IntStorage", NumberType::i32},
+        {"ShortStorage", NumberType::i16},     {"CharStorage", NumberType::i8},   {"ByteStorage", NumberType::u8},
+        {"BoolStorage", NumberType::boolean}};
     const auto found = types.find(name);
     return found == types.end() ? std::nullopt : std::optional(found->second);
 }
@@ -45,14 +46,15 @@ bool is_c_order(const pickle::Tensor& tensor) {
 }
 
 // Elements of a transposed or otherwise strided tensor, put in C order.
-std::shared_ptr<std::vector<std::byte>> gathered(const pickle::Tensor& tensor, std::span<const std::byte> from, std::size_t size,
-                                                 std::int64_t count) {
+std::shared_ptr<std::vector<std::byte>> gathered(const pickle::Tensor& tensor, std::span<const std::byte> from,
+                                                 std::size_t size, std::int64_t count) {
     auto out = std::make_shared<std::vector<std::byte>>(static_cast<std::size_t>(count) * size);
     std::vector<std::int64_t> index(tensor.shape.size(), 0);
     for (std::int64_t i = 0; i < count; ++i) {
         std::int64_t at = 0;
         for (std::size_t d = 0; d < index.size(); ++d) at += index[d] * tensor.stride[d];
-        std::memcpy(out->data() + static_cast<std::size_t>(i) * size, from.data() + static_cast<std::size_t>(at) * size, size);
+        std::memcpy(out->data() + static_cast<std::size_t>(i) * size, from.data() + static_cast<std::size_t>(at) * size,
+                    size);
         for (std::size_t d = index.size(); d-- > 0;) {
             if (++index[d] < tensor.shape[d]) break;
             index[d] = 0;
@@ -68,7 +70,8 @@ class Collector {
     }
 
     void collect(const Value& value, const std::string& name, int depth) {
-        if (++visited_ > kMostVisits) throw Error("{}: expected a checkpoint, found more than {} values in it", out_.path.string(), kMostVisits);
+        if (++visited_ > kMostVisits)
+            throw Error("{}: expected a checkpoint, found more than {} values in it", out_.path.string(), kMostVisits);
         if (depth > kDeepest || name.size() > kLongestName) return;
         if (const auto* tensor = value.as<pickle::Tensor>()) return add(*tensor, name);
         if (out_.numbers.size() < kMostNumbers) {
@@ -80,27 +83,36 @@ class Collector {
         if (const auto* dictionary = attributes.as<pickle::Dictionary>())
             for (const auto& [key, item] : dictionary->items) collect(*item, joined(name, *key), depth + 1);
         if (const auto* list = value.as<pickle::Sequence>())
-            for (std::size_t i = 0; i < list->items.size(); ++i) collect(*list->items[i], joined(name, std::to_string(i)), depth + 1);
+            for (std::size_t i = 0; i < list->items.size(); ++i)
+                collect(*list->items[i], joined(name, std::to_string(i)), depth + 1);
     }
 
   private:
-    static std::string joined(const std::string& name, const std::string& key) { return name.empty() ? key : name + "." + key; }
+    static std::string joined(const std::string& name, const std::string& key) {
+        return name.empty() ? key : name + "." + key;
+    }
     static std::string joined(const std::string& name, const Value& key) {
         if (const auto* text = key.as<pickle::Text>()) return joined(name, std::string(text->bytes));
         if (const auto* number = key.as<std::int64_t>()) return joined(name, std::to_string(*number));
         return joined(name, std::string("?"));
     }
-    [[noreturn]] void fail(const std::string& name, const std::string& what) const { throw Error("{}: {}: {}", out_.path.string(), name, what); }
+    [[noreturn]] void fail(const std::string& name, const std::string& what) const {
+        throw Error("{}: {}: {}", out_.path.string(), name, what);
+    }
 
     void add(const pickle::Tensor& tensor, const std::string& name) {
         const auto type = type_of_storage(tensor.storage.dtype);
         if (!type) return;  // complex and quantized numbers: none of our networks has them
-        if (out_.tensors.size() >= kMostTensors) throw Error("{}: expected a checkpoint, found more than {} tensors in it", out_.path.string(), kMostTensors);
+        if (out_.tensors.size() >= kMostTensors)
+            throw Error("{}: expected a checkpoint, found more than {} tensors in it", out_.path.string(),
+                        kMostTensors);
         const auto found = storages_.find(tensor.storage.key);
-        if (found == storages_.end()) fail(name, fmt::format("expected the storage \"{}\", found none", tensor.storage.key));
+        if (found == storages_.end())
+            fail(name, fmt::format("expected the storage \"{}\", found none", tensor.storage.key));
         const std::size_t size = bytes_of(*type);
         if (tensor.stride.size() != tensor.shape.size())
-            fail(name, fmt::format("expected as many strides as sides, found {} and {}", tensor.stride.size(), tensor.shape.size()));
+            fail(name, fmt::format("expected as many strides as sides, found {} and {}", tensor.stride.size(),
+                                   tensor.shape.size()));
 
         // The last element must lie within the storage; all in numbers that cannot overflow.
         const auto have = static_cast<std::int64_t>(found->second.bytes.size() / size);
@@ -114,13 +126,15 @@ class Collector {
             if (tensor.shape[i] > 0) last += static_cast<__int128>(tensor.shape[i] - 1) * tensor.stride[i];
         }
         if (!good || (count > 0 && last >= have))
-            fail(name, fmt::format("expected a tensor within its storage of {} numbers, found {} strides {} from {}", have, text_of_shape(tensor.shape), text_of_shape(tensor.stride), tensor.offset));
+            fail(name, fmt::format("expected a tensor within its storage of {} numbers, found {} strides {} from {}",
+                                   have, text_of_shape(tensor.shape), text_of_shape(tensor.stride), tensor.offset));
 
         const auto numbers = static_cast<std::int64_t>(count);
-        const auto from =
-            found->second.bytes.subspan(static_cast<std::size_t>(tensor.offset + static_cast<std::int64_t>(tensor.storage.offset)) * size);
+        const auto from = found->second.bytes.subspan(
+            static_cast<std::size_t>(tensor.offset + static_cast<std::int64_t>(tensor.storage.offset)) * size);
         if (numbers == 0 || is_c_order(tensor)) {
-            out_.tensors[name] = {*type, tensor.shape, from.first(static_cast<std::size_t>(numbers) * size), found->second.owner};
+            out_.tensors[name] = {*type, tensor.shape, from.first(static_cast<std::size_t>(numbers) * size),
+                                  found->second.owner};
             return;
         }
         // Each such tensor costs memory of its own, so one storage must not serve for a thousand of them.
@@ -157,7 +171,9 @@ Weights load_torch_zip(std::shared_ptr<const MappedFile> file) {
         }
     if (!program) throw Error("{}: expected a file of torch.save, found a zip without data.pkl", file->path().string());
     const auto stored = [&](const ZipRecord& record, std::string_view name) {
-        if (record.packed) throw Error("{}: {}: expected a stored entry as torch.save writes it, found a packed one", file->path().string(), name);
+        if (record.packed)
+            throw Error("{}: {}: expected a stored entry as torch.save writes it, found a packed one",
+                        file->path().string(), name);
         return file->text().substr(record.begin, record.size);
     };
     const auto order = records.find(root + "byteorder");
@@ -188,17 +204,22 @@ Weights load_torch_legacy(std::shared_ptr<const MappedFile> file) {
         if (const auto* storage = value.as<pickle::Storage>()) types[storage->key] = storage->dtype;
 
     const auto* list = keys.root->as<pickle::Sequence>();
-    if (!list) throw Error("{}: byte {}: expected the list of storages, found another value", file->path().string(), values.end);
+    if (!list)
+        throw Error("{}: byte {}: expected the list of storages, found another value", file->path().string(),
+                    values.end);
     Storages storages;
     for (const pickle::Ref& item : list->items) {
         const auto* key = item->as<pickle::Text>();
         if (!key) throw Error("{}: byte {}: expected names of storages", file->path().string(), values.end);
         const auto type = type_of_storage(types[std::string(key->bytes)]);
-        if (!type) throw Error("{}: storage {}: expected a known number type, found \"{}\"", file->path().string(), key->bytes, types[std::string(key->bytes)]);
+        if (!type)
+            throw Error("{}: storage {}: expected a known number type, found \"{}\"", file->path().string(), key->bytes,
+                        types[std::string(key->bytes)]);
         std::uint64_t count = 0;
         if (text.size() - at >= 8) std::memcpy(&count, text.data() + at, 8);
         if (text.size() - at < 8 || count > (text.size() - at - 8) / bytes_of(*type))
-            throw Error("{}: byte {}: storage {}: expected {} numbers of {} bytes, found {} bytes (cut off?)", file->path().string(), at, key->bytes, count, bytes_of(*type), text.size() - at);
+            throw Error("{}: byte {}: storage {}: expected {} numbers of {} bytes, found {} bytes (cut off?)",
+                        file->path().string(), at, key->bytes, count, bytes_of(*type), text.size() - at);
         const std::size_t size = count * bytes_of(*type);
         storages[std::string(key->bytes)] = {file->bytes().subspan(at + 8, size), file};
         at += 8 + size;

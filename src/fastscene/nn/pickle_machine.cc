@@ -9,7 +9,6 @@
 namespace fastscene::pickle {
 namespace {
 
-
 // A checkpoint of thousands of tensors has some hundred thousand values.
 constexpr std::size_t kMostValues = std::size_t{1} << 22;
 // Dimensions of a tensor.
@@ -28,10 +27,16 @@ std::vector<std::int64_t> whole_list(const Sequence& list) {
     return out;
 }
 
-bool is_dictionary(std::string_view name) { return name == "collections.OrderedDict" || name == "builtins.dict" || name == "__builtin__.dict"; }
-bool is_parameter(std::string_view name) { return name == "torch._utils._rebuild_parameter" || name == "torch._utils._rebuild_parameter_with_state"; }
+bool is_dictionary(std::string_view name) {
+    return name == "collections.OrderedDict" || name == "builtins.dict" || name == "__builtin__.dict";
+}
+bool is_parameter(std::string_view name) {
+    return name == "torch._utils._rebuild_parameter" || name == "torch._utils._rebuild_parameter_with_state";
+}
 bool is_module(std::string_view name) { return name.starts_with("__torch__."); }
-bool is_tensor(std::string_view name) { return name == "torch._utils._rebuild_tensor_v2" || name == "torch._utils._rebuild_tensor"; }
+bool is_tensor(std::string_view name) {
+    return name == "torch._utils._rebuild_tensor_v2" || name == "torch._utils._rebuild_tensor";
+}
 
 class Machine {
   public:
@@ -51,11 +56,14 @@ class Machine {
     }
 
   private:
-    [[noreturn]] void fail(const std::string& what) const { throw Error("{}: byte {}: {}", path_.string(), base_ + start_, what); }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error("{}: byte {}: {}", path_.string(), base_ + start_, what);
+    }
 
     // ---- the bytes ----
     std::string_view take(std::uint64_t count) {
-        if (count > bytes_.size() - at_) fail(fmt::format("expected {} more bytes, found {} (cut off?)", count, bytes_.size() - at_));
+        if (count > bytes_.size() - at_)
+            fail(fmt::format("expected {} more bytes, found {} (cut off?)", count, bytes_.size() - at_));
         const std::string_view out = bytes_.substr(at_, count);
         at_ += count;
         return out;
@@ -78,7 +86,8 @@ class Machine {
     // ---- values ----
     template <class T>
     Ref make(T value) {
-        if (out_.values.size() >= kMostValues) fail(fmt::format("expected a checkpoint, found more than {} values", kMostValues));
+        if (out_.values.size() >= kMostValues)
+            fail(fmt::format("expected a checkpoint, found more than {} values", kMostValues));
         return &out_.values.emplace_back(Value{std::move(value)});
     }
     Ref global(std::string_view module, std::string_view name) {
@@ -87,7 +96,8 @@ class Machine {
     }
     // Items that a value takes over from another one: a short pickle could ask for the same long list again and again.
     void spend(std::size_t items) {
-        if ((copied_ += items) > bytes_.size() + kMostSides) fail("expected a checkpoint, found one list copied over and over");
+        if ((copied_ += items) > bytes_.size() + kMostSides)
+            fail("expected a checkpoint, found one list copied over and over");
     }
 
     // ---- the stack ----
@@ -119,7 +129,8 @@ class Machine {
     // ---- containers ----
     void append(const std::vector<Ref>& items) {
         // Adding to a value that is not a list (a set, an opaque thing) is of no interest.
-        if (auto* list = std::get_if<Sequence>(&top().held)) list->items.insert(list->items.end(), items.begin(), items.end());
+        if (auto* list = std::get_if<Sequence>(&top().held))
+            list->items.insert(list->items.end(), items.begin(), items.end());
     }
     void set_items(const std::vector<Ref>& items) {
         if (items.size() % 2) fail("expected keys and values, found an odd count");
@@ -148,9 +159,10 @@ class Machine {
     // torch._utils._rebuild_tensor_v2(storage, offset, shape, stride, …)
     Ref tensor(const std::vector<Ref>& args) {
         if (args.size() < 4) return make(Opaque{});
-        const auto *storage = args[0]->as<Storage>();
+        const auto* storage = args[0]->as<Storage>();
         const auto *shape = args[2]->as<Sequence>(), *stride = args[3]->as<Sequence>();
-        if (!storage || !shape || !stride || shape->items.size() > kMostSides || stride->items.size() > kMostSides) return make(Opaque{});
+        if (!storage || !shape || !stride || shape->items.size() > kMostSides || stride->items.size() > kMostSides)
+            return make(Opaque{});
         return make(Tensor{*storage, whole(args[1]), whole_list(*shape), whole_list(*stride)});
     }
     Ref dictionary(const std::vector<Ref>& args) {
@@ -158,7 +170,8 @@ class Machine {
         if (const auto* pairs = args.empty() ? nullptr : args[0]->as<Sequence>()) {
             spend(pairs->items.size());
             for (const Ref& pair : pairs->items)
-                if (const auto* two = pair->as<Sequence>(); two && two->items.size() == 2) out.items.emplace_back(two->items[0], two->items[1]);
+                if (const auto* two = pair->as<Sequence>(); two && two->items.size() == 2)
+                    out.items.emplace_back(two->items[0], two->items[1]);
         }
         return make(std::move(out));
     }
@@ -175,7 +188,8 @@ class Machine {
         const auto* list = arguments->as<Sequence>();
         push(name && list ? called(name->name, list->items) : make(Opaque{}));
     }
-    // An object's state: kept for a TorchScript module, else put into something that stays opaque. OrderedDict carries its hooks this way.
+    // An object's state: kept for a TorchScript module, else put into something that stays opaque. OrderedDict carries
+    // its hooks this way.
     void build() {
         const Ref state = pop();
         if (auto* module = std::get_if<Module>(&top().held)) module->state = state;
@@ -183,10 +197,12 @@ class Machine {
     // ('storage', torch.FloatStorage, '0', 'cpu', count[, view])
     void persistent(const Ref& id) {
         const auto* list = id->as<Sequence>();
-        if (!list || list->items.size() < 5 || !list->items[2]->as<Text>() || list->items[2]->as<Text>()->bytes.size() > kLongestName)
+        if (!list || list->items.size() < 5 || !list->items[2]->as<Text>() ||
+            list->items[2]->as<Text>()->bytes.size() > kLongestName)
             return push(make(Opaque{}));
         Storage storage;
-        if (const auto* type = list->items[1]->as<Global>()) storage.dtype = type->name.substr(type->name.rfind('.') + 1);
+        if (const auto* type = list->items[1]->as<Global>())
+            storage.dtype = type->name.substr(type->name.rfind('.') + 1);
         storage.key = std::string(list->items[2]->as<Text>()->bytes);
         storage.count = static_cast<std::uint64_t>(whole(list->items[4]));
         if (list->items.size() > 5)
@@ -203,7 +219,8 @@ class Machine {
         if (little_endian.size() > 8) return push(make(Opaque{}));
         for (std::size_t i = 0; i < little_endian.size(); ++i)
             out |= static_cast<std::int64_t>(static_cast<unsigned char>(little_endian[i])) << (8 * i);
-        if (!little_endian.empty() && little_endian.size() < 8 && (little_endian.back() & 0x80)) out -= std::int64_t{1} << (8 * little_endian.size());
+        if (!little_endian.empty() && little_endian.size() < 8 && (little_endian.back() & 0x80))
+            out -= std::int64_t{1} << (8 * little_endian.size());
         push(make(out));
     }
     void push_line_number(bool is_whole) {
@@ -231,79 +248,92 @@ class Machine {
 
 void Machine::step(unsigned char op) {
     switch (op) {
-        case 0x80: (void)byte(); break;                       // PROTO
-        case 0x95: (void)number<std::uint64_t>(); break;      // FRAME
-        case '(': marks_.push_back(stack_.size()); break;     // MARK
-        case '0': (void)pop(); break;                         // POP
-        case '1': (void)pop_to_mark(); break;                 // POP_MARK
-        case '2': (void)top(), push(stack_.back()); break;    // DUP
+        case 0x80: (void)byte(); break;                     // PROTO
+        case 0x95: (void)number<std::uint64_t>(); break;    // FRAME
+        case '(': marks_.push_back(stack_.size()); break;   // MARK
+        case '0': (void)pop(); break;                       // POP
+        case '1': (void)pop_to_mark(); break;               // POP_MARK
+        case '2': (void)top(), push(stack_.back()); break;  // DUP
         case 'N': push(make(None{})); break;
         case 0x88: push(make(true)); break;
         case 0x89: push(make(false)); break;
-        case 'I': case 'L': push_line_number(true); break;    // INT, LONG
-        case 'F': push_line_number(false); break;             // FLOAT
+        case 'I':
+        case 'L': push_line_number(true); break;   // INT, LONG
+        case 'F': push_line_number(false); break;  // FLOAT
         case 'J': push(make(std::int64_t{number<std::int32_t>()})); break;
         case 'K': push(make(std::int64_t{byte()})); break;
         case 'M': push(make(std::int64_t{number<std::uint16_t>()})); break;
-        case 0x8a: push_long(take(byte())); break;            // LONG1
+        case 0x8a: push_long(take(byte())); break;  // LONG1
         case 0x8b: push_long(take(number<std::uint32_t>())); break;
-        case 'G': {                                           // BINFLOAT, big endian
+        case 'G': {  // BINFLOAT, big endian
             const std::uint64_t bits = __builtin_bswap64(number<std::uint64_t>());
             double value;
             std::memcpy(&value, &bits, 8);
             push(make(value));
             break;
         }
-        case 'S': case 'V': {                                 // STRING 'text', UNICODE text
+        case 'S':
+        case 'V': {  // STRING 'text', UNICODE text
             std::string_view text = line();
             if (op == 'S' && text.size() >= 2) text = text.substr(1, text.size() - 2);
             push(make(Text{text}));
             break;
         }
-        case 'U': case 'C': case 0x8c: push(make(Text{take(byte())})); break;
-        case 'T': case 'X': case 'B': push(make(Text{take(number<std::uint32_t>())})); break;
-        case 0x8d: case 0x8e: case 0x96: push(make(Text{take(number<std::uint64_t>())})); break;
-        case ']': case 0x8f: case ')': push(make(Sequence{})); break;   // EMPTY_LIST, EMPTY_SET, EMPTY_TUPLE
-        case 'l': case 't': case 0x91: push(make(Sequence{pop_to_mark()})); break;  // LIST, TUPLE, FROZENSET
+        case 'U':
+        case 'C':
+        case 0x8c: push(make(Text{take(byte())})); break;
+        case 'T':
+        case 'X':
+        case 'B': push(make(Text{take(number<std::uint32_t>())})); break;
+        case 0x8d:
+        case 0x8e:
+        case 0x96: push(make(Text{take(number<std::uint64_t>())})); break;
+        case ']':
+        case 0x8f:
+        case ')': push(make(Sequence{})); break;  // EMPTY_LIST, EMPTY_SET, EMPTY_TUPLE
+        case 'l':
+        case 't':
+        case 0x91: push(make(Sequence{pop_to_mark()})); break;  // LIST, TUPLE, FROZENSET
         case 0x85: push(make(Sequence{pop_many(1)})); break;
         case 0x86: push(make(Sequence{pop_many(2)})); break;
         case 0x87: push(make(Sequence{pop_many(3)})); break;
-        case 'a': append(pop_many(1)); break;                 // APPEND
-        case 'e': case 0x90: append(pop_to_mark()); break;    // APPENDS, ADDITEMS
+        case 'a': append(pop_many(1)); break;  // APPEND
+        case 'e':
+        case 0x90: append(pop_to_mark()); break;  // APPENDS, ADDITEMS
         case '}': push(make(Dictionary{})); break;
-        case 'd': {                                           // DICT
+        case 'd': {  // DICT
             const std::vector<Ref> items = pop_to_mark();
             push(make(Dictionary{}));
             set_items(items);
             break;
         }
-        case 's': set_items(pop_many(2)); break;              // SETITEM
-        case 'u': set_items(pop_to_mark()); break;            // SETITEMS
+        case 's': set_items(pop_many(2)); break;    // SETITEM
+        case 'u': set_items(pop_to_mark()); break;  // SETITEMS
         case 'p': remember(line_index()); break;
         case 'q': remember(byte()); break;
         case 'r': remember(number<std::uint32_t>()); break;
-        case 0x94: remember(memo_.size()); break;             // MEMOIZE
+        case 0x94: remember(memo_.size()); break;  // MEMOIZE
         case 'g': recall(line_index()); break;
         case 'h': recall(byte()); break;
         case 'j': recall(number<std::uint32_t>()); break;
-        case 'c': {                                           // GLOBAL
+        case 'c': {  // GLOBAL
             const std::string_view module = line();
             push(global(module, line()));
             break;
         }
-        case 0x93: {                                          // STACK_GLOBAL
+        case 0x93: {  // STACK_GLOBAL
             const Ref name = pop(), module = pop();
             const bool texts = name->as<Text>() && module->as<Text>();
             push(texts ? global(module->as<Text>()->bytes, name->as<Text>()->bytes) : make(Opaque{}));
             break;
         }
         case 'R': reduce(); break;
-        case 0x81: reduce(); break;                           // NEWOBJ
-        case 0x92: (void)pop(), reduce(); break;              // NEWOBJ_EX
+        case 0x81: reduce(); break;               // NEWOBJ
+        case 0x92: (void)pop(), reduce(); break;  // NEWOBJ_EX
         case 'o': (void)pop_to_mark(), push(make(Opaque{})); break;
         case 'i': (void)line(), (void)line(), (void)pop_to_mark(), push(make(Opaque{})); break;
         case 'b': build(); break;
-        case 'Q': persistent(pop()); break;                   // BINPERSID
+        case 'Q': persistent(pop()); break;  // BINPERSID
         case 'P': (void)line(), push(make(Opaque{})); break;
         case 0x82: (void)byte(), push(make(Opaque{})); break;  // EXT1 …
         case 0x83: (void)number<std::uint16_t>(), push(make(Opaque{})); break;

@@ -1,4 +1,5 @@
-// The stack machine of Python's pickles (protocols 0 to 5, the part that torch.save uses). Private to the weights' loader.
+// The stack machine of Python's pickles (protocols 0 to 5, the part that torch.save uses). Private to the weights'
+// loader.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ struct Sequence {  // list, tuple, set
 struct Dictionary {
     std::vector<std::pair<Ref, Ref>> items;
 };
-struct Module {  // an object of a TorchScript class
+struct Module {           // an object of a TorchScript class
     Ref state = nullptr;  // the dictionary of its attributes; none until BUILD
 };
 struct Storage {
@@ -43,9 +44,12 @@ struct Tensor {
     std::vector<std::int64_t> shape, stride;
 };
 struct Value {
-    std::variant<None, Opaque, bool, std::int64_t, double, Text, Global, Sequence, Dictionary, Module, Storage, Tensor> held;
+    std::variant<None, Opaque, bool, std::int64_t, double, Text, Global, Sequence, Dictionary, Module, Storage, Tensor>
+        held;
     template <class T>
-    const T* as() const { return std::get_if<T>(&held); }
+    const T* as() const {
+        return std::get_if<T>(&held);
+    }
 };
 
 struct Pickle {
@@ -54,8 +58,8 @@ struct Pickle {
     std::size_t end = 0;  // the place behind it
 };
 
-// One pickle, from `begin` of `bytes`, which must outlive it. Memory stays in proportion to the length of the pickle, whatever it says.
-// Throws Error naming the file and the offset in it (`bytes` being at `base`).
+// One pickle, from `begin` of `bytes`, which must outlive it. Memory stays in proportion to the length of the pickle,
+// whatever it says. Throws Error naming the file and the offset in it (`bytes` being at `base`).
 Pickle read_pickle(std::string_view bytes, std::size_t begin, std::size_t base, const std::filesystem::path& path);
 
 }  // namespace fastscene::pickle

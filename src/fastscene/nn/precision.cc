@@ -17,7 +17,9 @@ void turn(at::DeviceType device, bool on) {
     at::autocast::set_autocast_enabled(device, on);
 }
 #else
-bool is_on(at::DeviceType device) { return device == at::kCUDA ? at::autocast::is_enabled() : at::autocast::is_cpu_enabled(); }
+bool is_on(at::DeviceType device) {
+    return device == at::kCUDA ? at::autocast::is_enabled() : at::autocast::is_cpu_enabled();
+}
 void turn(at::DeviceType device, bool on) {
     if (device == at::kCUDA) {
         at::autocast::set_autocast_gpu_dtype(at::kBFloat16);
@@ -47,7 +49,8 @@ void leave_bf16_to_libtorch(at::DeviceType device) {
 }  // namespace
 
 at::Device device_named(const std::string& name, const std::string& flag) {
-    if (name == "cuda" && !at::hasCUDA()) throw UsageError("{}: expected cpu, since this libtorch has no CUDA, found cuda", flag);
+    if (name == "cuda" && !at::hasCUDA())
+        throw UsageError("{}: expected cpu, since this libtorch has no CUDA, found cuda", flag);
     return name == "cuda" || (name == "auto" && at::hasCUDA()) ? at::Device(at::kCUDA) : at::Device(at::kCPU);
 }
 
@@ -66,7 +69,7 @@ Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on)
 }
 Autocast::~Autocast() {
     if (!on_) return;
-    at::autocast::clear_cache();   // it holds parameters as they were in this step
+    at::autocast::clear_cache();  // it holds parameters as they were in this step
     turn(device_, before_);
 }
 

@@ -16,13 +16,15 @@ namespace {
 using Text = std::u32string;
 
 Text from_utf8(std::string_view utf8) {
-    const icu::UnicodeString in = icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<std::int32_t>(utf8.size())));
+    const icu::UnicodeString in = icu::UnicodeString::fromUTF8(
+        icu::StringPiece(utf8.data(), static_cast<std::int32_t>(utf8.size())));
     Text out;
     for (std::int32_t i = 0; i < in.length(); i = in.moveIndex32(i, 1)) out += static_cast<char32_t>(in.char32At(i));
     return out;
 }
 icu::UnicodeString icu_text(const Text& text) {
-    return icu::UnicodeString::fromUTF32(reinterpret_cast<const UChar32*>(text.data()), static_cast<std::int32_t>(text.size()));
+    return icu::UnicodeString::fromUTF32(reinterpret_cast<const UChar32*>(text.data()),
+                                         static_cast<std::int32_t>(text.size()));
 }
 std::string to_utf8(const icu::UnicodeString& text) {
     std::string out;
@@ -31,7 +33,8 @@ std::string to_utf8(const icu::UnicodeString& text) {
 
 const icu::Normalizer2& normalizer(bool compatible) {
     UErrorCode code = U_ZERO_ERROR;
-    const icu::Normalizer2* found = compatible ? icu::Normalizer2::getNFKCInstance(code) : icu::Normalizer2::getNFCInstance(code);
+    const icu::Normalizer2* found = compatible ? icu::Normalizer2::getNFKCInstance(code)
+                                               : icu::Normalizer2::getNFCInstance(code);
     FASTSCENE_CHECK(U_SUCCESS(code));
     return *found;
 }
@@ -43,9 +46,10 @@ icu::UnicodeString normal_form(const icu::UnicodeString& text, bool compatible) 
 }
 
 // Windows-1252 in the range 0x80..0x9f; 0 = not assigned.
-constexpr char32_t kWindows1252[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
-                                       0x2039, 0x0152, 0,      0x017d, 0,      0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
-                                       0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
+constexpr char32_t kWindows1252[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
+                                       0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
+                                       0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
+                                       0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
 
 // ---- HTML entities -------------------------------------------------------------------------------------------------
 
@@ -57,7 +61,10 @@ std::optional<char32_t> numeric_entity(std::string_view digits) {
     if (digits.empty()) return std::nullopt;
     char32_t value = 0;
     for (const char c : digits) {
-        const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+        const int digit = c >= '0' && c <= '9'   ? c - '0'
+                          : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                          : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                                 : 99;
         if (digit >= (hexadecimal ? 16 : 10)) return std::nullopt;
         value = value * (hexadecimal ? 16 : 10) + static_cast<char32_t>(digit);
         if (value > 0x10ffff) return std::nullopt;
@@ -92,8 +99,8 @@ std::optional<unsigned> windows_byte(char32_t c) {
     return std::nullopt;
 }
 
-// Sequences that real text hardly holds: accented Latin, punctuation, emoji. (A capital accented letter before a quotation
-// mark, as in a French title, is left alone.)
+// Sequences that real text hardly holds: accented Latin, punctuation, emoji. (A capital accented letter before a
+// quotation mark, as in a French title, is left alone.)
 bool likely_lead(unsigned byte) { return byte == 0xc2 || byte == 0xc3 || byte == 0xe2 || byte == 0xf0; }
 
 Text without_mojibake(const Text& in) {
@@ -148,7 +155,8 @@ std::optional<std::u32string_view> ligature(char32_t c) {
 bool is_single_quote(char32_t c) { return c == 0x2bc || (c >= 0x2018 && c <= 0x201b); }
 bool is_double_quote(char32_t c) { return c >= 0x201c && c <= 0x201f; }
 bool is_control(char32_t c) {
-    return c < 9 || c == 0x0b || (c >= 0x0e && c < 0x20) || c == 0x7f || (c >= 0x206a && c <= 0x206f) || c == 0xfeff || (c >= 0xfff9 && c <= 0xfffc);
+    return c < 9 || c == 0x0b || (c >= 0x0e && c < 0x20) || c == 0x7f || (c >= 0x206a && c <= 0x206f) || c == 0xfeff ||
+           (c >= 0xfff9 && c <= 0xfffc);
 }
 bool is_full_or_half_width(char32_t c) { return c >= 0xff01 && c <= 0xffef; }
 
@@ -156,7 +164,8 @@ void append_plain(char32_t c, Text& out) {
     if (c >= 0x80 && c < 0xa0 && c != 0x85 && kWindows1252[c - 0x80]) c = kWindows1252[c - 0x80];
     if (const auto letters = ligature(c)) return void(out += *letters);
     if (c == 0x3000) return void(out += U' ');
-    if (is_full_or_half_width(c)) return void(out += from_utf8(to_utf8(normal_form(icu::UnicodeString(static_cast<UChar32>(c)), true))));
+    if (is_full_or_half_width(c))
+        return void(out += from_utf8(to_utf8(normal_form(icu::UnicodeString(static_cast<UChar32>(c)), true))));
     if (is_single_quote(c)) return void(out += U'\'');
     if (is_double_quote(c)) return void(out += U'"');
     if (c == '\r' || c == 0x85 || c == 0x2028 || c == 0x2029) return void(out += U'\n');
@@ -170,11 +179,10 @@ Text without_terminal_colors(const Text& in) {
         std::size_t end = i + 2;
         if (in[i] == 0x1b && i + 1 < in.size() && in[i + 1] == '[')
             while (end < in.size() && ((in[end] >= '0' && in[end] <= '9') || in[end] == ';')) ++end;
-        const bool letter = end < in.size() && in[i] == 0x1b && in[i + 1] == '[' && in[end] < 128 && u_isalpha(static_cast<UChar32>(in[end]));
-        if (letter)
-            i = end + 1;
-        else
-            out += in[i++];
+        const bool letter = end < in.size() && in[i] == 0x1b && in[i + 1] == '[' && in[end] < 128 &&
+                            u_isalpha(static_cast<UChar32>(in[end]));
+        if (letter) i = end + 1;
+        else out += in[i++];
     }
     return out;
 }
@@ -186,8 +194,8 @@ bool is_space(char32_t c) { return u_isUWhiteSpace(static_cast<UChar32>(c)) || (
 std::string repaired_text(std::string_view utf8) {
     Text text = from_utf8(utf8);
     bool entities = text.find(U'<') == Text::npos;
-    // Until nothing changes: an entity may hide another one, or a wrongly read letter. Each round makes the text shorter or equal
-    // in kind; the bound only guards against a cycle.
+    // Until nothing changes: an entity may hide another one, or a wrongly read letter. Each round makes the text
+    // shorter or equal in kind; the bound only guards against a cycle.
     for (int round = 0; round < 16; ++round) {
         const Text before = text;
         if (entities) text = without_entities(text);
@@ -203,17 +211,16 @@ std::string repaired_text(std::string_view utf8) {
 std::string single_spaced(std::string_view utf8) {
     Text out;
     for (const char32_t c : from_utf8(utf8)) {
-        if (!is_space(c))
-            out += c;
-        else if (!out.empty() && out.back() != U' ')
-            out += U' ';
+        if (!is_space(c)) out += c;
+        else if (!out.empty() && out.back() != U' ') out += U' ';
     }
     if (!out.empty() && out.back() == U' ') out.pop_back();
     return to_utf8(icu_text(out));
 }
 
 std::string lower_case(std::string_view utf8) {
-    icu::UnicodeString text = icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<std::int32_t>(utf8.size())));
+    icu::UnicodeString text = icu::UnicodeString::fromUTF8(
+        icu::StringPiece(utf8.data(), static_cast<std::int32_t>(utf8.size())));
     return to_utf8(text.toLower(icu::Locale::getRoot()));
 }
 

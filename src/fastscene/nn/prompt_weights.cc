@@ -53,15 +53,14 @@ class Parser {
             return 1;
         }
         if (const auto colon = colon_weight(text)) {
-            if (round_.empty())
-                out_.push_back({std::string(text.substr(0, colon->bytes)), 1});
-            else
-                close(round_, colon->weight);
+            if (round_.empty()) out_.push_back({std::string(text.substr(0, colon->bytes)), 1});
+            else close(round_, colon->weight);
             return colon->bytes;
         }
         if (c == ')' && !round_.empty()) return close(round_, kRound);
         if (c == ']' && !square_.empty()) return close(square_, kSquare);
-        const std::size_t end = c == ')' || c == ']' || c == ':' ? 1 : std::min(text.find_first_of("\\()[]:"), text.size());
+        const std::size_t end = c == ')' || c == ']' || c == ':' ? 1
+                                                                 : std::min(text.find_first_of("\\()[]:"), text.size());
         out_.push_back({std::string(text.substr(0, end)), 1});
         return end;
     }
@@ -76,10 +75,8 @@ class Parser {
     std::vector<WeightedText> merged() const {
         std::vector<WeightedText> runs;
         for (const WeightedText& piece : out_) {
-            if (!runs.empty() && runs.back().weight == piece.weight)
-                runs.back().text += piece.text;
-            else
-                runs.push_back(piece);
+            if (!runs.empty() && runs.back().weight == piece.weight) runs.back().text += piece.text;
+            else runs.push_back(piece);
         }
         if (runs.empty()) runs.push_back({"", 1});
         return runs;
@@ -92,8 +89,8 @@ class Parser {
 
 std::vector<WeightedText> parse_weights(std::string_view prompt) { return Parser().parse(prompt); }
 
-std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad,
-                                            std::vector<bool>* cut) {
+std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts,
+                                            int pad, std::vector<bool>* cut) {
     constexpr std::size_t limit = kMaxChunks * kChunkTokens;
     std::vector<std::vector<int>> tokens;
     std::vector<std::vector<float>> weights;

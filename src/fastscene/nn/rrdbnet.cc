@@ -14,7 +14,8 @@ Tensor leaky(const Tensor& x) { return at::leaky_relu(x, 0.2); }
 // Five convolutions, each of which sees the input and all outputs before it.
 Tensor dense_block(const Scope& s, const Tensor& x, const RrdbConfig& config) {
     std::vector<Tensor> seen{x};
-    for (int i = 1; i <= 4; ++i) seen.push_back(leaky(conv(s / ("conv" + std::to_string(i)), at::cat(seen, 1), config.growth)));
+    for (int i = 1; i <= 4; ++i)
+        seen.push_back(leaky(conv(s / ("conv" + std::to_string(i)), at::cat(seen, 1), config.growth)));
     return s.out(conv(s / "conv5", at::cat(seen, 1), config.features) * 0.2 + x);
 }
 
@@ -27,7 +28,8 @@ Tensor block(const Scope& s, const Tensor& x, const RrdbConfig& config) {
 }  // namespace
 
 Tensor rrdbnet(const Scope& s, const RrdbConfig& config, const Tensor& x) {
-    const Tensor first = conv(s / "conv_first", config.scale == 4 ? x : at::pixel_unshuffle(x, config.scale == 2 ? 2 : 4), config.features);
+    const Tensor first = conv(
+        s / "conv_first", config.scale == 4 ? x : at::pixel_unshuffle(x, config.scale == 2 ? 2 : 4), config.features);
     Tensor y = first;
     for (std::int64_t i = 0; i < config.blocks; ++i) y = block(s / "body" / i, y, config);
     y = first + conv(s / "conv_body", y, config.features);

@@ -15,15 +15,18 @@
 namespace fastscene {
 namespace {
 
-// What OpenBLAS asks for in each thread that multiplies. Where it is not given (`ulimit -v`), OpenBLAS asks again for ever.
+// What OpenBLAS asks for in each thread that multiplies. Where it is not given (`ulimit -v`), OpenBLAS asks again for
+// ever.
 constexpr std::size_t kWorkspaceMib = 128;
 
 void take_workspace(int threads) {
     const std::size_t mib = (kWorkspaceMib + 1) * static_cast<std::size_t>(threads);
     void* const room = ::mmap(nullptr, mib << 20, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (room == MAP_FAILED)
-        throw Error("memory: expected {} MiB of address space for matrix products ({} threads), found less: raise the limit (ulimit -v), or use fewer --threads",
-                    mib, threads);
+        throw Error(
+            "memory: expected {} MiB of address space for matrix products ({} threads), found less: raise the limit "
+            "(ulimit -v), or use fewer --threads",
+            mib, threads);
     ::munmap(room, mib << 20);
     // Taken now, before anything else takes it; large enough for the kernels that use it.
     const at::Tensor square = at::zeros({128, 128});
@@ -51,7 +54,8 @@ std::string short_message(const std::exception& error) {
 bool is_lack_of_memory(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const c10::OutOfMemoryError*>(&error)) return true;
     const auto* torch = dynamic_cast<const c10::Error*>(&error);  // the allocator of the CPU has no class of its own
-    return torch && std::string_view(torch->what_without_backtrace()).find("DefaultCPUAllocator") != std::string_view::npos;
+    return torch &&
+           std::string_view(torch->what_without_backtrace()).find("DefaultCPUAllocator") != std::string_view::npos;
 }
 
 }  // namespace fastscene

@@ -32,7 +32,8 @@ TEST(TorchErrors, AreOneLineAndLackOfMemoryIsKnown) {
     EXPECT_FALSE(sizes.second);
     EXPECT_TRUE(caught([] { (void)at::empty({std::int64_t{1} << 48}, at::kFloat); }).second);
     EXPECT_TRUE(caught([] { throw std::bad_alloc(); }).second);
-    EXPECT_EQ(caught([] { throw Error("a file: expected this, found that"); }).first, "a file: expected this, found that");
+    EXPECT_EQ(caught([] { throw Error("a file: expected this, found that"); }).first,
+              "a file: expected this, found that");
 }
 
 // Ends with 1 and the message on stderr, as the program does.

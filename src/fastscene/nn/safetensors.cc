@@ -28,7 +28,8 @@ std::optional<std::uint64_t> bytes_of_shape(const std::vector<std::int64_t>& sha
     return bytes;
 }
 
-WeightTensor tensor_of(const Json& entry, const std::string& key, const std::shared_ptr<const MappedFile>& file, std::size_t base) {
+WeightTensor tensor_of(const Json& entry, const std::string& key, const std::shared_ptr<const MappedFile>& file,
+                       std::size_t base) {
     const std::string where = file->path().string() + ": " + key;
     WeightTensor tensor;
     std::uint64_t begin = 0, end = 0;
@@ -37,12 +38,15 @@ WeightTensor tensor_of(const Json& entry, const std::string& key, const std::sha
         const auto type = type_named(dtype);
         if (!type) throw Error("{}: expected a known number type, found \"{}\"", where, dtype);
         tensor.type = *type;
-        if (entry.at("data_offsets").size() != 2) throw Error("{}: expected two data_offsets, found {}", where, entry["data_offsets"].size());
+        if (entry.at("data_offsets").size() != 2)
+            throw Error("{}: expected two data_offsets, found {}", where, entry["data_offsets"].size());
         for (const Json& side : entry.at("shape"))
-            if (!side.is_number_integer()) throw Error("{}: expected whole numbers as shape, found {}", where, entry["shape"].dump());
+            if (!side.is_number_integer())
+                throw Error("{}: expected whole numbers as shape, found {}", where, entry["shape"].dump());
         for (const Json& offset : entry.at("data_offsets"))
             if (!offset.is_number_unsigned())
-                throw Error("{}: expected whole numbers as data_offsets, found {}", where, entry["data_offsets"].dump());
+                throw Error("{}: expected whole numbers as data_offsets, found {}", where,
+                            entry["data_offsets"].dump());
         tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
         begin = entry["data_offsets"][0].get<std::uint64_t>();
         end = entry["data_offsets"][1].get<std::uint64_t>();
@@ -52,9 +56,12 @@ WeightTensor tensor_of(const Json& entry, const std::string& key, const std::sha
     }
     const auto bytes = bytes_of_shape(tensor.shape, tensor.type);
     const std::uint64_t payload = file->bytes().size() - base;
-    if (end > payload || begin > end) throw Error("{}: expected offsets within {} bytes of data, found {} to {} (cut off?)", where, payload, begin, end);
+    if (end > payload || begin > end)
+        throw Error("{}: expected offsets within {} bytes of data, found {} to {} (cut off?)", where, payload, begin,
+                    end);
     if (!bytes || end - begin != *bytes)
-        throw Error("{}: expected the bytes of {} {}, found {} bytes", where, name_of(tensor.type), text_of_shape(tensor.shape), end - begin);
+        throw Error("{}: expected the bytes of {} {}, found {} bytes", where, name_of(tensor.type),
+                    text_of_shape(tensor.shape), end - begin);
     tensor.bytes = file->bytes().subspan(base + begin, *bytes);
     tensor.owner = file;
     return tensor;
@@ -72,7 +79,9 @@ std::string_view saved_bytes(const WeightTensor& tensor, NumberType type, std::s
     kept.clear();
     for (const float value : tensor.floats()) {
         const std::uint16_t half = type == NumberType::f16 ? half_from_float(value) : bfloat_from_float(value);
-        kept.append(type == NumberType::f32 ? reinterpret_cast<const char*>(&value) : reinterpret_cast<const char*>(&half), bytes_of(type));
+        kept.append(
+            type == NumberType::f32 ? reinterpret_cast<const char*>(&value) : reinterpret_cast<const char*>(&half),
+            bytes_of(type));
     }
     return kept;
 }
@@ -85,7 +94,8 @@ Weights load_safetensors(std::shared_ptr<const MappedFile> file) {
     std::uint64_t length = 0;
     if (text.size() >= 8) std::memcpy(&length, text.data(), 8);
     if (text.size() < 8 || length < 2 || length > kLargestHeader || length > text.size() - 8)
-        throw Error("{}: expected a safetensors header, found {} bytes that announce one of {}", path, text.size(), length);
+        throw Error("{}: expected a safetensors header, found {} bytes that announce one of {}", path, text.size(),
+                    length);
     const std::string_view header = text.substr(8, length);
     Json json;
     try {

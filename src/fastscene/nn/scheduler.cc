@@ -28,8 +28,10 @@ double interpolated(const std::vector<double>& table, double at) {
 // Where in the table a sigma stands, by its logarithm; the inverse of `interpolated` as far as tables rise.
 double place_of(const std::vector<double>& table, double sigma) {
     const auto above = std::upper_bound(table.begin(), table.end(), sigma);
-    const auto below = std::clamp<std::ptrdiff_t>(above - table.begin() - 1, 0, static_cast<std::ptrdiff_t>(table.size()) - 2);
-    const double from = std::log(table[static_cast<std::size_t>(below)]), to = std::log(table[static_cast<std::size_t>(below) + 1]);
+    const auto below = std::clamp<std::ptrdiff_t>(above - table.begin() - 1, 0,
+                                                  static_cast<std::ptrdiff_t>(table.size()) - 2);
+    const double from = std::log(table[static_cast<std::size_t>(below)]),
+                 to = std::log(table[static_cast<std::size_t>(below) + 1]);
     return static_cast<double>(below) + std::clamp((std::log(sigma) - from) / (to - from), 0.0, 1.0);
 }
 // Sigmas that fall from the table's last to its first, evenly in their seventh root.
@@ -37,7 +39,8 @@ std::vector<double> karras_sigmas(const std::vector<double>& table, int count) {
     constexpr double rho = 7;
     const double most = std::pow(table.back(), 1 / rho), least = std::pow(table.front(), 1 / rho);
     std::vector<double> out;
-    for (int i = 0; i < count; ++i) out.push_back(std::pow(most + (least - most) * (count > 1 ? static_cast<double>(i) / (count - 1) : 0), rho));
+    for (int i = 0; i < count; ++i)
+        out.push_back(std::pow(most + (least - most) * (count > 1 ? static_cast<double>(i) / (count - 1) : 0), rho));
     return out;
 }
 
@@ -53,7 +56,9 @@ std::vector<double> spaced(const ScheduleConfig& c, int count, bool last, bool w
         switch (c.spacing) {
             case Spacing::linspace: t = parts > 1 ? static_cast<double>(c.train_steps - 1) * k / (parts - 1) : 0; break;
             case Spacing::leading: t = static_cast<double>(k * (c.train_steps / parts)) + c.steps_offset; break;
-            case Spacing::trailing: t = rounded_even(c.train_steps - i * (static_cast<double>(c.train_steps) / count)) - 1; break;
+            case Spacing::trailing:
+                t = rounded_even(c.train_steps - i * (static_cast<double>(c.train_steps) / count)) - 1;
+                break;
         }
         out.push_back(whole ? rounded_even(t) : t);
     }
@@ -95,14 +100,19 @@ class EulerAncestral final : public Scheduler {
     Tensor step(const Tensor& output, int i, const Tensor& x, const Tensor& noise) override {
         const double from = sigmas_[static_cast<std::size_t>(i)], to = sigmas_[static_cast<std::size_t>(i) + 1];
         const Tensor clean = this->clean(output, i, x);
-        const double up = std::sqrt(to * to * (from * from - to * to) / (from * from)), down = std::sqrt(to * to - up * up);
+        const double up = std::sqrt(to * to * (from * from - to * to) / (from * from)),
+                     down = std::sqrt(to * to - up * up);
         return x + (x - clean) / from * (down - from) + noise * up;
     }
     Tensor clean(const Tensor& output, int i, const Tensor& x) const override {
         const double from = sigmas_[static_cast<std::size_t>(i)];
-        return config_.prediction == Prediction::noise ? x - from * output : output * (-from / std::sqrt(from * from + 1)) + x / (from * from + 1);
+        return config_.prediction == Prediction::noise
+                   ? x - from * output
+                   : output * (-from / std::sqrt(from * from + 1)) + x / (from * from + 1);
     }
-    Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override { return clean + noise * sigmas_[static_cast<std::size_t>(i)]; }
+    Tensor noised(const Tensor& clean, const Tensor& noise, int i) const override {
+        return clean + noise * sigmas_[static_cast<std::size_t>(i)];
+    }
     bool wants_noise() const override { return true; }
     std::unique_ptr<Scheduler> clone() const override { return std::make_unique<EulerAncestral>(*this); }
 };
@@ -185,7 +195,8 @@ class UniPc final : public Scheduler {
 
     // From step `a` to `b`. With `target`, the clean latent found at b, this is the corrector.
     Tensor moved(const Tensor& x, int a, int b, const Tensor& target, int order) const {
-        const Mix to = mix_of(sigmas_[static_cast<std::size_t>(b)]), from = mix_of(sigmas_[static_cast<std::size_t>(a)]);
+        const Mix to = mix_of(sigmas_[static_cast<std::size_t>(b)]),
+                  from = mix_of(sigmas_[static_cast<std::size_t>(a)]);
         const double h = lambda(b) - lambda(a), growth = std::expm1(-h), bending = config_.step_as_b ? -h : growth;
         if (h == 0) return x;
         const Tensor& newest = cleans_.back();
@@ -242,12 +253,16 @@ namespace {
 std::vector<double> trained_betas_of(const ConfigFields& f, int steps) {
     const Json* trained = f.find("trained_betas");
     if (!trained) return {};
-    const auto expected = [&] { return fmt::format("null or a list of {} numbers between 0 and 1 (\"num_train_timesteps\")", steps); };
+    const auto expected = [&] {
+        return fmt::format("null or a list of {} numbers between 0 and 1 (\"num_train_timesteps\")", steps);
+    };
     if (!trained->is_array() || trained->size() != static_cast<std::size_t>(steps))
-        throw f.wrong("trained_betas", expected(), trained->is_array() ? Json(fmt::format("{} entries", trained->size())) : *trained);
+        throw f.wrong("trained_betas", expected(),
+                      trained->is_array() ? Json(fmt::format("{} entries", trained->size())) : *trained);
     std::vector<double> out;
     for (const Json& beta : *trained) {
-        if (!beta.is_number() || !(beta.get<double>() > 0 && beta.get<double>() < 1)) throw f.wrong("trained_betas", expected(), beta);
+        if (!beta.is_number() || !(beta.get<double>() > 0 && beta.get<double>() < 1))
+            throw f.wrong("trained_betas", expected(), beta);
         out.push_back(beta.get<double>());
     }
     return out;
@@ -257,12 +272,15 @@ void read_unipc(const ConfigFields& f, ScheduleConfig& c) {
     if (!f.flag("predict_x0", true)) throw f.wrong("predict_x0", "true", false);
     c.karras_sigmas = f.flag("use_karras_sigmas", false);
     c.step_as_b = f.text("solver_type", "bh2") == "bh1";  // other samplers' kinds stand for bh2
-    if (const Json* rests = f.find("disable_corrector"); rests && !(rests->is_array() && rests->empty())) c.uncorrected = f.list("disable_corrector", 0);
+    if (const Json* rests = f.find("disable_corrector"); rests && !(rests->is_array() && rests->empty()))
+        c.uncorrected = f.list("disable_corrector", 0);
 }
 
 // Nichol and Dhariwal's: the signal falls as a squared cosine.
 Tensor cosine_betas(int steps) {
-    const auto signal = [&](int i) { return std::pow(std::cos((static_cast<double>(i) / steps + 0.008) / 1.008 * std::numbers::pi / 2), 2); };
+    const auto signal = [&](int i) {
+        return std::pow(std::cos((static_cast<double>(i) / steps + 0.008) / 1.008 * std::numbers::pi / 2), 2);
+    };
     std::vector<float> out;
     for (int i = 0; i < steps; ++i) out.push_back(static_cast<float>(std::min(1 - signal(i + 1) / signal(i), 0.999)));
     return at::tensor(out);
@@ -271,8 +289,9 @@ Tensor cosine_betas(int steps) {
 Tensor betas_of(const ScheduleConfig& c) {
     if (!c.trained_betas.empty()) return at::tensor(std::vector<float>(c.trained_betas.begin(), c.trained_betas.end()));
     if (c.betas == Betas::cosine) return cosine_betas(c.train_steps);
-    return c.betas == Betas::scaled_linear ? at::linspace(std::sqrt(c.beta_start), std::sqrt(c.beta_end), c.train_steps, at::kFloat).square()
-                                           : at::linspace(c.beta_start, c.beta_end, c.train_steps, at::kFloat);
+    return c.betas == Betas::scaled_linear
+               ? at::linspace(std::sqrt(c.beta_start), std::sqrt(c.beta_end), c.train_steps, at::kFloat).square()
+               : at::linspace(c.beta_start, c.beta_end, c.train_steps, at::kFloat);
 }
 
 }  // namespace
@@ -284,18 +303,21 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
     c.beta_start = f.number("beta_start", 0.0001);
     c.beta_end = f.number("beta_end", 0.02);
     if (c.train_steps < 2 || !(c.beta_start > 0 && c.beta_start < c.beta_end && c.beta_end < 1))
-        throw Error("{}: expected at least 2 steps and 0 < beta_start < beta_end < 1, found {} steps, {} and {}", where, c.train_steps, c.beta_start, c.beta_end);
+        throw Error("{}: expected at least 2 steps and 0 < beta_start < beta_end < 1, found {} steps, {} and {}", where,
+                    c.train_steps, c.beta_start, c.beta_end);
     const std::string betas = f.text("beta_schedule", "linear");
     if (betas != "linear" && betas != "scaled_linear" && betas != "squaredcos_cap_v2")
         throw f.wrong("beta_schedule", "\"linear\", \"scaled_linear\" or \"squaredcos_cap_v2\"", betas);
     c.betas = betas == "linear" ? Betas::linear : betas == "scaled_linear" ? Betas::scaled_linear : Betas::cosine;
     c.trained_betas = trained_betas_of(f, c.train_steps);
     const std::string prediction = f.text("prediction_type", "epsilon");
-    if (prediction != "epsilon" && prediction != "v_prediction") throw f.wrong("prediction_type", "\"epsilon\" or \"v_prediction\"", prediction);
+    if (prediction != "epsilon" && prediction != "v_prediction")
+        throw f.wrong("prediction_type", "\"epsilon\" or \"v_prediction\"", prediction);
     c.prediction = prediction == "epsilon" ? Prediction::noise : Prediction::velocity;
     c.zero_snr = f.flag("rescale_betas_zero_snr", false);
     if (c.zero_snr && sampler == Sampler::unipc)
-        throw f.wrong("rescale_betas_zero_snr", "false for --panorama-sampler unipc (euler-ancestral and ddim know it)", true);
+        throw f.wrong("rescale_betas_zero_snr", "false for --panorama-sampler unipc (euler-ancestral and ddim know it)",
+                      true);
     if (c.zero_snr && c.prediction == Prediction::noise)  // noise says nothing about a latent that is nothing but noise
         throw f.wrong("prediction_type", "\"v_prediction\" where \"rescale_betas_zero_snr\" is true", prediction);
 
@@ -305,14 +327,18 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
     c.spacing = spacing == "linspace" ? Spacing::linspace : spacing == "leading" ? Spacing::leading : Spacing::trailing;
 
     c.steps_offset = static_cast<int>(f.whole("steps_offset", 0));
-    if (c.steps_offset >= c.train_steps) throw f.wrong("steps_offset", fmt::format("less than the {} steps of the schedule", c.train_steps), c.steps_offset);
+    if (c.steps_offset >= c.train_steps)
+        throw f.wrong("steps_offset", fmt::format("less than the {} steps of the schedule", c.train_steps),
+                      c.steps_offset);
     c.alpha_to_one = f.flag("set_alpha_to_one", true);
-    // Cutting off is DDIM's default for pictures. Latents are not cut off unless a file of DDIM's own leaves it at that, or says so.
+    // Cutting off is DDIM's default for pictures. Latents are not cut off unless a file of DDIM's own leaves it at
+    // that, or says so.
     c.clip_sample = f.flag("clip_sample", f.text("_class_name", "") == "DDIMScheduler");
     c.clip_range = f.number("clip_sample_range", 1);
     c.solver_order = static_cast<int>(std::clamp<std::int64_t>(f.whole("solver_order", 2), 1, 3));
     c.lower_order_final = f.flag("lower_order_final", true);
-    if (sampler != Sampler::euler_ancestral && f.flag("thresholding", false)) throw f.wrong("thresholding", "false (it is for pictures, not for latents)", true);
+    if (sampler != Sampler::euler_ancestral && f.flag("thresholding", false))
+        throw f.wrong("thresholding", "false (it is for pictures, not for latents)", true);
     if (sampler == Sampler::unipc) read_unipc(f, c);
     return c;
 }
@@ -343,8 +369,10 @@ bool goes_down(const Scheduler& scheduler, const ScheduleConfig& config) {
     const std::vector<float>& sigma = scheduler.sigmas();
     if (t.front() > config.train_steps - 1 || t.back() < 0) return false;
     if (config.karras_sigmas)  // sigmas are what is spaced: time steps, rounded, may repeat, and the last sigma does
-        return std::adjacent_find(t.begin(), t.end(), std::less<>()) == t.end() && std::adjacent_find(sigma.begin(), sigma.end() - 1, std::less_equal<>()) == sigma.end() - 1;
-    return std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() && std::adjacent_find(sigma.begin(), sigma.end(), std::less_equal<>()) == sigma.end();
+        return std::adjacent_find(t.begin(), t.end(), std::less<>()) == t.end() &&
+               std::adjacent_find(sigma.begin(), sigma.end() - 1, std::less_equal<>()) == sigma.end() - 1;
+    return std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() &&
+           std::adjacent_find(sigma.begin(), sigma.end(), std::less_equal<>()) == sigma.end();
 }
 
 }  // namespace
@@ -354,7 +382,8 @@ std::unique_ptr<Scheduler> make_scheduler(Sampler sampler, const ScheduleConfig&
     std::unique_ptr<Scheduler> scheduler = steps <= config.train_steps ? scheduler_of(sampler, config, steps) : nullptr;
     if (!scheduler || !goes_down(*scheduler, config))
         throw UsageError(
-            "--panorama-steps: expected fewer than the {} of the model's schedule (\"num_train_timesteps\"), so that none repeats, found {}",
+            "--panorama-steps: expected fewer than the {} of the model's schedule (\"num_train_timesteps\"), so that "
+            "none repeats, found {}",
             config.train_steps, steps);
     return scheduler;
 }

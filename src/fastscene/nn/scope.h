@@ -1,6 +1,6 @@
-// A place in a network, named as in its checkpoint: scope / "mid_block" / "resnets" / 0 / "conv1" asks for mid_block.resnets.0.conv1.weight.
-// Networks are functions of a scope and a tensor, so the names in the code are the names in the file, and a parameter of the wrong
-// shape is told where it is used. Private to nn/ (torch).
+// A place in a network, named as in its checkpoint: scope / "mid_block" / "resnets" / 0 / "conv1" asks for
+// mid_block.resnets.0.conv1.weight. Networks are functions of a scope and a tensor, so the names in the code are the
+// names in the file, and a parameter of the wrong shape is told where it is used. Private to nn/ (torch).
 #pragma once
 
 #include <ATen/ATen.h>
@@ -33,7 +33,9 @@ class Scope {
     }
     Scope operator/(std::int64_t index) const { return *this / std::string_view(std::to_string(index)); }
 
-    at::Tensor parameter(std::string_view name, at::IntArrayRef shape) const { return source_->get((*this / name).prefix_, shape); }
+    at::Tensor parameter(std::string_view name, at::IntArrayRef shape) const {
+        return source_->get((*this / name).prefix_, shape);
+    }
     bool has(std::string_view name) const { return source_->has((*this / name).prefix_); }
     const std::string& prefix() const { return prefix_; }
 

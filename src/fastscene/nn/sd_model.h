@@ -1,5 +1,5 @@
-// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape can be held against the
-// configurations before anything is computed. Private to nn/ (torch).
+// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape can be held
+// against the configurations before anything is computed. Private to nn/ (torch).
 #pragma once
 
 #include <filesystem>
@@ -24,12 +24,13 @@ struct SdOptions {
     at::ScalarType type = at::kFloat;  // of the denoiser; text and pictures are read and made in float
     at::Device device = at::kCPU;      // of denoiser and pictures; text is short and read by the processor
     Sampler sampler = Sampler::euler_ancestral;
-    bool keep = true;                  // converted weights stay (file_weights.h)
-    bool encoder = false;              // pictures go in, too
+    bool keep = true;      // converted weights stay (file_weights.h)
+    bool encoder = false;  // pictures go in, too
 };
 
 // Of the settings' words. Throws UsageError naming the flag.
-SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory, bool encoder);
+SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory,
+                     bool encoder);
 
 struct SdModel {
     // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and found.
@@ -37,7 +38,8 @@ struct SdModel {
     // Walks through the networks, which takes some memory. Throws Error for what is missing, misshaped or too much.
     void check_shapes() const;
 
-    // [2, L, width]: negative prompt, prompt; in the denoiser's type, on its device. Warns of what is too long to be read.
+    // [2, L, width]: negative prompt, prompt; in the denoiser's type, on its device. Warns of what is too long to be
+    // read.
     at::Tensor read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const;
     std::string family() const;
     std::int64_t bytes() const { return unet->bytes() + vae->bytes() + text->bytes(); }

@@ -29,8 +29,11 @@ bool is_shipped(std::string_view name) {
 
 Weights shipped_weights(std::string_view name) {
     for (const ShippedFile& file : shipped_files())
-        if (file.name == name) return load_safetensors(std::make_shared<MappedFile>(fmt::format("models/{}.safetensors", name), file.bytes));
-    throw Error("expected weights that come with the program ({}), found \"{}\"", fmt::join(shipped_names(), ", "), name);
+        if (file.name == name)
+            return load_safetensors(
+                std::make_shared<MappedFile>(fmt::format("models/{}.safetensors", name), file.bytes));
+    throw Error("expected weights that come with the program ({}), found \"{}\"", fmt::join(shipped_names(), ", "),
+                name);
 }
 
 }  // namespace fastscene

@@ -55,9 +55,9 @@ Tensor over_sphere(const Tensor& x, const SphereTiles& how, const std::function<
         const Tensor down = hat(rows * how.out, overlap * how.out, top > 0, top + rows < height);
         const Tensor weight = (down.unsqueeze(1) * across.unsqueeze(0)).unsqueeze(0).unsqueeze(0);
         for (const std::int64_t left : lefts) {
-            const Tensor tile =
-                net(x.narrow(2, top * how.in, rows * how.in).index_select(3, wrapped(left * how.in, columns * how.in, width * how.in)))
-                    .to(x.device(), at::kFloat);
+            const Tensor tile = net(x.narrow(2, top * how.in, rows * how.in)
+                                        .index_select(3, wrapped(left * how.in, columns * how.in, width * how.in)))
+                                    .to(x.device(), at::kFloat);
             if (!sum.defined()) sum = at::zeros({1, tile.size(1), height * how.out, width * how.out}, at::kFloat);
             const Tensor where = wrapped(left * how.out, columns * how.out, width * how.out);
             sum.narrow(2, top * how.out, rows * how.out).index_add_(3, where, tile * weight);

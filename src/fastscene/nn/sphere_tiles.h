@@ -1,5 +1,5 @@
-// A network over a panorama too large for memory: in overlapping tiles whose results are blended. Columns wrap, so no tile border and no
-// seam is special. Private to nn/ (torch).
+// A network over a panorama too large for memory: in overlapping tiles whose results are blended. Columns wrap, so no
+// tile border and no seam is special. Private to nn/ (torch).
 #pragma once
 
 #include <functional>
@@ -14,6 +14,7 @@ struct SphereTiles {
     std::function<void(std::int64_t done, std::int64_t total)> heard;
 };
 // x [1, C, in H, in W] -> [1, C', out H, out W]: `net` maps tiles [1, C, in h, in w] to [1, C', out h, out w].
-at::Tensor over_sphere(const at::Tensor& x, const SphereTiles& how, const std::function<at::Tensor(const at::Tensor&)>& net);
+at::Tensor over_sphere(const at::Tensor& x, const SphereTiles& how,
+                       const std::function<at::Tensor(const at::Tensor&)>& net);
 
 }  // namespace fastscene::nn

@@ -1,4 +1,5 @@
-// Stopping in the middle of a network: a step of a large picture takes minutes, a layer seconds. Private to nn/ (torch).
+// Stopping in the middle of a network: a step of a large picture takes minutes, a layer seconds. Private to nn/
+// (torch).
 #pragma once
 
 #include "fastscene/base/run.h"

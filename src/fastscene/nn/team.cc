@@ -15,7 +15,7 @@ namespace fastscene::nn {
 namespace {
 
 using Patience = std::chrono::milliseconds;
-constexpr double kPatience_s = 3600;   // the first may look at many held-out pictures while the others wait
+constexpr double kPatience_s = 3600;  // the first may look at many held-out pictures while the others wait
 
 struct Place {
     std::string host;
@@ -24,9 +24,11 @@ struct Place {
 Place place_from(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
-    const bool number = !digits.empty() && digits.size() <= 5 && digits.find_first_not_of("0123456789") == std::string::npos;
+    const bool number = !digits.empty() && digits.size() <= 5 &&
+                        digits.find_first_not_of("0123456789") == std::string::npos;
     const int port = number ? std::stoi(digits) : 0;
-    if (colon == 0 || port < 1 || port > 65535) throw UsageError("--meet: expected HOST:PORT of the first process, found \"{}\"", text);
+    if (colon == 0 || port < 1 || port > 65535)
+        throw UsageError("--meet: expected HOST:PORT of the first process, found \"{}\"", text);
     return {text.substr(0, colon), static_cast<std::uint16_t>(port)};
 }
 
@@ -60,12 +62,14 @@ struct Team::Group {
     }
 };
 
-Team::Team(std::unique_ptr<Group> group, int size, int process) : group_(std::move(group)), size_(size), process_(process) {}
+Team::Team(std::unique_ptr<Group> group, int size, int process)
+    : group_(std::move(group)), size_(size), process_(process) {}
 Team::~Team() = default;
 
 std::unique_ptr<Team> Team::meet(const TrainingParams& params, double patience_s) {
     if (params.processes == 1) return nullptr;
-    if (params.process >= params.processes) throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
+    if (params.process >= params.processes)
+        throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
     const Place place = place_from(params.meet);
     const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
     auto group = std::make_unique<Group>();
@@ -78,9 +82,11 @@ std::unique_ptr<Team> Team::meet(const TrainingParams& params, double patience_s
         group->store = c10::make_intrusive<c10d::TCPStore>(place.host, where);
         auto options = c10d::ProcessGroupGloo::Options::create(in_ms(kPatience_s));
         options->devices.push_back(c10d::ProcessGroupGloo::createDefaultDevice());
-        group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes, options);
+        group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes,
+                                                                  options);
     } catch (const std::exception& e) {
-        throw Error("training: expected {} processes at {}, found no meeting within {:.0f} s: {}", params.processes, params.meet, patience_s, e.what());
+        throw Error("training: expected {} processes at {}, found no meeting within {:.0f} s: {}", params.processes,
+                    params.meet, patience_s, e.what());
     }
     return std::unique_ptr<Team>(new Team(std::move(group), params.processes, params.process));
 }

@@ -1,5 +1,6 @@
-// Team: processes that train one network together (data-parallel: Goyal et al. 2017). Each computes the gradients of its own examples, all
-// take their mean, so that all networks stay the same; the first keeps the folder. Through libtorch's Gloo, over TCP. Private to nn/ (torch).
+// Team: processes that train one network together (data-parallel: Goyal et al. 2017). Each computes the gradients of
+// its own examples, all take their mean, so that all networks stay the same; the first keeps the folder. Through
+// libtorch's Gloo, over TCP. Private to nn/ (torch).
 #pragma once
 
 #include <memory>
@@ -12,16 +13,17 @@ namespace fastscene::nn {
 
 class Team {
   public:
-    // Nothing when params.processes is 1. Otherwise waits until all have come to params.meet. Throws UsageError for a place that is none or a
-    // process beyond the last, Error when the others do not come within `patience_s`.
+    // Nothing when params.processes is 1. Otherwise waits until all have come to params.meet. Throws UsageError for a
+    // place that is none or a process beyond the last, Error when the others do not come within `patience_s`.
     static std::unique_ptr<Team> meet(const TrainingParams& params, double patience_s = 600);
     ~Team();
 
     int size() const { return size_; }
     int process() const { return process_; }
-    // Every process calls these in the same order with tensors of the same shapes. They throw Error when another process is gone.
-    void mean(const std::vector<at::Tensor>& tensors) const;         // in place
-    void from_first(const std::vector<at::Tensor>& tensors) const;   // in place: what the first process has
+    // Every process calls these in the same order with tensors of the same shapes. They throw Error when another
+    // process is gone.
+    void mean(const std::vector<at::Tensor>& tensors) const;        // in place
+    void from_first(const std::vector<at::Tensor>& tensors) const;  // in place: what the first process has
     std::int64_t from_first(std::int64_t number) const;
 
   private:

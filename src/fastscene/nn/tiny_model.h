@@ -9,12 +9,13 @@
 
 namespace fastscene {
 
-// unet/ vae/ text_encoder/ tokenizer/ scheduler/. `text_width` of the denoiser and of the text encoder may differ: a mixed-up folder.
+// unet/ vae/ text_encoder/ tokenizer/ scheduler/. `text_width` of the denoiser and of the text encoder may differ: a
+// mixed-up folder.
 struct TinyModel {
     int denoiser_text_width = 32, encoder_text_width = 32;
     std::string prediction = "epsilon";
-    std::string salt = {};   // other weights
-    int sample_size = 64;    // pixels that the VAE decodes at once
+    std::string salt = {};  // other weights
+    int sample_size = 64;   // pixels that the VAE decodes at once
 };
 void write_tiny_model(const std::filesystem::path& folder, const TinyModel& model = {});
 // A ControlNet for such a model; `channels` of the picture it holds on to.
@@ -22,7 +23,8 @@ void write_tiny_control(const std::filesystem::path& folder, int channels, int t
 // Real-ESRGAN for twice the size, with two blocks; everything inside of "params_ema", as in the official file.
 void write_tiny_enlarger(const std::filesystem::path& file);
 
-// The denoiser's file in two, with an index, as large models are saved; `part` is given the part's number. What a file is, its first bytes tell.
+// The denoiser's file in two, with an index, as large models are saved; `part` is given the part's number. What a file
+// is, its first bytes tell.
 void save_in_parts(const std::filesystem::path& unet, fmt::format_string<int> part, const std::string& index);
 
 // What an act complains of; empty: nothing.

@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// FOLDER/merges.txt. The 68 bytes that are not printable stand from U+0100 on; each line makes a longer run of one of them behind a
-// printable byte.
+// FOLDER/merges.txt. The 68 bytes that are not printable stand from U+0100 on; each line makes a longer run of one of
+// them behind a printable byte.
 inline void write_tiny_tokenizer(const std::filesystem::path& folder) {
     std::string lines = "#version: 0.2\n";
     int count = 0;

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 constexpr int kBytes = 256;
 constexpr int kMerges = ClipTokenizer::kBegin - 2 * kBytes;  // 48894
 
-// GPT-2 writes bytes as printable characters: those of Latin-1 that are printable stand for themselves, the others follow from
-// U+0100. The order of the pieces is: printable bytes first.
+// GPT-2 writes bytes as printable characters: those of Latin-1 that are printable stand for themselves, the others
+// follow from U+0100. The order of the pieces is: printable bytes first.
 struct ByteOrder {
     std::array<int, kBytes> piece_of_byte{};
     std::unordered_map<char32_t, int> piece_of_character;
@@ -46,27 +46,39 @@ const ByteOrder& byte_order() {
     return order;
 }
 
-std::uint64_t pair_key(int left, int right) { return static_cast<std::uint64_t>(left) << 32 | static_cast<std::uint32_t>(right); }
+std::uint64_t pair_key(int left, int right) {
+    return static_cast<std::uint64_t>(left) << 32 | static_cast<std::uint32_t>(right);
+}
 
 // The words of a cleaned text: the alternatives 's 't 're 've 'm 'll 'd, letters, one digit, others.
 enum class Kind { space, letter, number, other };
 Kind kind_of(UChar32 c) {
     if (u_isUWhiteSpace(c)) return Kind::space;
     switch (u_charType(c)) {
-        case U_UPPERCASE_LETTER: case U_LOWERCASE_LETTER: case U_TITLECASE_LETTER: case U_MODIFIER_LETTER: case U_OTHER_LETTER: return Kind::letter;
-        case U_DECIMAL_DIGIT_NUMBER: case U_LETTER_NUMBER: case U_OTHER_NUMBER: return Kind::number;
+        case U_UPPERCASE_LETTER:
+        case U_LOWERCASE_LETTER:
+        case U_TITLECASE_LETTER:
+        case U_MODIFIER_LETTER:
+        case U_OTHER_LETTER: return Kind::letter;
+        case U_DECIMAL_DIGIT_NUMBER:
+        case U_LETTER_NUMBER:
+        case U_OTHER_NUMBER: return Kind::number;
         default: return Kind::other;
     }
 }
 std::size_t contraction(std::string_view text) {
     for (const std::string_view tail : {"'s", "'t", "'re", "'ve", "'m", "'ll", "'d"})
         if (text.starts_with(tail)) return tail.size();
-    return text.starts_with("'\u017f") ? std::string_view("'\u017f").size() : 0;  // the long s is an s to a regex without case
+    return text.starts_with("'\u017f") ? std::string_view("'\u017f").size()
+                                       : 0;  // the long s is an s to a regex without case
 }
 // Bytes of the UTF-8 character that starts here; the text is valid.
 std::size_t character_bytes(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
-    return std::min(text.size(), lead < 0x80 ? std::size_t{1} : lead < 0xe0 ? std::size_t{2} : lead < 0xf0 ? std::size_t{3} : std::size_t{4});
+    return std::min(text.size(), lead < 0x80   ? std::size_t{1}
+                                 : lead < 0xe0 ? std::size_t{2}
+                                 : lead < 0xf0 ? std::size_t{3}
+                                               : std::size_t{4});
 }
 UChar32 character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<UChar32>(static_cast<unsigned char>(text[i])); };
@@ -82,7 +94,8 @@ std::size_t word_bytes(std::string_view text) {
     const Kind kind = kind_of(character_at(text));
     std::size_t end = character_bytes(text);
     if (kind == Kind::number || kind == Kind::space) return end;
-    while (end < text.size() && kind_of(character_at(text.substr(end))) == kind) end += character_bytes(text.substr(end));
+    while (end < text.size() && kind_of(character_at(text.substr(end))) == kind)
+        end += character_bytes(text.substr(end));
     return end;
 }
 
@@ -94,7 +107,8 @@ std::string pad_name(const fs::path& folder) {
         const auto pad = json.find("pad_token");
         if (pad == json.end()) continue;
         if (pad->is_string()) return pad->get<std::string>();
-        if (pad->is_object() && pad->contains("content") && (*pad)["content"].is_string()) return (*pad)["content"].get<std::string>();
+        if (pad->is_object() && pad->contains("content") && (*pad)["content"].is_string())
+            return (*pad)["content"].get<std::string>();
     }
     return "<|endoftext|>";
 }
@@ -104,9 +118,11 @@ std::vector<std::string> added_pieces(const fs::path& file) {
     std::vector<std::string> out;
     if (!fs::exists(file)) return out;
     const Json json = read_json(file);
-    if (!json.is_object()) throw Error("{}: expected an object of pieces and their numbers, found {}", file.string(), json.type_name());
+    if (!json.is_object())
+        throw Error("{}: expected an object of pieces and their numbers, found {}", file.string(), json.type_name());
     for (const auto& [piece, id] : json.items()) {
-        const bool own = (piece == "<|startoftext|>" && id == ClipTokenizer::kBegin) || (piece == "<|endoftext|>" && id == ClipTokenizer::kEnd);
+        const bool own = (piece == "<|startoftext|>" && id == ClipTokenizer::kBegin) ||
+                         (piece == "<|endoftext|>" && id == ClipTokenizer::kEnd);
         if (!own) out.push_back(piece);
     }
     return out;
@@ -119,8 +135,10 @@ void check_vocabulary(const fs::path& file) {
         const auto found = json.find(piece);
         return found != json.end() && found->is_number_integer() && found->get<int>() == id;
     };
-    if (!json.is_object() || json.size() < size || !has("<|startoftext|>", ClipTokenizer::kBegin) || !has("<|endoftext|>", ClipTokenizer::kEnd))
-        throw Error("{}: expected CLIP's vocabulary of {} pieces, found {} and other special tokens", file.string(), size, json.size());
+    if (!json.is_object() || json.size() < size || !has("<|startoftext|>", ClipTokenizer::kBegin) ||
+        !has("<|endoftext|>", ClipTokenizer::kEnd))
+        throw Error("{}: expected CLIP's vocabulary of {} pieces, found {} and other special tokens", file.string(),
+                    size, json.size());
 }
 
 }  // namespace
@@ -128,14 +146,17 @@ void check_vocabulary(const fs::path& file) {
 ClipTokenizer::ClipTokenizer(const fs::path& vocabulary) {
     if (fs::is_directory(vocabulary)) {
         const fs::path merges = vocabulary / "merges.txt";
-        if (!fs::exists(merges)) throw Error("{}: expected merges.txt in the tokenizer's folder, found none", vocabulary.string());
+        if (!fs::exists(merges))
+            throw Error("{}: expected merges.txt in the tokenizer's folder, found none", vocabulary.string());
         read_merges(read_file(merges), merges);
         if (fs::exists(vocabulary / "vocab.json")) check_vocabulary(vocabulary / "vocab.json");
         unread_ = added_pieces(vocabulary / "added_tokens.json");
         const std::string pad = pad_name(vocabulary);
         const std::vector<int> piece = encode(pad);
         // A plain filler such as "!" is piece 0 without the end of a word.
-        pad_ = pad == "<|endoftext|>" ? kEnd : piece.size() == 1 && piece[0] >= kBytes && piece[0] < 2 * kBytes ? piece[0] - kBytes : kEnd;
+        pad_ = pad == "<|endoftext|>"                                             ? kEnd
+               : piece.size() == 1 && piece[0] >= kBytes && piece[0] < 2 * kBytes ? piece[0] - kBytes
+                                                                                  : kEnd;
         return;
     }
     const std::string bytes = read_file(vocabulary);
@@ -159,14 +180,17 @@ void ClipTokenizer::read_merges(std::string_view lines, const fs::path& path) {
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (number == 1) {
             if (line.find("#version") == std::string_view::npos)
-                throw Error("{}:1: expected a line with \"#version\" (a list of merges), found \"{}\"", path.string(), line.substr(0, 60));
+                throw Error("{}:1: expected a line with \"#version\" (a list of merges), found \"{}\"", path.string(),
+                            line.substr(0, 60));
             continue;
         }
         const std::size_t space = line.find(' ');
         const auto left = piece_of_text.find(std::string(line.substr(0, space)));
-        const auto right = space == std::string_view::npos ? piece_of_text.end() : piece_of_text.find(std::string(line.substr(space + 1)));
+        const auto right = space == std::string_view::npos ? piece_of_text.end()
+                                                           : piece_of_text.find(std::string(line.substr(space + 1)));
         if (left == piece_of_text.end() || right == piece_of_text.end())
-            throw Error("{}:{}: expected two pieces that came before, found \"{}\"", path.string(), number, line.substr(0, 60));
+            throw Error("{}:{}: expected two pieces that came before, found \"{}\"", path.string(), number,
+                        line.substr(0, 60));
         const int merged = 2 * kBytes + rank;
         merges_.emplace(pair_key(left->second, right->second), std::pair{rank, merged});
         piece_of_text.emplace(left->first + right->first, merged);

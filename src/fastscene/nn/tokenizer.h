@@ -16,8 +16,8 @@ class ClipTokenizer {
     static constexpr int kBegin = 49406, kEnd = 49407;  // <|startoftext|>, <|endoftext|>
     static constexpr int kContext = 77;
 
-    // bpe_simple_vocab_16e6.txt.gz as OpenAI publishes it, or a diffusers folder tokenizer/ (merges.txt, and vocab.json, which is
-    // held against it). Throws Error naming the file, what was expected and what was found.
+    // bpe_simple_vocab_16e6.txt.gz as OpenAI publishes it, or a diffusers folder tokenizer/ (merges.txt, and
+    // vocab.json, which is held against it). Throws Error naming the file, what was expected and what was found.
     explicit ClipTokenizer(const std::filesystem::path& vocabulary);
 
     // Without begin and end, as many as the text has.
@@ -46,17 +46,17 @@ struct WeightedText {
 };
 std::vector<WeightedText> parse_weights(std::string_view prompt);
 
-// A prompt as chunks of 75 tokens, each between begin and end. `tokens` is begin, all tokens, fillers, end (75 n + 2); chunk i
-// reads tokens 75 i + 1 … 75 i + 75. `weights` has 77 n entries, those of begin and end being 1.
+// A prompt as chunks of 75 tokens, each between begin and end. `tokens` is begin, all tokens, fillers, end (75 n + 2);
+// chunk i reads tokens 75 i + 1 … 75 i + 75. `weights` has 77 n entries, those of begin and end being 1.
 struct WeightedTokens {
     std::vector<int> tokens;
     std::vector<float> weights;
     int chunks = 1;
 };
 inline constexpr int kMaxChunks = 3, kChunkTokens = 75;
-// Several prompts padded to the same number of chunks (prompt and negative prompt share a batch). At most 225 tokens each: the rest
-// is cut off, and `cut` (if given) tells of which.
-std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts, int pad,
-                                            std::vector<bool>* cut = nullptr);
+// Several prompts padded to the same number of chunks (prompt and negative prompt share a batch). At most 225 tokens
+// each: the rest is cut off, and `cut` (if given) tells of which.
+std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, const std::vector<std::string>& prompts,
+                                            int pad, std::vector<bool>* cut = nullptr);
 
 }  // namespace fastscene

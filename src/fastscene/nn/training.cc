@@ -19,9 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kShares = 1000;   // units of the progress shown
+constexpr int kShares = 1000;  // units of the progress shown
 
-double minutes_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count() / 60; }
+double minutes_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count() / 60;
+}
 
 fs::path checkpoint_of(const fs::path& folder) { return folder / "checkpoint.safetensors"; }
 
@@ -35,13 +37,15 @@ NamedTensors whole_state(const TrainingTask& task) {
 void save_checkpoint(const TrainingTask& task, std::int64_t step, const fs::path& folder) {
     Weights out{checkpoint_of(folder), {}, {{"step", std::to_string(step)}}, {}};
     for (const auto& [name, tensor] : whole_state(task)) out.tensors[name] = weight_of(tensor);
-    for (const Learner* learner : task.learners) out.metadata[learner->name() + ".steps"] = std::to_string(learner->steps());
+    for (const Learner* learner : task.learners)
+        out.metadata[learner->name() + ".steps"] = std::to_string(learner->steps());
     save_safetensors(checkpoint_of(folder), out);
 }
 
 std::int64_t metadata_number(const Weights& checkpoint, const std::string& name) {
     const auto found = checkpoint.metadata.find(name);
-    if (found == checkpoint.metadata.end() || found->second.find_first_not_of("0123456789") != std::string::npos || found->second.empty())
+    if (found == checkpoint.metadata.end() || found->second.find_first_not_of("0123456789") != std::string::npos ||
+        found->second.empty())
         throw Error("{}: expected a number as {} in its metadata, found {}", checkpoint.path.string(), name,
                     found == checkpoint.metadata.end() ? "none" : found->second);
     return std::stoll(found->second);
@@ -66,8 +70,9 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
     const Json found = read_json(path);
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
-            throw UsageError("{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder", path.string(),
-                             name, value.dump(), found.contains(name) ? found[name].dump() : "none");
+            throw UsageError(
+                "{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder",
+                path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
 // What the first process has, checkpoint and all, for those that joined it.
@@ -140,13 +145,14 @@ std::string text_of(const Numbers& numbers) {
 double rate_at(const TrainingParams& params, std::int64_t step) {
     const double warm = params.warmup > 0 ? std::min(1.0, static_cast<double>(step + 1) / params.warmup) : 1.0;
     const double share = std::min(1.0, static_cast<double>(step) / params.steps);
-    return warm * (params.last_rate + (params.rate - params.last_rate) * 0.5 * (1 + std::cos(std::numbers::pi * share)));
+    return warm *
+           (params.last_rate + (params.rate - params.last_rate) * 0.5 * (1 + std::cos(std::numbers::pi * share)));
 }
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
     const std::unique_ptr<Team> team = Team::meet(params);
-    const bool keeps = !team || team->process() == 0;   // the folder is the first process's
+    const bool keeps = !team || team->process() == 0;  // the folder is the first process's
     if (keeps) {
         make_directories(folder / "sheets");
         settle_settings(task, params, folder, run);
@@ -200,19 +206,19 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
             throw Stopped();
         }
         if (now_to_do == time_is_up) break;
-        means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps, rate_at(params, outcome.steps)));
+        means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps,
+                            rate_at(params, outcome.steps)));
         ++outcome.steps;
         outcome.finished = outcome.steps == params.steps;
-        if (outcome.steps % params.look_steps == 0 && !outcome.finished)
-            look_now();
-        else if (outcome.steps % params.log_steps == 0)
-            log_now();
+        if (outcome.steps % params.look_steps == 0 && !outcome.finished) look_now();
+        else if (outcome.steps % params.log_steps == 0) log_now();
         if (minutes_since(kept) >= params.checkpoint_minutes && !outcome.finished) {
             keep();
             kept = Clock::now();
         }
-        const double share = std::max(static_cast<double>(outcome.steps - first) / static_cast<double>(params.steps - first),
-                                      params.minutes > 0 ? minutes_since(begin) / params.minutes : 0.0);
+        const double share = std::max(
+            static_cast<double>(outcome.steps - first) / static_cast<double>(params.steps - first),
+            params.minutes > 0 ? minutes_since(begin) / params.minutes : 0.0);
         const int now = std::min(kShares, static_cast<int>(share * kShares));
         if (now > shown) progress.advance(now - shown);
         shown = std::max(shown, now);

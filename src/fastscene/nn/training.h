@@ -4,7 +4,8 @@
 //     TrainingTask task{.learners = {&net}, .draw = …, .step = …, .look = …};
 //     train(task, params, folder, run);
 //
-// What a step does is the task's; where the time goes, what is written and when it ends is told here once. Private to nn/ (torch).
+// What a step does is the task's; where the time goes, what is written and when it ends is told here once. Private to
+// nn/ (torch).
 #pragma once
 
 #include <filesystem>
@@ -23,11 +24,11 @@
 namespace fastscene::nn {
 
 using Batch = std::vector<at::Tensor>;
-using Numbers = std::vector<std::pair<std::string, double>>;   // by name, always the same names in the same order
+using Numbers = std::vector<std::pair<std::string, double>>;  // by name, always the same names in the same order
 
 struct Look {
-    Numbers held_out;    // figures of pictures that are never trained on
-    ImageRgb8 sheet;     // what they look like; may be empty
+    Numbers held_out;  // figures of pictures that are never trained on
+    ImageRgb8 sheet;   // what they look like; may be empty
 };
 
 struct TrainingTask {
@@ -36,21 +37,22 @@ struct TrainingTask {
     std::function<Batch(Random& dice)> draw;
     // Losses, backward(), Learner::update(rate).
     std::function<Numbers(const Batch& batch, std::int64_t step, double rate)> step;
-    std::function<Look()> look;     // with the learners' averages
-    Json settings;                  // what else must be equal for a checkpoint to be gone on with: data, sizes, losses
+    std::function<Look()> look;  // with the learners' averages
+    Json settings;               // what else must be equal for a checkpoint to be gone on with: data, sizes, losses
 };
 
 struct TrainingOutcome {
-    std::int64_t steps = 0;         // done in all
-    bool finished = false;          // false: the minutes ran out first
-    Numbers held_out;               // of the last look
+    std::int64_t steps = 0;  // done in all
+    bool finished = false;   // false: the minutes ran out first
+    Numbers held_out;        // of the last look
 };
 
-// Works in `folder`: checkpoint.safetensors, training.json, curves.csv, curve-NAME.svg, sheets/. When a checkpoint is there it goes on from
-// it, to the same numbers as without the break (on one machine with one number of threads). A checkpoint is written under another name and
-// renamed: a full disk leaves the last one. Throws UsageError when the folder's training has other settings, Error when a file cannot be
-// written, Stopped after a last checkpoint.
-TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const std::filesystem::path& folder, const Run& run);
+// Works in `folder`: checkpoint.safetensors, training.json, curves.csv, curve-NAME.svg, sheets/. When a checkpoint is
+// there it goes on from it, to the same numbers as without the break (on one machine with one number of threads). A
+// checkpoint is written under another name and renamed: a full disk leaves the last one. Throws UsageError when the
+// folder's training has other settings, Error when a file cannot be written, Stopped after a last checkpoint.
+TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const std::filesystem::path& folder,
+                      const Run& run);
 
 // Adam's rate at a step: warm-up, then half a cosine from rate to last_rate.
 double rate_at(const TrainingParams& params, std::int64_t step);

@@ -11,7 +11,7 @@
 namespace fastscene::nn {
 namespace {
 
-constexpr std::size_t kMostPoints = 150;   // of a curve; more are averaged
+constexpr std::size_t kMostPoints = 150;  // of a curve; more are averaged
 
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> out;
@@ -98,12 +98,15 @@ void TrainingLog::save_plots() const {
     };
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::string name = columns_[i].starts_with(kHeldOut) ? columns_[i].substr(kHeldOut.size()) : columns_[i];
-        if (name != columns_[i] && std::find(columns_.begin(), columns_.end(), name) != columns_.end()) continue;   // drawn with its brother
+        if (name != columns_[i] && std::find(columns_.begin(), columns_.end(), name) != columns_.end())
+            continue;  // drawn with its brother
         Plot plot{name, "step", "", {curve(i)}};
         const auto brother = std::find(columns_.begin(), columns_.end(), std::string(kHeldOut) + name);
-        if (brother != columns_.end() && name == columns_[i]) plot.curves.push_back(curve(static_cast<std::size_t>(brother - columns_.begin())));
+        if (brother != columns_.end() && name == columns_[i])
+            plot.curves.push_back(curve(static_cast<std::size_t>(brother - columns_.begin())));
         std::string file = name;
-        std::replace_if(file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '-');
+        std::replace_if(
+            file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '-');
         save_plots_svg(folder_ / ("curve-" + file + ".svg"), {plot});
     }
 }

@@ -18,7 +18,8 @@ class TrainingLog {
     TrainingLog(std::filesystem::path folder, std::int64_t step);
     // Values by column; a new name opens a column. NaN: nothing to say.
     void add(std::int64_t step, double minutes, const std::vector<std::pair<std::string, double>>& values);
-    // Writes curves.csv and a curve-NAME.svg for each column; names that start with kHeldOut are drawn over those without it.
+    // Writes curves.csv and a curve-NAME.svg for each column; names that start with kHeldOut are drawn over those
+    // without it.
     void save() const;
     double minutes() const { return rows_.empty() ? 0 : rows_.back().minutes; }
 

@@ -1,4 +1,5 @@
-// How a network is trained, whichever it is: the settings that `inpaint train` and `depth train` share. No libtorch in sight.
+// How a network is trained, whichever it is: the settings that `inpaint train` and `depth train` share. No libtorch in
+// sight.
 #pragma once
 
 #include <string>
@@ -24,21 +25,26 @@ struct TrainingParams {
 template <class V>
 void visit_fields(TrainingParams& p, V&& v) {
     v("steps", p.steps, Bounds{1, 2e9}, "Steps in all; a larger number goes on with a finished training.");
-    v("minutes", p.minutes, Bounds{0, 1e7}, "Stop after so many minutes of this call, with a checkpoint; 0 = only after --steps.");
+    v("minutes", p.minutes, Bounds{0, 1e7},
+      "Stop after so many minutes of this call, with a checkpoint; 0 = only after --steps.");
     v("batch", p.batch, Bounds{1, 4096}, "Pictures a step.");
     v("rate", p.rate, Bounds{0, 1}, "Adam's rate after the warm-up.");
     v("last-rate", p.last_rate, Bounds{0, 1}, "Its rate at --steps; in between half a cosine.");
     v("warmup", p.warmup, Bounds{0, 1e6}, "Steps in which the rate grows from 0.");
     v("average", p.average, Bounds{0, 0.999999},
       "The network that is kept is a running average of the trained one; this is what stays of it each step.");
-    v("clip", p.clip, Bounds{0, 1e9}, "Longest gradient of a network; longer ones are shortened to it. 0 = any length.");
+    v("clip", p.clip, Bounds{0, 1e9},
+      "Longest gradient of a network; longer ones are shortened to it. 0 = any length.");
     v("log-steps", p.log_steps, Bounds{1, 1e6}, "Steps between rows of curves.csv.");
-    v("look-steps", p.look_steps, Bounds{1, 1e9}, "Steps between looks at the held-out pictures: their figures, and a sheet.");
+    v("look-steps", p.look_steps, Bounds{1, 1e9},
+      "Steps between looks at the held-out pictures: their figures, and a sheet.");
     v("checkpoint-minutes", p.checkpoint_minutes, Bounds{0, 1e5}, "Minutes between checkpoints.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Where it is trained; auto: CUDA if libtorch has it.");
-    v("precision", p.precision, Choices{{"auto", "f32", "bf16"}}, "Of convolutions and products; auto: bf16 where the device computes with it.");
+    v("precision", p.precision, Choices{{"auto", "f32", "bf16"}},
+      "Of convolutions and products; auto: bf16 where the device computes with it.");
     v("processes", p.processes, Bounds{1, 4096},
-      "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the mean of all gradients.");
+      "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the "
+      "mean of all gradients.");
     v("process", p.process, Bounds{0, 4095}, "Which of them this is; 0 keeps the folder.");
     v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
 }
@@ -46,7 +52,9 @@ void visit_fields(TrainingParams& p, V&& v) {
 // What is the same whenever a training is gone on with. The other settings may change in between.
 inline Json lasting_settings(const TrainingParams& params) {
     Json all = fields_json(params);
-    for (const char* free : {"steps", "minutes", "log-steps", "look-steps", "checkpoint-minutes", "device", "process", "meet"}) all.erase(free);
+    for (const char* free :
+         {"steps", "minutes", "log-steps", "look-steps", "checkpoint-minutes", "device", "process", "meet"})
+        all.erase(free);
     return all;
 }
 

@@ -27,11 +27,15 @@ namespace fs = std::filesystem;
 
 struct Folder {
     fs::path path;
-    explicit Folder(const std::string& name) : path(fs::temp_directory_path() / (name + std::to_string(::getpid()))) { fs::remove_all(path); }
+    explicit Folder(const std::string& name) : path(fs::temp_directory_path() / (name + std::to_string(::getpid()))) {
+        fs::remove_all(path);
+    }
     ~Folder() { fs::remove_all(path); }
 };
 
-at::Tensor small_network(const Scope& s, const at::Tensor& x) { return linear(s / "out", at::relu(linear(s / "in", x, 16)), 1); }
+at::Tensor small_network(const Scope& s, const at::Tensor& x) {
+    return linear(s / "out", at::relu(linear(s / "in", x, 16)), 1);
+}
 
 // Learns y = x0 x1 from examples.
 struct Lesson {
@@ -58,7 +62,9 @@ struct Lesson {
         task.look = [this]() -> Look {
             Random dice(99, "held out");
             const Batch batch = task.draw(dice);
-            return {{{"loss", at::mse_loss(small_network(learner.average(), batch[0]).squeeze(1), batch[0].prod(1)).item<double>()}}, {}};
+            return {{{"loss", at::mse_loss(small_network(learner.average(), batch[0]).squeeze(1), batch[0].prod(1))
+                                  .item<double>()}},
+                    {}};
         };
         task.settings = {{"what", "a product"}};
     }
@@ -94,7 +100,8 @@ TEST(Training, GeluHasItsGradientInAnyLayout) {
         (activation(x).flatten(2).transpose(1, 2).contiguous() * weight.to(type)).sum().backward();
         return x.grad().to(at::kDouble);
     };
-    const at::Tensor exact = gradient(at::kDouble, [](const at::Tensor& x) { return x * 0.5 * (1 + at::erf(x * M_SQRT1_2)); });
+    const at::Tensor exact = gradient(at::kDouble,
+                                      [](const at::Tensor& x) { return x * 0.5 * (1 + at::erf(x * M_SQRT1_2)); });
     EXPECT_LT((gradient(at::kFloat, exact_gelu) - exact).abs().max().item<double>(), 1e-5);
 }
 
@@ -161,8 +168,9 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
     const Folder one("fastscene-training-one"), first("fastscene-training-first"), second("fastscene-training-second");
     Lesson alone;
     const auto draw = alone.task.draw;
-    const auto of_step = [&](std::int64_t step) {   // the dice of both processes
-        Random a(7, "training step", static_cast<std::uint64_t>(2 * step)), b(7, "training step", static_cast<std::uint64_t>(2 * step + 1));
+    const auto of_step = [&](std::int64_t step) {  // the dice of both processes
+        Random a(7, "training step", static_cast<std::uint64_t>(2 * step)),
+            b(7, "training step", static_cast<std::uint64_t>(2 * step + 1));
         return Batch{at::cat({draw(a)[0], draw(b)[0]})};
     };
     const auto step = alone.task.step;
@@ -190,14 +198,14 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
 TEST(Training, ATeamThatDoesNotMeetSaysSo) {
     TrainingParams params = quick(1);
     params.processes = 2;
-    EXPECT_THROW(Team::meet(params), UsageError);   // no place
+    EXPECT_THROW(Team::meet(params), UsageError);  // no place
     params.meet = "localhost:0";
     EXPECT_THROW(Team::meet(params), UsageError);
     params.meet = fmt::format("localhost:{}", free_port());
     params.process = 2;
     EXPECT_THROW(Team::meet(params), UsageError);
     params.process = 0;
-    EXPECT_THROW(Team::meet(params, 0.5), Error);   // nobody comes
+    EXPECT_THROW(Team::meet(params, 0.5), Error);  // nobody comes
 }
 
 TEST(Training, AFolderKeepsItsSettings) {

@@ -15,14 +15,17 @@ namespace {
 // The time step as waves of falling frequency (Vaswani et al. 2017), in single precision whatever the network's type.
 Tensor waves_of_time(double t, std::int64_t width, const UNetConfig& config) {
     const std::int64_t half = width / 2;
-    const Tensor exponent = at::arange(half, at::kFloat) * (-std::log(10000.0) / (static_cast<double>(half) - config.frequency_shift));
+    const Tensor exponent = at::arange(half, at::kFloat) *
+                            (-std::log(10000.0) / (static_cast<double>(half) - config.frequency_shift));
     const Tensor angles = (at::exp(exponent) * static_cast<float>(t)).unsqueeze(0);
-    return config.cos_first ? at::cat({at::cos(angles), at::sin(angles)}, 1) : at::cat({at::sin(angles), at::cos(angles)}, 1);
+    return config.cos_first ? at::cat({at::cos(angles), at::sin(angles)}, 1)
+                            : at::cat({at::sin(angles), at::cos(angles)}, 1);
 }
 
 Tensor time_embedding(const Scope& s, double t, const UNetConfig& config, const Tensor& like) {
     const std::int64_t width = 4 * config.channels[0];
-    const Tensor waves = waves_of_time(t, config.channels[0], config).expand({like.size(0), config.channels[0]}).to(like.options());
+    const Tensor waves =
+        waves_of_time(t, config.channels[0], config).expand({like.size(0), config.channels[0]}).to(like.options());
     return s.out(linear(s / "linear_2", at::silu(linear(s / "linear_1", waves, width)), width));
 }
 
@@ -31,13 +34,16 @@ TransformerShape transformer_shape(const UNetConfig& config, std::size_t level) 
 }
 
 // The way down: every block's output is kept for the way up.
-std::vector<Tensor> way_down(const Scope& s, const UNetConfig& config, const Tensor& first, const Tensor& time, const Tensor& text) {
+std::vector<Tensor> way_down(const Scope& s, const UNetConfig& config, const Tensor& first, const Tensor& time,
+                             const Tensor& text) {
     std::vector<Tensor> kept{first};
     for (std::size_t level = 0; level < config.channels.size(); ++level) {
         const Scope block = s / "down_blocks" / static_cast<std::int64_t>(level);
         for (std::int64_t i = 0; i < config.layers; ++i) {
-            Tensor x = resnet(block / "resnets" / i, kept.back(), config.channels[level], config.groups, config.eps, time);
-            if (config.down_attention[level]) x = transformer(block / "attentions" / i, x, text, transformer_shape(config, level));
+            Tensor x = resnet(block / "resnets" / i, kept.back(), config.channels[level], config.groups, config.eps,
+                              time);
+            if (config.down_attention[level])
+                x = transformer(block / "attentions" / i, x, text, transformer_shape(config, level));
             kept.push_back(x);
         }
         if (level + 1 == config.channels.size()) break;
@@ -55,20 +61,24 @@ Tensor middle(const Scope& s, const UNetConfig& config, const Tensor& x, const T
     return s.out(resnet(s / "resnets" / 1, y, width, config.groups, config.eps, time));
 }
 
-Tensor way_up(const Scope& s, const UNetConfig& config, Tensor x, std::vector<Tensor>& kept, const Tensor& time, const Tensor& text) {
+Tensor way_up(const Scope& s, const UNetConfig& config, Tensor x, std::vector<Tensor>& kept, const Tensor& time,
+              const Tensor& text) {
     const std::size_t levels = config.channels.size();
     for (std::size_t i = 0; i < levels; ++i) {
         const std::size_t level = levels - 1 - i;
         const Scope block = s / "up_blocks" / static_cast<std::int64_t>(i);
         for (std::int64_t k = 0; k <= config.layers; ++k) {
-            x = resnet(block / "resnets" / k, at::cat({x, kept.back()}, 1), config.channels[level], config.groups, config.eps, time);
+            x = resnet(block / "resnets" / k, at::cat({x, kept.back()}, 1), config.channels[level], config.groups,
+                       config.eps, time);
             kept.pop_back();
-            if (config.up_attention[i]) x = transformer(block / "attentions" / k, x, text, transformer_shape(config, level));
+            if (config.up_attention[i])
+                x = transformer(block / "attentions" / k, x, text, transformer_shape(config, level));
         }
         if (level == 0) break;
         // To the size of what it meets next: exactly double, except where a side was odd on the way down.
         const Scope up = block / "upsamplers" / 0;
-        x = up.out(conv(up / "conv", resized_nearest(x, {kept.back().size(2), kept.back().size(3)}), config.channels[level]));
+        x = up.out(
+            conv(up / "conv", resized_nearest(x, {kept.back().size(2), kept.back().size(3)}), config.channels[level]));
     }
     return x;
 }
@@ -87,7 +97,8 @@ Tensor picture_embedding(const Scope& s, const UNetConfig& config, const Tensor&
 
 }  // namespace
 
-Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text, const Residuals* add) {
+Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
+            const Residuals* add) {
     const Tensor time = time_embedding(s / "time_embedding", t, config, latent);
     std::vector<Tensor> kept = way_down(s, config, conv(s / "conv_in", latent, config.channels[0]), time, text);
     Tensor x = middle(s / "mid_block", config, kept.back(), time, text);
@@ -96,18 +107,22 @@ Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, doub
         x = x + add->middle;
     }
     x = way_up(s, config, x, kept, time, text);
-    return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, config.eps)), config.out_channels);
+    return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, config.eps)),
+                config.out_channels);
 }
 
-Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text, const Tensor& picture,
-                     double strength) {
+Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
+                     const Tensor& picture, double strength) {
     const Tensor time = time_embedding(s / "time_embedding", t, config, latent);
-    const Tensor first = conv(s / "conv_in", latent, config.channels[0]) + picture_embedding(s / "controlnet_cond_embedding", config, picture);
+    const Tensor first = conv(s / "conv_in", latent, config.channels[0]) +
+                         picture_embedding(s / "controlnet_cond_embedding", config, picture);
     const std::vector<Tensor> kept = way_down(s, config, first, time, text);
     const Tensor x = middle(s / "mid_block", config, kept.back(), time, text);
     Residuals out;
     for (std::size_t i = 0; i < kept.size(); ++i)
-        out.down.push_back(conv(s / "controlnet_down_blocks" / static_cast<std::int64_t>(i), kept[i], kept[i].size(1), {1, 1, 0}) * strength);
+        out.down.push_back(
+            conv(s / "controlnet_down_blocks" / static_cast<std::int64_t>(i), kept[i], kept[i].size(1), {1, 1, 0}) *
+            strength);
     out.middle = conv(s / "controlnet_mid_block", x, x.size(1), {1, 1, 0}) * strength;
     return out;
 }

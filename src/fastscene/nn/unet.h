@@ -1,5 +1,6 @@
-// The denoiser of Stable Diffusion 1.x and 2.x (Rombach et al. 2022), and ControlNet (Zhang et al. 2023), which is its first half with a
-// picture added. Keys and configuration as in diffusers' folders unet/ and controlnet. Private to nn/ (torch).
+// The denoiser of Stable Diffusion 1.x and 2.x (Rombach et al. 2022), and ControlNet (Zhang et al. 2023), which is its
+// first half with a picture added. Keys and configuration as in diffusers' folders unet/ and controlnet. Private to nn/
+// (torch).
 #pragma once
 
 #include <filesystem>
@@ -13,20 +14,21 @@ namespace fastscene::nn {
 
 struct UNetConfig {
     std::int64_t in_channels = 4, out_channels = 4;
-    std::vector<std::int64_t> channels;             // of each level
+    std::vector<std::int64_t> channels;              // of each level
     std::vector<bool> down_attention, up_attention;  // does the level look at the text?
-    std::vector<std::int64_t> heads;                // of each level, counted downwards ("attention_head_dim" in the files: a misnomer)
+    std::vector<std::int64_t>
+        heads;  // of each level, counted downwards ("attention_head_dim" in the files: a misnomer)
     std::int64_t layers = 2, groups = 32, text_width = 768, down_pad = 1;
-    double eps = 1e-5;                              // of the residual blocks' norms
+    double eps = 1e-5;  // of the residual blocks' norms
     double frequency_shift = 0;
     bool cos_first = true, linear_projection = false, attention_in_float = false;
     // ControlNet only.
     std::int64_t picture_channels = 3;
-    bool picture_reversed = false;                  // its channels are taken from the last to the first: blue, green, red
+    bool picture_reversed = false;  // its channels are taken from the last to the first: blue, green, red
     std::vector<std::int64_t> picture_widths{16, 32, 96, 256};
 };
-// Reads config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no way up. `where` names it in errors. Throws Error for
-// kinds of blocks that these models do not have.
+// Reads config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no way up. `where` names it in
+// errors. Throws Error for kinds of blocks that these models do not have.
 UNetConfig unet_config(const Json& json, const std::string& where);
 UNetConfig controlnet_config(const Json& json, const std::string& where);
 
@@ -37,9 +39,10 @@ struct Residuals {
 };
 
 // latent [N, 4, H, W], t a time step for all, text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
-at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text, const Residuals* add = nullptr);
+at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text,
+                const Residuals* add = nullptr);
 // picture [N, picture_channels, 8 H, 8 W] in [0, 1].
-Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text, const at::Tensor& picture,
-                     double strength = 1);
+Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t,
+                     const at::Tensor& text, const at::Tensor& picture, double strength = 1);
 
 }  // namespace fastscene::nn

@@ -42,17 +42,20 @@ Tensor resnet(const Scope& s, const Tensor& x, std::int64_t out, std::int64_t gr
 
 Tensor transformer(const Scope& s, const Tensor& x, const Tensor& text, const TransformerShape& shape) {
     const std::int64_t n = x.size(0), c = x.size(1), h = x.size(2), w = x.size(3);
-    const auto rows = [](const Tensor& t) { return t.flatten(2).transpose(1, 2); };                           // [N, HW, C]
+    const auto rows = [](const Tensor& t) { return t.flatten(2).transpose(1, 2); };  // [N, HW, C]
     const auto picture = [&](const Tensor& t) { return t.transpose(1, 2).reshape({n, c, h, w}); };
     Tensor y = group_norm(s / "norm", x, shape.groups, 1e-6);
     y = shape.linear_projection ? linear(s / "proj_in", rows(y), c) : rows(conv(s / "proj_in", y, c, {1, 1, 0}));
     y = transformer_block(s / "transformer_blocks" / 0, y, text, shape);
-    y = shape.linear_projection ? picture(linear(s / "proj_out", y, c)) : conv(s / "proj_out", picture(y), c, {1, 1, 0});
+    y = shape.linear_projection ? picture(linear(s / "proj_out", y, c))
+                                : conv(s / "proj_out", picture(y), c, {1, 1, 0});
     return s.out(y + x);
 }
 
 Tensor doubled(const Tensor& x) { return resized_nearest(x, {2 * x.size(2), 2 * x.size(3)}); }
 
-Tensor resized_nearest(const Tensor& x, at::IntArrayRef height_width) { return at::upsample_nearest2d(x, height_width); }
+Tensor resized_nearest(const Tensor& x, at::IntArrayRef height_width) {
+    return at::upsample_nearest2d(x, height_width);
+}
 
 }  // namespace fastscene::nn

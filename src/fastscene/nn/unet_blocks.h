@@ -5,8 +5,10 @@
 
 namespace fastscene::nn {
 
-// x [N, C, H, W] + change -> [N, out, H, W]; `time` [N, D] (not defined in the VAE) is added after the first convolution.
-at::Tensor resnet(const Scope& s, const at::Tensor& x, std::int64_t out, std::int64_t groups, double eps, const at::Tensor& time = {});
+// x [N, C, H, W] + change -> [N, out, H, W]; `time` [N, D] (not defined in the VAE) is added after the first
+// convolution.
+at::Tensor resnet(const Scope& s, const at::Tensor& x, std::int64_t out, std::int64_t groups, double eps,
+                  const at::Tensor& time = {});
 
 struct TransformerShape {
     std::int64_t heads = 8, groups = 32;
@@ -15,7 +17,7 @@ struct TransformerShape {
 // Each position looks at all positions, then at the text.
 at::Tensor transformer(const Scope& s, const at::Tensor& x, const at::Tensor& text, const TransformerShape& shape);
 
-at::Tensor doubled(const at::Tensor& x);                                       // nearest
+at::Tensor doubled(const at::Tensor& x);  // nearest
 at::Tensor resized_nearest(const at::Tensor& x, at::IntArrayRef height_width);
 
 }  // namespace fastscene::nn

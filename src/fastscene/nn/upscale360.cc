@@ -26,15 +26,16 @@ using nn::Scope;
 
 namespace {
 
-constexpr std::int64_t kEnlargeTile = 384, kEnlargeOverlap = 40;  // pixels; as published, whose tiles see 20 pixels beyond their ends
+constexpr std::int64_t kEnlargeTile = 384,
+                       kEnlargeOverlap = 40;  // pixels; as published, whose tiles see 20 pixels beyond their ends
 
 // Real-ESRGAN's sizes, read from its file.
 nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
     nn::RrdbConfig config;
     const auto first = file.shape_of("conv_first.weight"), dense = file.shape_of("body.0.rdb1.conv1.weight");
     if (first.size() != 4 || dense.size() != 4 || first[1] != 12)
-        throw Error("{}: expected Real-ESRGAN for twice the size (conv_first.weight of 12 channels), found {}", file.path().string(),
-                    text_of_shape(first));
+        throw Error("{}: expected Real-ESRGAN for twice the size (conv_first.weight of 12 channels), found {}",
+                    file.path().string(), text_of_shape(first));
     config.features = first[0];
     config.growth = dense[0];
     config.scale = 2;
@@ -62,7 +63,8 @@ ImageRgb8 tripled(const ImageRgb8& image) {
 
 fs::path needed_folder(const fs::path& weights, const char* name) {
     if (!fs::is_directory(weights / name))
-        throw Error("--panorama-upscale: expected {}/ in {}, found none (fastscene models pull diffusion360-upscale)", name, weights.string());
+        throw Error("--panorama-upscale: expected {}/ in {}, found none (fastscene models pull diffusion360-upscale)",
+                    name, weights.string());
     return weights / name;
 }
 
@@ -77,15 +79,20 @@ struct Upscale360::Parts {
     mutable at::Generator random;
 
     Parts(const fs::path& weights, const Upscale360Settings& s)
-        : settings(s), model(needed_folder(weights, "sr-base"), nn::sd_options(s.precision, s.device, nn::Sampler::unipc, s.low_memory, true)),
+        : settings(s),
+          model(needed_folder(weights, "sr-base"),
+                nn::sd_options(s.precision, s.device, nn::Sampler::unipc, s.low_memory, true)),
           control(needed_folder(weights, "sr-control"), model, 3) {
         if (s.to == "3") return;
         if (!fs::exists(weights / "RealESRGAN_x2plus.pth"))
-            throw Error("--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull diffusion360-upscale)", s.to,
-                        weights.string());
+            throw Error(
+                "--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull "
+                "diffusion360-upscale)",
+                s.to, weights.string());
         // The official file has everything inside of "params_ema".
-        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth", at::TensorOptions(model.options.device).dtype(at::kFloat), !s.low_memory,
-                                                   "conv_first.weight");
+        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth",
+                                                   at::TensorOptions(model.options.device).dtype(at::kFloat),
+                                                   !s.low_memory, "conv_first.weight");
         larger_config = rrdb_config(*larger);
     }
     void check_shapes() const {
@@ -101,18 +108,22 @@ struct Upscale360::Parts {
         const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
         return {tile, tile / 4, in, out, {}};
     }
-    fs::path folder_of(const std::string& part) const { return part == "control" ? control.weights->path() : model.base / part; }
+    fs::path folder_of(const std::string& part) const {
+        return part == "control" ? control.weights->path() : model.base / part;
+    }
     ImageRgb8 painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const;
     ImageRgb8 doubled(const ImageRgb8& picture, const Run& run) const;
 };
 
-ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance, const Run& run) const {
+ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance,
+                                          const Run& run) const {
     nn::StoppableWeights vae(*model.vae, run), unet(*model.unet, run), holding(*control.weights, run);
     const Scope pictures(vae);
     random = at::detail::createCPUGenerator(run.seed);  // each step its own: it may be the first of a run that goes on
     const Tensor unit = nn::unit_picture(picture),
-                 text = model.read_prompt(larger_prompt(prompt), settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative,
-                                          run);
+                 text = model.read_prompt(
+                     larger_prompt(prompt),
+                     settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative, run);
     const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1), [&](const Tensor& part) {
         const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part.to(model.options.device));
         return at::cat({found.mean, found.log_variance}, 1);
@@ -120,22 +131,27 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
     nn::expect_finite(both, folder_of("vae"), model.options.type);
     const std::int64_t channels = model.vae_config.latent_channels;
     const Tensor mean = both.narrow(1, 0, channels),
-                 clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) * model.vae_config.scale;
+                 clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) *
+                         model.vae_config.scale;
     const auto scheduler = nn::make_scheduler(model.options.sampler, model.schedule, settings.steps);
     nn::RefinePanorama how;
     how.guidance = guidance;
     how.tile = std::min(settings.tile / kPixelsPerLatent, clean.size(2) / 2 * 2);  // no taller than the picture
     how.first_step = settings.steps - std::min(static_cast<int>(settings.steps * settings.strength), settings.steps);
     how.batch = 1;  // a tile at a time bounds memory; the result is that of published rows
-    how.first_outputs = [&](const std::string& part, const Tensor& output) { nn::expect_finite(output, folder_of(part), model.options.type); };
-    Progress progress(run, fmt::format("larger {} x {}", picture.width, picture.height), settings.steps - how.first_step + 1);
+    how.first_outputs = [&](const std::string& part, const Tensor& output) {
+        nn::expect_finite(output, folder_of(part), model.options.type);
+    };
+    Progress progress(run, fmt::format("larger {} x {}", picture.width, picture.height),
+                      settings.steps - how.first_step + 1);
     how.listener = [&](int, double, const Tensor&) { progress.advance(); };
-    const Tensor latents = nn::refine_panorama(Scope(unet), model.unet_config, Scope(holding), control.config, *scheduler,
-                                               scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
+    const Tensor latents = nn::refine_panorama(
+        Scope(unet), model.unet_config, Scope(holding), control.config, *scheduler,
+        scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
     nn::expect_finite(latents, folder_of("unet"), model.options.type);
-    const Tensor decoded = nn::over_sphere(latents / model.vae_config.scale, tiles(1, kPixelsPerLatent), [&](const Tensor& part) {
-        return nn::vae_decode(pictures, model.vae_config, part.to(model.options.device));
-    });
+    const Tensor decoded = nn::over_sphere(
+        latents / model.vae_config.scale, tiles(1, kPixelsPerLatent),
+        [&](const Tensor& part) { return nn::vae_decode(pictures, model.vae_config, part.to(model.options.device)); });
     nn::expect_finite(decoded, folder_of("vae"), model.options.type);
     progress.advance();
     return nn::picture_of_unit(decoded / 2 + 0.5);
@@ -146,11 +162,13 @@ ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) c
     nn::StoppableWeights weights(*larger, run);
     nn::SphereTiles how{kEnlargeTile, kEnlargeOverlap, 1, 2, {}};
     how.heard = [&](std::int64_t, std::int64_t total) {
-        if (!progress) progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
+        if (!progress)
+            progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
         progress->advance();
     };
-    const Tensor enlarged =
-        nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) { return nn::rrdbnet(Scope(weights), larger_config, part.to(model.options.device)); });
+    const Tensor enlarged = nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) {
+        return nn::rrdbnet(Scope(weights), larger_config, part.to(model.options.device));
+    });
     nn::expect_finite(enlarged, larger->path(), at::kFloat);
     return nn::picture_of_unit(enlarged);
 }
@@ -164,20 +182,22 @@ Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Setti
     const Parts& p = *parts_;
     // A tile is painted where a panorama of 1024 x 512 was; the pictures themselves are held beside it.
     const std::int64_t pixels = 36ll * width * (width / 2);
-    const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(), p.model.text->bytes(),
-                                                p.control.weights->bytes(), p.model.unet->largest_bytes(), true}) +
+    const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(),
+                                                p.model.text->bytes(), p.control.weights->bytes(),
+                                                p.model.unet->largest_bytes(), true}) +
                               (settings.to == "3" ? pixels / 4 : pixels) * 40;
     run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
     if (!p.model.options.device.is_cuda())  // a graphics card says itself when it is full
-        check_memory(
-            "--panorama-upscale " + settings.to, need,
-            fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory", settings.to == "3" ? "" : ", use --panorama-upscale 3"));
+        check_memory("--panorama-upscale " + settings.to, need,
+                     fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory",
+                                 settings.to == "3" ? "" : ", use --panorama-upscale 3"));
     p.check_shapes();
 }
 Upscale360::~Upscale360() = default;
 Upscale360::Upscale360(Upscale360&&) noexcept = default;
 
-ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run, const Keep& keep) const {
+ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prompt, const Run& run,
+                              const Keep& keep) const {
     const c10::InferenceMode inference;
     const Parts& p = *parts_;
     const auto step = [&](const std::string& to, const std::function<ImageRgb8()>& make) {
@@ -191,20 +211,24 @@ ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prom
     return step("6-refined", [&] { return p.painted_anew(picture, prompt, p.settings.refined_guidance, run); });
 }
 
-// Counted in steps of the denoiser over as many latents as a tile has. By the numbers of Stable Diffusion 1.5's layers the ControlNet costs
-// 0.4 of the denoiser, to read and to paint the pixels of a panorama costs 3 steps of it, and to double their width with Real-ESRGAN costs 2.
+// Counted in steps of the denoiser over as many latents as a tile has. By the numbers of Stable Diffusion 1.5's layers
+// the ControlNet costs 0.4 of the denoiser, to read and to paint the pixels of a panorama costs 3 steps of it, and to
+// double their width with Real-ESRGAN costs 2.
 double times_the_painting(int width, int painting_steps, const Upscale360Settings& settings) {
     constexpr double control = 1.4, coding = 3, doubling = 2, decoder = 2, overlap = 1.8;
     const double painting = painting_steps + decoder;
     const auto painted_anew = [&](int times) {
         const std::int64_t rows = std::int64_t{times} * width / 2 / kPixelsPerLatent,
                            half = std::min<std::int64_t>(settings.tile / kPixelsPerLatent, rows) / 2;
-        const double tiles = static_cast<double>(std::max<std::int64_t>((rows - 1) / half, 1) * ((2 * rows + half - 1) / half));
-        const double of_painting =
-            tiles * static_cast<double>(4 * half * half) / (static_cast<double>(width) * width / 2 / kPixelsPerLatent / kPixelsPerLatent);
-        return control * of_painting * static_cast<int>(settings.steps * settings.strength) + coding * overlap * times * times;
+        const double tiles = static_cast<double>(std::max<std::int64_t>((rows - 1) / half, 1) *
+                                                 ((2 * rows + half - 1) / half));
+        const double of_painting = tiles * static_cast<double>(4 * half * half) /
+                                   (static_cast<double>(width) * width / 2 / kPixelsPerLatent / kPixelsPerLatent);
+        return control * of_painting * static_cast<int>(settings.steps * settings.strength) +
+               coding * overlap * times * times;
     };
-    const double steps = painted_anew(3) + (settings.to == "3" ? 0 : doubling * 9) + (settings.to == "6-refined" ? painted_anew(6) : 0);
+    const double steps = painted_anew(3) + (settings.to == "3" ? 0 : doubling * 9) +
+                         (settings.to == "6-refined" ? painted_anew(6) : 0);
     return steps / painting;
 }
 

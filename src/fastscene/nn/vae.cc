@@ -18,11 +18,14 @@ constexpr double kEps = 1e-6;
 Tensor look_around(const Scope& s, const Tensor& x, const VaeConfig& config) {
     const std::int64_t c = x.size(1);
     const Tensor rows = group_norm(s / "group_norm", x, config.groups, kEps).flatten(2).transpose(1, 2);
-    const Tensor y = attention(linear(s / "to_q", rows, c), linear(s / "to_k", rows, c), linear(s / "to_v", rows, c), 1);
+    const Tensor y = attention(linear(s / "to_q", rows, c), linear(s / "to_k", rows, c), linear(s / "to_v", rows, c),
+                               1);
     return s.out(linear(s / "to_out" / 0, y, c).transpose(1, 2).reshape(x.sizes()) + x);
 }
 
-Tensor block(const Scope& s, const Tensor& x, std::int64_t out, const VaeConfig& config) { return resnet(s, x, out, config.groups, kEps); }
+Tensor block(const Scope& s, const Tensor& x, std::int64_t out, const VaeConfig& config) {
+    return resnet(s, x, out, config.groups, kEps);
+}
 
 Tensor middle(const Scope& s, Tensor x, const VaeConfig& config) {
     const std::int64_t c = x.size(1);
@@ -43,7 +46,8 @@ Tensor halved(const Scope& s, const Tensor& x) {  // padded right and below only
 VaeConfig vae_config(const Json& json, const std::string& where) {
     const ConfigFields f(json, where);
     VaeConfig c;
-    if (const Json* act = f.find("act_fn"); act && *act != "silu" && *act != "swish") throw f.wrong("act_fn", "\"silu\"", *act);
+    if (const Json* act = f.find("act_fn"); act && *act != "silu" && *act != "swish")
+        throw f.wrong("act_fn", "\"silu\"", *act);
     if (!f.flag("mid_block_add_attention", true)) throw f.wrong("mid_block_add_attention", "true", false);
     c.channels = f.list("block_out_channels");
     c.layers = f.whole("layers_per_block", 1);
@@ -58,11 +62,14 @@ VaeConfig vae_config(const Json& json, const std::string& where) {
     if (down != c.channels.size() || up != c.channels.size())
         throw Error("{}: expected as many blocks as \"block_out_channels\" has entries ({}), found {} down and {} up",
                     where, c.channels.size(), down, up);
-    if (c.groups < 1 || std::any_of(c.channels.begin(), c.channels.end(), [&](std::int64_t n) { return n % c.groups != 0; }))
-        throw Error("{}: expected \"block_out_channels\" to be multiples of \"norm_num_groups\", found {} groups", where, c.groups);
+    if (c.groups < 1 ||
+        std::any_of(c.channels.begin(), c.channels.end(), [&](std::int64_t n) { return n % c.groups != 0; }))
+        throw Error("{}: expected \"block_out_channels\" to be multiples of \"norm_num_groups\", found {} groups",
+                    where, c.groups);
     // Tiles overlap by a quarter, in latents too.
     if (c.sample_size < 4 * c.factor() || c.sample_size % (4 * c.factor()))
-        throw Error("{}: expected \"sample_size\" to be a multiple of {} pixels (four latents), found {}", where, 4 * c.factor(), c.sample_size);
+        throw Error("{}: expected \"sample_size\" to be a multiple of {} pixels (four latents), found {}", where,
+                    4 * c.factor(), c.sample_size);
     return c;
 }
 

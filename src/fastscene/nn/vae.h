@@ -1,5 +1,5 @@
-// Stable Diffusion's autoencoder: pictures of 8 h x 8 w pixels <-> latents of h x w. Keys and configuration as in diffusers' folder vae/
-// (AutoencoderKL). Private to nn/ (torch).
+// Stable Diffusion's autoencoder: pictures of 8 h x 8 w pixels <-> latents of h x w. Keys and configuration as in
+// diffusers' folder vae/ (AutoencoderKL). Private to nn/ (torch).
 #pragma once
 
 #include <string>

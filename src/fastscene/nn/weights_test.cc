@@ -32,7 +32,7 @@ void expect_state_dict(const Weights& w) {
     EXPECT_EQ(w.tensors.size(), 6u);
     EXPECT_EQ(w.at("a.weight").shape, (std::vector<std::int64_t>{2, 3}));
     EXPECT_EQ(w.at("a.weight").floats(), (std::vector<float>{0, 0.5f, 1, 1.5f, 2, 2.5f}));
-    EXPECT_EQ(w.at("a.bias").floats(), (std::vector<float>{3, 3.5f, 4}));                 // a Parameter, inside a shared storage
+    EXPECT_EQ(w.at("a.bias").floats(), (std::vector<float>{3, 3.5f, 4}));  // a Parameter, inside a shared storage
     EXPECT_EQ(w.at("a.turned").floats(), (std::vector<float>{0, 1.5f, 0.5f, 2, 1, 2.5f}));  // transposed
     EXPECT_EQ(w.at("half").type, NumberType::f16);
     EXPECT_EQ(w.at("half").floats(), (std::vector<float>{1.5f, -2, 0.25f, 0x1p-24f}));
@@ -65,7 +65,8 @@ TEST(Weights, AWholeTrainingStateIsUnwrappedAndNothingInItRuns) {
 
 TEST(Weights, AreFoundUnderTheNamesThatTrainingOnManyGpusGivesThem) {
     const Weights plain = load_weights(data_file("state_dict.pt"));
-    for (const std::string prefix : {"", "module.", "module.module.", "model.", "net.module.", "g_ema.", "state_dict.module.module."}) {
+    for (const std::string prefix :
+         {"", "module.", "module.module.", "model.", "net.module.", "g_ema.", "state_dict.module.module."}) {
         SCOPED_TRACE(prefix);
         Weights named = plain;
         named.tensors.clear();
@@ -103,7 +104,8 @@ TEST(Weights, HalvesRoundAsTheStandardSays) {
     }
 }
 
-// Every file cut anywhere and with any byte changed: either it still makes sense, or an Error says which file. Never a crash.
+// Every file cut anywhere and with any byte changed: either it still makes sense, or an Error says which file. Never a
+// crash.
 TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
     const Folder folder;
     save_safetensors(folder.path / "w.safetensors", load_weights(data_file("state_dict.pt")));
@@ -118,8 +120,9 @@ TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
             EXPECT_NE(std::string(e.what()).find(broken.string()), std::string::npos) << e.what();
         }
     };
-    for (const fs::path& file : {data_file("state_dict.pt"), data_file("state_dict_old_form.pth"), data_file("training_state.pt"),
-                                 data_file("training_state_old_form.pth"), folder.path / "w.safetensors"}) {
+    for (const fs::path& file :
+         {data_file("state_dict.pt"), data_file("state_dict_old_form.pth"), data_file("training_state.pt"),
+          data_file("training_state_old_form.pth"), folder.path / "w.safetensors"}) {
         const std::string whole = read_file(file);
         for (std::size_t size = 0; size < whole.size(); size += 1 + size / 64) {
             try_it(whole.substr(0, size));
@@ -132,7 +135,8 @@ TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
         for (int i = 0; i < 400; ++i) {
             std::string other = whole;
             for (int k = r.index(3); k >= 0; --k)
-                other[static_cast<std::size_t>(r.index(static_cast<int>(other.size())))] = static_cast<char>(r.next_u32());
+                other[static_cast<std::size_t>(r.index(static_cast<int>(other.size())))] = static_cast<char>(
+                    r.next_u32());
             try_it(other);
         }
         refused = before;
@@ -148,9 +152,12 @@ TEST(Weights, HostileSafetensorsSayWhatIsWrong) {
         return message_of([&] { (void)load_weights(path); });
     };
     EXPECT_EQ(with_header(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]}})", 8), "");
-    EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]}})", 7).find("cut off"), std::string::npos);
-    EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[3],"data_offsets":[0,8]}})", 8).find("F32 [3]"), std::string::npos);
-    EXPECT_NE(with_header(R"({"a":{"dtype":"F33","shape":[2],"data_offsets":[0,8]}})", 8).find("F33"), std::string::npos);
+    EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]}})", 7).find("cut off"),
+              std::string::npos);
+    EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[3],"data_offsets":[0,8]}})", 8).find("F32 [3]"),
+              std::string::npos);
+    EXPECT_NE(with_header(R"({"a":{"dtype":"F33","shape":[2],"data_offsets":[0,8]}})", 8).find("F33"),
+              std::string::npos);
     EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[-2],"data_offsets":[0,8]}})", 8), "");
     EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[4611686018427387905,4],"data_offsets":[0,16]}})", 16), "");
     EXPECT_NE(with_header(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[8,0]}})", 8), "");

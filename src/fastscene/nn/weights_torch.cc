@@ -16,8 +16,10 @@ std::string list_text(at::IntArrayRef shape) { return text_of_shape(shape.vec())
 
 // "a, b, c, d and 12 more"
 std::string some_of(const std::vector<std::string>& all) {
-    const std::vector<std::string> first(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostInMessage)));
-    return fmt::format("{}{}", fmt::join(first, ", "), all.size() > kMostInMessage ? fmt::format(" and {} more", all.size() - kMostInMessage) : "");
+    const std::vector<std::string> first(
+        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostInMessage)));
+    return fmt::format("{}{}", fmt::join(first, ", "),
+                       all.size() > kMostInMessage ? fmt::format(" and {} more", all.size() - kMostInMessage) : "");
 }
 
 }  // namespace
@@ -43,7 +45,8 @@ at::Tensor tensor_of(const WeightTensor& weight) {
     const std::size_t size = bytes_of(weight.type);
     if (weight.count() == 0) return at::empty(weight.shape, type);
     if (reinterpret_cast<std::uintptr_t>(weight.bytes.data()) % size == 0)
-        return at::from_blob(const_cast<std::byte*>(weight.bytes.data()), weight.shape, [owner = weight.owner](void*) {}, type);
+        return at::from_blob(
+            const_cast<std::byte*>(weight.bytes.data()), weight.shape, [owner = weight.owner](void*) {}, type);
     at::Tensor copy = at::empty(weight.shape, type);
     std::memcpy(copy.data_ptr(), weight.bytes.data(), weight.bytes.size());
     return copy;
@@ -64,10 +67,12 @@ at::Tensor LoadedWeights::get(const std::string& key, at::IntArrayRef shape) {
     if (ready != ready_.end()) return ready->second;
     const WeightTensor& weight = weights_.at(key);
     if (at::IntArrayRef(weight.shape) != shape)
-        throw Error("{}: {}: expected shape {}, found {}", weights_.path.string(), key, list_text(shape), text_of_shape(weight.shape));
+        throw Error("{}: {}: expected shape {}, found {}", weights_.path.string(), key, list_text(shape),
+                    text_of_shape(weight.shape));
     const at::Tensor tensor = tensor_of(weight);
     if (tensor.is_floating_point() && !at::isfinite(tensor).all().item<bool>())
-        throw Error("{}: {}: expected numbers, found NaN or infinity among its {}", weights_.path.string(), key, tensor.numel());
+        throw Error("{}: {}: expected numbers, found NaN or infinity among its {}", weights_.path.string(), key,
+                    tensor.numel());
     return ready_[key] = tensor.to(options_);
 }
 
@@ -77,10 +82,10 @@ void load_into(const NamedTensors& targets, const Weights& weights, bool extra_a
     for (const auto& [name, target] : targets) {
         wanted.insert(name);
         const auto found = weights.tensors.find(name);
-        if (found == weights.tensors.end())
-            missing.push_back(name + " " + list_text(target.sizes()));
+        if (found == weights.tensors.end()) missing.push_back(name + " " + list_text(target.sizes()));
         else if (at::IntArrayRef(found->second.shape) != target.sizes())
-            shapes.push_back(fmt::format("{} (expected {}, found {})", name, list_text(target.sizes()), text_of_shape(found->second.shape)));
+            shapes.push_back(fmt::format("{} (expected {}, found {})", name, list_text(target.sizes()),
+                                         text_of_shape(found->second.shape)));
     }
     for (const auto& [name, tensor] : weights.tensors)
         if (!extra_allowed && !wanted.contains(name)) extra.push_back(name);
@@ -88,7 +93,8 @@ void load_into(const NamedTensors& targets, const Weights& weights, bool extra_a
     if (!missing.empty()) problems.push_back("missing: " + some_of(missing));
     if (!shapes.empty()) problems.push_back("other shapes: " + some_of(shapes));
     if (!extra.empty()) problems.push_back("unexpected: " + some_of(extra));
-    if (!problems.empty()) throw Error("{}: these weights do not fit the network; {}", weights.path.string(), fmt::join(problems, "; "));
+    if (!problems.empty())
+        throw Error("{}: these weights do not fit the network; {}", weights.path.string(), fmt::join(problems, "; "));
     const at::NoGradGuard no_gradients;
     for (const auto& [name, target] : targets) at::Tensor(target).copy_(tensor_of(weights.tensors.at(name)));
 }

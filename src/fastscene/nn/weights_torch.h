@@ -15,13 +15,16 @@ namespace fastscene::nn {
 at::ScalarType scalar_type(NumberType type);
 // Shares the file's bytes (they are never written to) when they are aligned, copies otherwise.
 at::Tensor tensor_of(const WeightTensor& weight);
-// The other way, for saving: in C order on the CPU. Where the tensor lies so already its memory is shared: a training that changes it changes both.
+// The other way, for saving: in C order on the CPU. Where the tensor lies so already its memory is shared: a training
+// that changes it changes both.
 WeightTensor weight_of(const at::Tensor& tensor);
 
-// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for, and that it holds numbers.
+// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for,
+// and that it holds numbers.
 class LoadedWeights final : public WeightSource {
   public:
-    LoadedWeights(Weights weights, at::TensorOptions options = at::kFloat) : weights_(std::move(weights)), options_(options) {}
+    LoadedWeights(Weights weights, at::TensorOptions options = at::kFloat)
+        : weights_(std::move(weights)), options_(options) {}
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string& key) const override { return weights_.has(key); }
     const Weights& weights() const { return weights_; }
@@ -32,8 +35,8 @@ class LoadedWeights final : public WeightSource {
     std::unordered_map<std::string, at::Tensor> ready_;
 };
 
-// Copies into a list of (name, tensor). Throws one Error that names every missing key, every unexpected one (unless `extra_allowed`) and
-// every other shape, as far as a message can hold them.
+// Copies into a list of (name, tensor). Throws one Error that names every missing key, every unexpected one (unless
+// `extra_allowed`) and every other shape, as far as a message can hold them.
 using NamedTensors = std::vector<std::pair<std::string, at::Tensor>>;
 void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed = false);
 

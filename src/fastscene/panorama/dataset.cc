@@ -26,8 +26,12 @@ struct Plan {
     bool panorama;
 
     int rooms() const { return (request.count + request.params.views - 1) / request.params.views; }
-    fs::path stem(int picture) const { return folder / fmt::format("shard-{:05}", picture / request.params.shard) / fmt::format("{:08}", picture); }
-    fs::path file(int picture, std::string_view ending) const { return fs::path(stem(picture).string() + std::string(ending)); }
+    fs::path stem(int picture) const {
+        return folder / fmt::format("shard-{:05}", picture / request.params.shard) / fmt::format("{:08}", picture);
+    }
+    fs::path file(int picture, std::string_view ending) const {
+        return fs::path(stem(picture).string() + std::string(ending));
+    }
     // The picture's own JSON is written last: where it is, the rest is.
     bool there(int picture) const { return fs::exists(file(picture, ".json")); }
     std::vector<int> missing(int room) const {
@@ -41,10 +45,20 @@ struct Plan {
 // What must be equal for two calls to work on one folder. The number of pictures may grow.
 Json description(const Plan& plan) {
     const DatasetParams& p = plan.request.params;
-    return {{"format", "fastscene dataset 1"}, {"seed", plan.seed}, {"width", plan.request.width}, {"height", plan.request.height},
-            {"camera", plan.panorama ? "panorama" : "perspective"}, {"film", p.film}, {"views", p.views}, {"over_things", p.over_things}, {"shard", p.shard},
-            {"cell_m", p.trace.cell_m}, {"cell_samples", p.trace.cell_samples}, {"pixel_samples", p.trace.pixel_samples},
-            {"range_unit_m", 0.001}, {"classes", nyu40_names()}};
+    return {{"format", "fastscene dataset 1"},
+            {"seed", plan.seed},
+            {"width", plan.request.width},
+            {"height", plan.request.height},
+            {"camera", plan.panorama ? "panorama" : "perspective"},
+            {"film", p.film},
+            {"views", p.views},
+            {"over_things", p.over_things},
+            {"shard", p.shard},
+            {"cell_m", p.trace.cell_m},
+            {"cell_samples", p.trace.cell_samples},
+            {"pixel_samples", p.trace.pixel_samples},
+            {"range_unit_m", 0.001},
+            {"classes", nyu40_names()}};
 }
 
 void settle_description(const Plan& plan) {
@@ -54,20 +68,24 @@ void settle_description(const Plan& plan) {
     const Json found = read_json(path);
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
-            throw UsageError("{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name, value.dump(),
-                             found.contains(name) ? found[name].dump() : "none");
+            throw UsageError(
+                "{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder",
+                path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor or, `over_things`, a piece of furniture
-// below and ceiling above. A room that has no such piece is seen from over its floor.
+// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor or,
+// `over_things`, a piece of furniture below and ceiling above. A room that has no such piece is seen from over its
+// floor.
 Vec3f random_place(const TracedRoom& room, bool over_things, Random& dice) {
     constexpr float kLowestThing = 0.25f;  // a carpet is floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
         const float floor = high.y;  // y is down
-        const Vec3f p{dice.uniform(low.x, high.x), floor - dice.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)), dice.uniform(low.z, high.z)};
+        const Vec3f p{dice.uniform(low.x, high.x), floor - dice.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
+                      dice.uniform(low.z, high.z)};
         const bool inside = room.distance(p, {0, 1, 0}) < 4.f && room.distance(p, {0, -1, 0}) < 6.f;
-        const bool as_wished = !over_things || attempt >= 150 || room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
+        const bool as_wished = !over_things || attempt >= 150 ||
+                               room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
         if (inside && as_wished && room.clearance(p, 0.35f) >= 0.35f) return p;
     }
     return {};  // the camera of the room itself is always clear
@@ -75,21 +93,27 @@ Vec3f random_place(const TracedRoom& room, bool over_things, Random& dice) {
 
 struct Camera {
     Rigid world_from_camera;
-    Pinhole pinhole;   // of a perspective view
+    Pinhole pinhole;  // of a perspective view
 };
 
 Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& dice) {
     const bool over_things = dice.chance(static_cast<float>(plan.request.params.over_things));
     const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, dice);
     const float yaw = dice.uniform(0.f, 360.f) * kDegree, fov_deg = dice.uniform(50.f, 100.f);
-    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * dice.normal(), roll = plan.panorama ? 0.f : 2.f * kDegree * dice.normal();
-    const Mat3f rotation = rotation_about(Vec3f{0, 1, 0}, yaw) * rotation_about(Vec3f{1, 0, 0}, std::clamp(pitch, -0.7f, 0.7f)) * rotation_about(Vec3f{0, 0, 1}, roll);
+    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * dice.normal(),
+                roll = plan.panorama ? 0.f : 2.f * kDegree * dice.normal();
+    const Mat3f rotation = rotation_about(Vec3f{0, 1, 0}, yaw) *
+                           rotation_about(Vec3f{1, 0, 0}, std::clamp(pitch, -0.7f, 0.7f)) *
+                           rotation_about(Vec3f{0, 0, 1}, roll);
     return {{rotation, place}, Pinhole::with_fov(plan.request.width, plan.request.height, fov_deg)};
 }
 
-Random dice_of(const Plan& plan, int picture) { return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)}; }
+Random dice_of(const Plan& plan, int picture) {
+    return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)};
+}
 
-// Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is missing.
+// Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is
+// missing.
 std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
     std::vector<Vec3f> eyes;
     for (int k = 0; k < count; ++k) {
@@ -99,12 +123,14 @@ std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, 
     return eyes;
 }
 
-ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object, const Mat3f& camera_from_world) {
+ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object,
+                          const Mat3f& camera_from_world) {
     ImageRgb8 out(normals.width, normals.height, Rgb8{128, 128, 128});
     for (std::size_t i = 0; i < normals.size(); ++i) {
         if (object.pixels[i] == -2) continue;
         const Vec3f n = camera_from_world * normals.pixels[i];
-        out.pixels[i] = {byte_from_unit(0.5f + 0.5f * n.x), byte_from_unit(0.5f + 0.5f * n.y), byte_from_unit(0.5f + 0.5f * n.z)};
+        out.pixels[i] = {byte_from_unit(0.5f + 0.5f * n.x), byte_from_unit(0.5f + 0.5f * n.y),
+                         byte_from_unit(0.5f + 0.5f * n.z)};
     }
     return out;
 }
@@ -112,8 +138,9 @@ ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& 
 // Millimetres; 0 = the sky, or farther than 16 bits reach.
 Image<std::uint16_t> millimetres(const ImageF& range) {
     Image<std::uint16_t> out(range.width, range.height);
-    std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(),
-                   [](float r) { return r < 65.5f ? static_cast<std::uint16_t>(std::lround(r * 1000.f)) : std::uint16_t{0}; });
+    std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(), [](float r) {
+        return r < 65.5f ? static_cast<std::uint16_t>(std::lround(r * 1000.f)) : std::uint16_t{0};
+    });
     return out;
 }
 
@@ -127,7 +154,8 @@ int class_of(const Room& room, std::int32_t object, Vec3f normal) {
 Json matrix_json(const Rigid& r) {
     const Mat3f& m = r.rotation;
     const Vec3f t = r.translation;
-    return Json::array({Json{m.row0.x, m.row0.y, m.row0.z, t.x}, Json{m.row1.x, m.row1.y, m.row1.z, t.y}, Json{m.row2.x, m.row2.y, m.row2.z, t.z}, Json{0, 0, 0, 1}});
+    return Json::array({Json{m.row0.x, m.row0.y, m.row0.z, t.x}, Json{m.row1.x, m.row1.y, m.row1.z, t.y},
+                        Json{m.row2.x, m.row2.y, m.row2.z, t.z}, Json{0, 0, 0, 1}});
 }
 
 Json instances_json(const Room& room, const Image<std::int32_t>& object) {
@@ -136,7 +164,11 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
         if (i >= 0) ++pixels[static_cast<std::size_t>(i)];
     Json out = Json::array();
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        if (pixels[i] > 0) out.push_back({{"id", i + 1}, {"class", nyu40_of(room.objects[i].klass)}, {"name", room.objects[i].klass}, {"pixels", pixels[i]}});
+        if (pixels[i] > 0)
+            out.push_back({{"id", i + 1},
+                           {"class", nyu40_of(room.objects[i].klass)},
+                           {"name", room.objects[i].klass},
+                           {"pixels", pixels[i]}});
     return out;
 }
 
@@ -147,36 +179,53 @@ void make_picture(const Plan& plan, const TracedRoom& room, const std::string& p
     const Film film = random_film(dice, !plan.panorama);
     const Run quiet{dice.next_u64(), nullptr, run.stop};
     const ShotParts parts{.color = true, .range = true, .normal = true, .object = true};
-    const Shot shot = plan.panorama ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet)
-                                    : room.perspective(camera.world_from_camera, camera.pinhole, parts, quiet);
+    const Shot shot = plan.panorama
+                          ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet)
+                          : room.perspective(camera.world_from_camera, camera.pinhole, parts, quiet);
 
     ImageMask classes(request.width, request.height);
     Image<std::uint16_t> instances(request.width, request.height);
     for (std::size_t i = 0; i < classes.size(); ++i) {
-        classes.pixels[i] = static_cast<std::uint8_t>(class_of(room.room(), shot.object.pixels[i], shot.normal.pixels[i]));
+        classes.pixels[i] = static_cast<std::uint8_t>(
+            class_of(room.room(), shot.object.pixels[i], shot.normal.pixels[i]));
         instances.pixels[i] = static_cast<std::uint16_t>(std::max(0, shot.object.pixels[i] + 1));
     }
     const bool clean = request.params.film == "clean";
     const std::string color_ending = clean ? ".color.png" : ".color.jpg";
     make_directories(plan.stem(picture).parent_path());
-    if (clean)
-        save_png(plan.file(picture, color_ending), srgb8_from_linear(shot.color));
-    else
-        save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, dice), film.jpeg_quality);
+    if (clean) save_png(plan.file(picture, color_ending), srgb8_from_linear(shot.color));
+    else save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, dice), film.jpeg_quality);
     save_png16(plan.file(picture, ".range.png"), millimetres(shot.range));
-    save_png(plan.file(picture, ".normal.png"), encoded_normals(shot.normal, shot.object, transpose(camera.world_from_camera.rotation)));
+    save_png(plan.file(picture, ".normal.png"),
+             encoded_normals(shot.normal, shot.object, transpose(camera.world_from_camera.rotation)));
     save_png(plan.file(picture, ".class.png"), classes);
     save_png16(plan.file(picture, ".instance.png"), instances);
 
     const auto name = [&](const std::string& ending) { return plan.file(picture, ending).filename().string(); };
-    Json lens = plan.panorama ? Json{{"model", "EQUIRECTANGULAR"}} : Json{{"model", "PINHOLE"}, {"fx", camera.pinhole.fx}, {"fy", camera.pinhole.fy}, {"cx", camera.pinhole.cx}, {"cy", camera.pinhole.cy}};
+    Json lens = plan.panorama ? Json{{"model", "EQUIRECTANGULAR"}}
+                              : Json{{"model", "PINHOLE"},
+                                     {"fx", camera.pinhole.fx},
+                                     {"fy", camera.pinhole.fy},
+                                     {"cx", camera.pinhole.cx},
+                                     {"cy", camera.pinhole.cy}};
     const Look& look = room.room().look;
-    write_json(plan.file(picture, ".json"),
-               {{"picture", picture}, {"room", picture / request.params.views}, {"prompt", prompt}, {"color", name(color_ending)}, {"range", name(".range.png")},
-                {"normal", name(".normal.png")}, {"class", name(".class.png")}, {"instance", name(".instance.png")}, {"camera", lens},
-                {"world_from_camera", matrix_json(camera.world_from_camera)},
-                {"look", {{"exposure_ev", look.exposure_ev}, {"white", {look.white.x, look.white.y, look.white.z}}, {"contrast", look.contrast}, {"saturation", look.saturation}}},
-                {"film", clean ? Json() : to_json(film)}, {"instances", instances_json(room.room(), shot.object)}});
+    write_json(plan.file(picture, ".json"), {{"picture", picture},
+                                             {"room", picture / request.params.views},
+                                             {"prompt", prompt},
+                                             {"color", name(color_ending)},
+                                             {"range", name(".range.png")},
+                                             {"normal", name(".normal.png")},
+                                             {"class", name(".class.png")},
+                                             {"instance", name(".instance.png")},
+                                             {"camera", lens},
+                                             {"world_from_camera", matrix_json(camera.world_from_camera)},
+                                             {"look",
+                                              {{"exposure_ev", look.exposure_ev},
+                                               {"white", {look.white.x, look.white.y, look.white.z}},
+                                               {"contrast", look.contrast},
+                                               {"saturation", look.saturation}}},
+                                             {"film", clean ? Json() : to_json(film)},
+                                             {"instances", instances_json(room.room(), shot.object)}});
 }
 
 void check_request(const DatasetRequest& request) {
@@ -184,13 +233,15 @@ void check_request(const DatasetRequest& request) {
     if (request.width < 16 || request.height < 16 || request.width > 8192 || request.height > 8192)
         throw UsageError("--size: expected 16x16 to 8192x8192, found {}x{}", request.width, request.height);
     if (request.params.camera == "panorama" && request.width != 2 * request.height)
-        throw UsageError("--size: expected a width of twice the height for panoramas, found {}x{}", request.width, request.height);
+        throw UsageError("--size: expected a width of twice the height for panoramas, found {}x{}", request.width,
+                         request.height);
 }
 
 // One line a picture, for loaders that want a list. Whoever finishes the set writes it.
 void write_index(const Plan& plan) {
     std::string lines;
-    for (int i = 0; i < plan.request.count; ++i) lines += fs::relative(plan.file(i, ".json"), plan.folder).string() + "\n";
+    for (int i = 0; i < plan.request.count; ++i)
+        lines += fs::relative(plan.file(i, ".json"), plan.folder).string() + "\n";
     write_file(plan.folder / "index.txt", lines);
 }
 
@@ -199,7 +250,8 @@ void write_index(const Plan& plan) {
 DatasetState make_dataset(const DatasetRequest& request, const fs::path& folder, const Run& run) {
     check_request(request);
     const Plan plan{request, folder, run.seed,
-                    request.params.camera == "panorama" || (request.params.camera == "auto" && request.width == 2 * request.height)};
+                    request.params.camera == "panorama" ||
+                        (request.params.camera == "auto" && request.width == 2 * request.height)};
     make_directories(folder / "claims");
     settle_description(plan);
 
@@ -219,7 +271,8 @@ DatasetState make_dataset(const DatasetRequest& request, const fs::path& folder,
         if (missing.empty()) continue;
         RandomRoom random = random_room(plan.seed, r);
         TracedRoom room(std::move(random.room));
-        room.gather_light(request.params.trace, {plan.seed, nullptr, run.stop}, eyes_in(plan, room, r * request.params.views, all));
+        room.gather_light(request.params.trace, {plan.seed, nullptr, run.stop},
+                          eyes_in(plan, room, r * request.params.views, all));
         for (const int picture : missing) {
             run.check_stop();
             claim->still_alive();

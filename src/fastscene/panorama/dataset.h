@@ -1,7 +1,8 @@
 // Dataset: many random rooms as training data: color, exact range, normals, class and instance ids, cameras.
 //
-// Pictures are numbered from 0 over the whole set and depend on (settings, seed, number) only, so a set can be made by any
-// number of processes on any number of machines, stopped, gone on with and made longer; docs/dataset.md describes the files.
+// Pictures are numbered from 0 over the whole set and depend on (settings, seed, number) only, so a set can be made by
+// any number of processes on any number of machines, stopped, gone on with and made longer; docs/dataset.md describes
+// the files.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +31,11 @@ void visit_fields(DatasetParams& p, V&& v) {
       "Kind of picture; auto: a panorama when WIDTH is twice HEIGHT, else a perspective view.");
     v("film", p.film, Choices{{"varied", "clean"}},
       "varied: each picture gets a lens blur, noise, tone curve and JPEG of its own; clean: lossless, none of these.");
-    v("views", p.views, Bounds{1, 1000}, "Pictures of each room, from places of their own. The light of a room is gathered once for all of them.");
+    v("views", p.views, Bounds{1, 1000},
+      "Pictures of each room, from places of their own. The light of a room is gathered once for all of them.");
     v("over-things", p.over_things, Bounds{0, 1},
-      "Share of the places that are over furniture, where there is room for a camera: real panoramas are often taken from over a bed or a table.");
+      "Share of the places that are over furniture, where there is room for a camera: real panoramas are often taken "
+      "from over a bed or a table.");
     v("shard", p.shard, Bounds{1, 100000}, "Pictures in a folder.");
     v("stale-minutes", p.stale_minutes, Bounds{1, 10000},
       "A room claimed by a process of another machine that has shown no sign of life for so long is made by this one.");
@@ -40,17 +43,17 @@ void visit_fields(DatasetParams& p, V&& v) {
 }
 
 struct DatasetRequest {
-    int count = 0;              // pictures in all
+    int count = 0;  // pictures in all
     int width = 0, height = 0;
     DatasetParams params;
 };
 struct DatasetState {
-    int count = 0;              // asked for
-    int made = 0;               // by this call
-    int there = 0;              // in the folder now
+    int count = 0;  // asked for
+    int made = 0;   // by this call
+    int there = 0;  // in the folder now
 };
-// Makes what the folder lacks and no other process is at work on. Throws UsageError when the folder holds a set with other
-// settings, or the request makes no sense; Error when a file cannot be written. Stopped: what is finished stays.
+// Makes what the folder lacks and no other process is at work on. Throws UsageError when the folder holds a set with
+// other settings, or the request makes no sense; Error when a file cannot be written. Stopped: what is finished stays.
 DatasetState make_dataset(const DatasetRequest& request, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

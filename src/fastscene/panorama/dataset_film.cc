@@ -13,7 +13,8 @@ std::vector<float> gaussian(float sigma) {
     const int radius = std::max(1, static_cast<int>(std::ceil(2.5f * sigma)));
     std::vector<float> weights;
     float sum = 0;
-    for (int i = -radius; i <= radius; ++i) sum += weights.emplace_back(std::exp(-0.5f * static_cast<float>(i * i) / (sigma * sigma)));
+    for (int i = -radius; i <= radius; ++i)
+        sum += weights.emplace_back(std::exp(-0.5f * static_cast<float>(i * i) / (sigma * sigma)));
     for (float& w : weights) w /= sum;
     return weights;
 }
@@ -25,11 +26,13 @@ ImageColor blurred(const ImageColor& image, float sigma, bool wraps) {
     ImageColor across(w, h), out(w, h);
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            for (int i = -radius; i <= radius; ++i) across.at(x, y) += image.at(column(x + i), y) * weights[static_cast<std::size_t>(i + radius)];
+            for (int i = -radius; i <= radius; ++i)
+                across.at(x, y) += image.at(column(x + i), y) * weights[static_cast<std::size_t>(i + radius)];
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
             for (int i = -radius; i <= radius; ++i)
-                out.at(x, y) += across.at(x, std::clamp(y + i, 0, h - 1)) * weights[static_cast<std::size_t>(i + radius)];
+                out.at(x, y) += across.at(x, std::clamp(y + i, 0, h - 1)) *
+                                weights[static_cast<std::size_t>(i + radius)];
     return out;
 }
 
@@ -60,14 +63,17 @@ Film random_film(Random& dice, bool perspective) {
 ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& dice) {
     ImageColor light = film.blur_px > 0 ? blurred(color, film.blur_px, wraps) : color;
     ImageRgb8 out(light.width, light.height);
-    const float rx = 0.5f * static_cast<float>(light.width), ry = 0.5f * static_cast<float>(light.height), corner = rx * rx + ry * ry;
+    const float rx = 0.5f * static_cast<float>(light.width), ry = 0.5f * static_cast<float>(light.height),
+                corner = rx * rx + ry * ry;
     for (int y = 0; y < light.height; ++y)
         for (int x = 0; x < light.width; ++x) {
             Vec3f c = light.at(x, y);
             const float dx = static_cast<float>(x) + 0.5f - rx, dy = static_cast<float>(y) + 0.5f - ry;
             c = c * (1.f - film.vignette * (dx * dx + dy * dy) / corner);
             for (std::size_t a = 0; a < 3; ++a) {
-                if (film.shot_noise > 0) c[a] += dice.normal() * std::hypot(film.shot_noise * std::sqrt(std::max(0.f, c[a])), film.read_noise);
+                if (film.shot_noise > 0)
+                    c[a] += dice.normal() *
+                            std::hypot(film.shot_noise * std::sqrt(std::max(0.f, c[a])), film.read_noise);
                 c[a] = tone(film, std::clamp(srgb_from_linear(c[a]), 0.f, 1.f));
             }
             out.at(x, y) = {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)};
@@ -76,8 +82,14 @@ ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& 
 }
 
 Json to_json(const Film& film) {
-    return {{"blur_px", film.blur_px}, {"shot_noise", film.shot_noise}, {"read_noise", film.read_noise}, {"gamma", film.gamma},
-            {"lift", film.lift}, {"s_curve", film.s_curve}, {"vignette", film.vignette}, {"jpeg_quality", film.jpeg_quality}};
+    return {{"blur_px", film.blur_px},
+            {"shot_noise", film.shot_noise},
+            {"read_noise", film.read_noise},
+            {"gamma", film.gamma},
+            {"lift", film.lift},
+            {"s_curve", film.s_curve},
+            {"vignette", film.vignette},
+            {"jpeg_quality", film.jpeg_quality}};
 }
 
 }  // namespace fastscene::dataset

@@ -12,7 +12,8 @@
 
 namespace fastscene::dataset {
 
-// A room drawn at random: a sentence, and what no sentence says (materials, brightness of lamps, exposure, white balance).
+// A room drawn at random: a sentence, and what no sentence says (materials, brightness of lamps, exposure, white
+// balance).
 struct RandomRoom {
     std::string prompt;
     Room room;
@@ -21,12 +22,12 @@ RandomRoom random_room(std::uint64_t seed, int index);
 
 // What lens, sensor and file do to a picture.
 struct Film {
-    float blur_px = 0;            // sigma
-    float shot_noise = 0;         // standard deviation at white, shrinks with the square root of the light
-    float read_noise = 0;         // standard deviation everywhere
-    float gamma = 1, lift = 0;    // tone curve in the encoding of the file
+    float blur_px = 0;          // sigma
+    float shot_noise = 0;       // standard deviation at white, shrinks with the square root of the light
+    float read_noise = 0;       // standard deviation everywhere
+    float gamma = 1, lift = 0;  // tone curve in the encoding of the file
     float s_curve = 0;
-    float vignette = 0;           // share of light lost in the corners
+    float vignette = 0;  // share of light lost in the corners
     int jpeg_quality = 95;
 };
 Film random_film(Random& dice, bool perspective);
@@ -38,8 +39,9 @@ Json to_json(const Film& film);
 int nyu40_of(const std::string& klass);
 Json nyu40_names();
 
-// One process at a time makes a room: it holds `folder`/NAME.claim. A claim that its process left behind (it is gone, or from
-// another machine and older than `stale_minutes`) is taken over. Should two ever make the same room, they write the same bytes.
+// One process at a time makes a room: it holds `folder`/NAME.claim. A claim that its process left behind (it is gone,
+// or from another machine and older than `stale_minutes`) is taken over. Should two ever make the same room, they write
+// the same bytes.
 class Claim {
   public:
     static std::optional<Claim> take(const std::filesystem::path& folder, const std::string& name, int stale_minutes);

@@ -17,27 +17,38 @@ std::string_view one_of(const std::array<std::string_view, N>& words, Random& di
     return words[static_cast<std::size_t>(dice.index(static_cast<int>(N)))];
 }
 
-constexpr std::array<std::string_view, 12> kRooms{"living room", "bedroom", "kids room",   "kitchen",      "dining room", "bathroom",
-                                                  "study",       "hallway", "studio loft", "laundry room", "sunroom",     "attic"};
-constexpr std::array<std::string_view, 9> kMoods{"", "", "", "cozy ", "bright ", "dark ", "cluttered ", "spacious ", "minimal "};
-constexpr std::array<std::string_view, 10> kHours{"",        "",         "",        "in the morning", "in the evening",
-                                                  "at dusk", "at night", "at noon", "at night",       "with the lamps on"};
+constexpr std::array<std::string_view, 12> kRooms{"living room", "bedroom",      "kids room", "kitchen",
+                                                  "dining room", "bathroom",     "study",     "hallway",
+                                                  "studio loft", "laundry room", "sunroom",   "attic"};
+constexpr std::array<std::string_view, 9> kMoods{"",      "",           "",          "cozy ",   "bright ",
+                                                 "dark ", "cluttered ", "spacious ", "minimal "};
+constexpr std::array<std::string_view, 10> kHours{
+    "", "", "", "in the morning", "in the evening", "at dusk", "at night", "at noon", "at night", "with the lamps on"};
 constexpr std::array<std::string_view, 5> kWeathers{"", "", "sunny", "overcast", "rainy"};
-constexpr std::array<std::string_view, 24> kColors{"white", "black",  "gray",    "red",       "blue",     "green",    "yellow",   "orange",
-                                                   "pink",  "purple", "brown",   "beige",     "teal",     "navy",     "olive",    "terracotta",
-                                                   "cream", "sage",   "mustard", "turquoise", "burgundy", "charcoal", "lavender", "ivory"};
-constexpr std::array<std::string_view, 8> kMaterials{"wooden", "leather", "velvet", "metal", "marble", "oak", "walnut", "wicker"};
+constexpr std::array<std::string_view, 24> kColors{
+    "white", "black",  "gray",    "red",       "blue",     "green",    "yellow",   "orange",
+    "pink",  "purple", "brown",   "beige",     "teal",     "navy",     "olive",    "terracotta",
+    "cream", "sage",   "mustard", "turquoise", "burgundy", "charcoal", "lavender", "ivory"};
+constexpr std::array<std::string_view, 8> kMaterials{"wooden", "leather", "velvet", "metal",
+                                                     "marble", "oak",     "walnut", "wicker"};
 
 std::string random_prompt(Random& dice) {
     const std::vector<std::string> all_styles = styles();
-    std::string text = fmt::format("a {}{} {}", one_of(kMoods, dice), all_styles[static_cast<std::size_t>(dice.index(static_cast<int>(all_styles.size())))], one_of(kRooms, dice));
+    std::string text = fmt::format(
+        "a {}{} {}", one_of(kMoods, dice),
+        all_styles[static_cast<std::size_t>(dice.index(static_cast<int>(all_styles.size())))], one_of(kRooms, dice));
     const int wishes = dice.index(5);
     const std::vector<std::string>& pieces = piece_classes();
     for (int i = 0; i < wishes; ++i) {
         std::string piece = pieces[static_cast<std::size_t>(dice.index(static_cast<int>(pieces.size())))];
         std::replace(piece.begin(), piece.end(), '_', ' ');
-        const std::string_view color = dice.chance(0.6f) ? one_of(kColors, dice) : "", material = dice.chance(0.3f) ? one_of(kMaterials, dice) : "";
-        text += fmt::format("{}{}{}{}{}{}", i == 0 ? " with a " : i + 1 == wishes ? " and a " : ", a ", color, color.empty() ? "" : " ", material, material.empty() ? "" : " ", piece);
+        const std::string_view color = dice.chance(0.6f) ? one_of(kColors, dice) : "",
+                               material = dice.chance(0.3f) ? one_of(kMaterials, dice) : "";
+        text += fmt::format("{}{}{}{}{}{}",
+                            i == 0            ? " with a "
+                            : i + 1 == wishes ? " and a "
+                                              : ", a ",
+                            color, color.empty() ? "" : " ", material, material.empty() ? "" : " ", piece);
     }
     if (dice.chance(0.5f)) text += fmt::format(", {} {}", one_of(kColors, dice), dice.chance(0.5f) ? "walls" : "floor");
     if (const auto hour = one_of(kHours, dice); !hour.empty()) text += fmt::format(", {}", hour);
@@ -46,19 +57,23 @@ std::string random_prompt(Random& dice) {
 }
 
 // Patterns that may stand for each other on any surface; pictures, leaves and screens stay what they are.
-constexpr std::array kPlain{Pattern::plain,   Pattern::plaster, Pattern::wood,     Pattern::planks, Pattern::parquet,  Pattern::tile,
-                            Pattern::checker, Pattern::brick,   Pattern::concrete, Pattern::marble, Pattern::terrazzo, Pattern::fabric,
-                            Pattern::carpet,  Pattern::leather, Pattern::stripes,  Pattern::damask, Pattern::floral};
+constexpr std::array kPlain{Pattern::plain,    Pattern::plaster, Pattern::wood,   Pattern::planks,   Pattern::parquet,
+                            Pattern::tile,     Pattern::checker, Pattern::brick,  Pattern::concrete, Pattern::marble,
+                            Pattern::terrazzo, Pattern::fabric,  Pattern::carpet, Pattern::leather,  Pattern::stripes,
+                            Pattern::damask,   Pattern::floral};
 bool may_change(Pattern p) { return std::find(kPlain.begin(), kPlain.end(), p) != kPlain.end(); }
 
 Vec3f random_albedo(Random& dice) {
     // Gray level first, then a tint: saturated colors are rare in rooms.
-    const float level = std::exp(dice.uniform(std::log(0.04f), std::log(0.85f))), tint = 0.9f * std::pow(dice.uniform(), 2.f);
-    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform())};
+    const float level = std::exp(dice.uniform(std::log(0.04f), std::log(0.85f))),
+                tint = 0.9f * std::pow(dice.uniform(), 2.f);
+    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()),
+            level * (1 - tint * dice.uniform())};
 }
 
 Vec3f shifted(Vec3f color, float strength, Vec3f by) {
-    for (std::size_t a = 0; a < 3; ++a) color[a] = std::clamp(color[a] * std::exp(0.35f * strength * by[a]), 0.015f, 0.88f);
+    for (std::size_t a = 0; a < 3; ++a)
+        color[a] = std::clamp(color[a] * std::exp(0.35f * strength * by[a]), 0.015f, 0.88f);
     return color;
 }
 
@@ -83,7 +98,8 @@ void vary_material(Material& m, float strength, Random& dice) {
 
 void vary_light(Room& room, Random& dice) {
     const float lamps = std::exp2(dice.uniform(-1.2f, 1.2f)), warmth = dice.uniform(-0.25f, 0.25f);
-    for (Material& m : room.materials) m.emission = m.emission * Vec3f{lamps * (1 + warmth), lamps, lamps * (1 - warmth)};
+    for (Material& m : room.materials)
+        m.emission = m.emission * Vec3f{lamps * (1 + warmth), lamps, lamps * (1 - warmth)};
     const float sky = std::exp2(dice.uniform(-0.8f, 0.8f)), sun = std::exp2(dice.uniform(-1.f, 0.6f));
     room.sky.zenith = room.sky.zenith * sky;
     room.sky.horizon = room.sky.horizon * sky;

@@ -65,7 +65,8 @@ TEST_F(Dataset, OtherSettingsAreRefused) {
     EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
 }
 
-// Neighbouring ranges, as points, span a plane whose normal is the one in the normal map: so frames, units and signs agree.
+// Neighbouring ranges, as points, span a plane whose normal is the one in the normal map: so frames, units and signs
+// agree.
 TEST_F(Dataset, RangeNormalsAndClassesAgree) {
     DatasetRequest request = small(2);
     request.width = 256;
@@ -86,8 +87,8 @@ TEST_F(Dataset, RangeNormalsAndClassesAgree) {
                 const auto point = [&](int px, int py) { return direction_of_pixel(px, py, size) * range.at(px, py); };
                 const Vec3f p = point(x, y), n = normalize(cross(point(x, y + 1) - p, point(x + 1, y) - p));
                 const Rgb8 c = normals.at(x, y);
-                const Vec3f m =
-                    normalize(Vec3f{static_cast<float>(c.r) - 127.5f, static_cast<float>(c.g) - 127.5f, static_cast<float>(c.b) - 127.5f});
+                const Vec3f m = normalize(Vec3f{static_cast<float>(c.r) - 127.5f, static_cast<float>(c.g) - 127.5f,
+                                                static_cast<float>(c.b) - 127.5f});
                 const int k = classes.at(x, y);
                 if (k != 1 && k != 2 && k != 22) continue;
                 EXPECT_LT(dot(m, p), 0.02f * length(p)) << "normals look at the camera";
@@ -145,7 +146,8 @@ TEST_F(Dataset, AClaimIsHeldByOneAndInheritedFromTheDead) {
 }
 
 TEST(DatasetRooms, DifferAndCanBeDrawnAgain) {
-    const dataset::RandomRoom a = dataset::random_room(1, 0), again = dataset::random_room(1, 0), b = dataset::random_room(1, 1);
+    const dataset::RandomRoom a = dataset::random_room(1, 0), again = dataset::random_room(1, 0),
+                              b = dataset::random_room(1, 1);
     EXPECT_EQ(a.prompt, again.prompt);
     ASSERT_EQ(a.room.meshes.size(), again.room.meshes.size());
     EXPECT_EQ(a.room.meshes[0].positions, again.room.meshes[0].positions);
@@ -153,9 +155,15 @@ TEST(DatasetRooms, DifferAndCanBeDrawnAgain) {
 }
 
 TEST(DatasetClasses, OfOurPieces) {
-    for (const auto& [klass, id] : std::map<std::string, int>{{"bed_single", 4}, {"nightstand", 32}, {"bookshelf", 10}, {"armchair", 5}, {"sofa", 6}, {"dining_table_round", 7}, {"door", 8}, {"window", 9},
-                                                              {"kitchen_counter", 12}, {"rug", 20}, {"tv", 25}, {"tv_stand", 39}, {"washbasin", 34}, {"floor_lamp", 35}, {"grand piano", 39}, {"zebra", 40},
-                                                              {"bunk_bed", 4}, {"loft_bed", 4}, {"canopy_bed", 4}, {"daybed", 4}, {"bean_bag", 5}, {"hanging_chair", 5}, {"chaise_longue", 6}, {"window_seat", 5}})
+    for (const auto& [klass, id] :
+         std::map<std::string, int>{{"bed_single", 4},    {"nightstand", 32},   {"bookshelf", 10},
+                                    {"armchair", 5},      {"sofa", 6},          {"dining_table_round", 7},
+                                    {"door", 8},          {"window", 9},        {"kitchen_counter", 12},
+                                    {"rug", 20},          {"tv", 25},           {"tv_stand", 39},
+                                    {"washbasin", 34},    {"floor_lamp", 35},   {"grand piano", 39},
+                                    {"zebra", 40},        {"bunk_bed", 4},      {"loft_bed", 4},
+                                    {"canopy_bed", 4},    {"daybed", 4},        {"bean_bag", 5},
+                                    {"hanging_chair", 5}, {"chaise_longue", 6}, {"window_seat", 5}})
         EXPECT_EQ(dataset::nyu40_of(klass), id) << klass;
 }
 

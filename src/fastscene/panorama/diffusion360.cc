@@ -25,7 +25,8 @@ Diffusion360Settings settings_of(const PanoramaParams& params) {
 }
 
 Diffusion360 painter(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
-    return {source.weights, settings_of(params), run, source.photo.empty() ? Diffusion360::From::text : Diffusion360::From::photo};
+    return {source.weights, settings_of(params), run,
+            source.photo.empty() ? Diffusion360::From::text : Diffusion360::From::photo};
 }
 
 Upscale360Settings enlarging_of(const PanoramaParams& params) {
@@ -39,7 +40,9 @@ Upscale360Settings enlarging_of(const PanoramaParams& params) {
     return settings;
 }
 
-double times_of(const PanoramaParams& params) { return times_the_painting(params.width, params.diffusion.steps, enlarging_of(params)); }
+double times_of(const PanoramaParams& params) {
+    return times_the_painting(params.width, params.diffusion.steps, enlarging_of(params));
+}
 
 Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
     return {source.weights, params.width, enlarging_of(params), run};
@@ -50,7 +53,8 @@ ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo)
 
 std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& root) {
     Hash hash;
-    for (const fs::path& file : files) hash.add(file.lexically_relative(root).generic_string()).add(content_identity(file));
+    for (const fs::path& file : files)
+        hash.add(file.lexically_relative(root).generic_string()).add(content_identity(file));
     return hash.hex();
 }
 
@@ -62,21 +66,31 @@ Json painting_fields(const PanoramaParams& params) {
 }
 
 // All that the painting hangs on.
-std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run, const std::string& salt) {
-    return Hash().add(salt).add(diffusion360_identity(source.weights, !source.photo.empty())).add(source.prompt).add(run.seed)
-        .add(source.photo.empty() ? std::string() : read_file(source.photo)).add(params.width).add(painting_fields(params).dump()).hex();
+std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run,
+                         const std::string& salt) {
+    return Hash()
+        .add(salt)
+        .add(diffusion360_identity(source.weights, !source.photo.empty()))
+        .add(source.prompt)
+        .add(run.seed)
+        .add(source.photo.empty() ? std::string() : read_file(source.photo))
+        .add(params.width)
+        .add(painting_fields(params).dump())
+        .hex();
 }
 
 std::string time_text(double seconds) {
-    return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+    return seconds < 90     ? fmt::format("{:.0f} s", seconds)
+           : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60)
+                            : fmt::format("{:.1f} h", seconds / 3600);
 }
 
 struct Enlarging {
     const PaintingSource& source;
     const PanoramaParams& params;
     const KeptPictures& kept;
-    std::string key;            // of the picture
-    double painting_seconds;    // 0: not known
+    std::string key;          // of the picture
+    double painting_seconds;  // 0: not known
 };
 
 ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run& run) {
@@ -86,7 +100,8 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
     const auto say = [&] {
         if (std::exchange(said, true)) return;
         const double about = how.painting_seconds * times_of(how.params);
-        run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", to, time_text(about), time_text(how.painting_seconds)));
+        run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", to,
+                             time_text(about), time_text(how.painting_seconds)));
     };
     const Upscale360::Keep keep = [&](const std::string& step, const std::function<ImageRgb8()>& make) {
         key = Hash().add(key).add(step).add(enlarger_identity(how.source.weights, step)).hex();
@@ -94,10 +109,12 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
             say();
             return make();
         });
-        if (one.was_there) run.note(fmt::format("{} times as large: was there already: {}", step, how.kept.file_of(step).string()));
+        if (one.was_there)
+            run.note(fmt::format("{} times as large: was there already: {}", step, how.kept.file_of(step).string()));
         return std::move(one.picture);
     };
-    return enlarger(how.source, how.params, {run.seed, nullptr, run.stop}).enlarge(picture, how.source.prompt, run, keep);
+    return enlarger(how.source, how.params, {run.seed, nullptr, run.stop})
+        .enlarge(picture, how.source.prompt, run, keep);
 }
 
 }  // namespace
@@ -105,12 +122,14 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
 void check_enlarging(const PaintingSource& source, const PanoramaParams& params, int width, const Run& run) {
     if (width < 256 || width % 128 != 0)
         throw UsageError(
-            "--panorama-upscale: expected a picture whose width is a multiple of 128 from 256, found {}; --panorama-width {} reduces it first", width,
-            std::max(256, width / 128 * 128));
+            "--panorama-upscale: expected a picture whose width is a multiple of 128 from 256, found {}; "
+            "--panorama-width {} reduces it first",
+            width, std::max(256, width / 128 * 128));
     PanoramaParams wide = params;
     wide.width = width;
     (void)enlarger(source, wide, run);
-    run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as to paint {} x {}", params.diffusion.upscale, times_of(wide), width, width / 2));
+    run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as to paint {} x {}",
+                         params.diffusion.upscale, times_of(wide), width, width / 2));
 }
 
 void check_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run) {
@@ -119,18 +138,23 @@ void check_diffusion360(const PaintingSource& source, const PanoramaParams& para
     if (params.diffusion.upscale != "none") check_enlarging(source, params, params.width, run);
 }
 
-std::string diffusion360_identity(const fs::path& weights, bool from_photo) { return hash_of_files(painting_files(weights, from_photo), weights); }
+std::string diffusion360_identity(const fs::path& weights, bool from_photo) {
+    return hash_of_files(painting_files(weights, from_photo), weights);
+}
 
-std::string enlarger_identity(const fs::path& weights, const std::string& to) { return hash_of_files(enlarging_files(weights, to), weights); }
+std::string enlarger_identity(const fs::path& weights, const std::string& to) {
+    return hash_of_files(enlarging_files(weights, to), weights);
+}
 
-ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run, const Diffusion360::Preview& look,
-                                   const PaintingMemory& memory) {
+ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run,
+                                   const Diffusion360::Preview& look, const PaintingMemory& memory) {
     const Run quiet{run.seed, nullptr, run.stop};  // what it needs was said when the request was checked
     const KeptPictures kept(memory.folder);
     const std::string key = painting_key(source, params, run, memory.salt);
     KeptPicture found = kept.get("1", key, [&] {  // the painter's networks leave memory before those that enlarge come
         const Diffusion360 with = painter(source, params, quiet);
-        return source.photo.empty() ? with.paint(source.prompt, run, look) : with.paint_around(upright_photo(source.photo), source.prompt, run, look);
+        return source.photo.empty() ? with.paint(source.prompt, run, look)
+                                    : with.paint_around(upright_photo(source.photo), source.prompt, run, look);
     });
     if (found.was_there) run.note(fmt::format("the painting was there already: {}", kept.file_of("1").string()));
     if (params.diffusion.upscale == "none") return std::move(found.picture);
@@ -138,8 +162,8 @@ ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaP
     return made_larger(found.picture, {source, params, kept, key, found.seconds}, run);
 }
 
-ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params, const Run& run,
-                                   const PaintingMemory& memory) {
+ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params,
+                                   const Run& run, const PaintingMemory& memory) {
     PanoramaParams wide = params;
     wide.width = picture.width;
     Hash key;

@@ -12,17 +12,20 @@
 namespace fastscene {
 namespace {
 
-constexpr int kLeastWidth = 64;      // below this a "panorama" is an icon
+constexpr int kLeastWidth = 64;        // below this a "panorama" is an icon
 constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB: the most that a desktop can hold
 
 void check_panorama_size(const std::filesystem::path& path, EquirectSize size) {
     if (size.width != 2 * size.height)
-        throw Error("{}: expected a panorama twice as wide as high (equirectangular), found {} x {}", path.string(), size.width, size.height);
+        throw Error("{}: expected a panorama twice as wide as high (equirectangular), found {} x {}", path.string(),
+                    size.width, size.height);
     if (!(size.width >= kLeastWidth && size.width <= kGreatestWidth))
-        throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth, kGreatestWidth, size.width, size.height);
+        throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth,
+                    kGreatestWidth, size.width, size.height);
 }
 
-// Light of any unit as film shows it: walls bright, windows short of white. Its own white stays: the camera has balanced it.
+// Light of any unit as film shows it: walls bright, windows short of white. Its own white stays: the camera has
+// balanced it.
 ImageColor developed(ImageColor light, const std::filesystem::path& path) {
     bool any = false;
     for (Vec3f& c : light.pixels) {
@@ -41,7 +44,8 @@ ImageColor developed(ImageColor light, const std::filesystem::path& path) {
 
 EquirectSize panorama_size(const std::filesystem::path& picture) {
     const PictureInfo info = picture_info(picture);
-    const EquirectSize size = lies_on_its_side(info.orientation) ? EquirectSize{info.height, info.width} : EquirectSize{info.width, info.height};
+    const EquirectSize size = lies_on_its_side(info.orientation) ? EquirectSize{info.height, info.width}
+                                                                 : EquirectSize{info.width, info.height};
     check_panorama_size(picture, size);
     return size;
 }
@@ -50,7 +54,8 @@ Panorama panorama_from_image(const std::filesystem::path& picture) {
     panorama_size(picture);  // before decoding: a huge picture is refused cheaply
     const PictureInfo info = picture_info(picture);
     Panorama panorama;
-    panorama.color = info.light ? developed(load_light(picture), picture) : linear_from_srgb8(upright(load_rgb8(picture), info.orientation));
+    panorama.color = info.light ? developed(load_light(picture), picture)
+                                : linear_from_srgb8(upright(load_rgb8(picture), info.orientation));
     check_panorama_size(picture, panorama.size());
     return panorama;
 }
@@ -88,7 +93,8 @@ ImageF reduced_range(const ImageF& range, int width) {
     ImageF out(width, width / 2);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
-            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width), (2 * y + 1) * range.height / (2 * out.height));
+            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width),
+                                    (2 * y + 1) * range.height / (2 * out.height));
     return out;
 }
 

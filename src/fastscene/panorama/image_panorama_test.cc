@@ -20,7 +20,8 @@ fs::path temporary(const std::string& name) { return fs::path(::testing::TempDir
 fs::path write_picture(const std::string& name, int width, int height) {
     ImageRgb8 picture(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) picture.at(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 7};
+        for (int x = 0; x < width; ++x)
+            picture.at(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 7};
     save_png(temporary(name), picture);
     return temporary(name);
 }
@@ -40,7 +41,9 @@ std::string complaint(F&& act) {
     }
     return "";
 }
-void expect_in(const std::string& text, const std::string& part) { EXPECT_NE(text.find(part), std::string::npos) << text << " lacks " << part; }
+void expect_in(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text << " lacks " << part;
+}
 
 TEST(ImagePanorama, ComesInAsItIs) {
     const Panorama panorama = panorama_from_image(write_picture("good.png", 128, 64));
@@ -76,19 +79,30 @@ TEST(ImagePanorama, ATruncatedPictureIsRefused) {
 }
 
 TEST(RangeMap, ComesInAsItIs) {
-    const ImageF range = range_from_file(write_map("good.pfm", 128, 64, [](int x, int) { return 1.f + static_cast<float>(x); }), {128, 64});
+    const ImageF range = range_from_file(
+        write_map("good.pfm", 128, 64, [](int x, int) { return 1.f + static_cast<float>(x); }), {128, 64});
     EXPECT_EQ(range.at(100, 3), 101.f);
 }
 
 TEST(RangeMap, WrongMapsAreRefused) {
     const auto try_map = [](const std::string& name, int w, int h, float bad) {
-        return complaint([&] { range_from_file(write_map(name, w, h, [&](int x, int y) { return x == 5 && y == 6 ? bad : 2.f; }), {128, 64}); });
+        return complaint([&] {
+            range_from_file(write_map(name, w, h, [&](int x, int y) { return x == 5 && y == 6 ? bad : 2.f; }),
+                            {128, 64});
+        });
     };
     expect_in(try_map("size.pfm", 64, 32, 2.f), "expected a range map of the panorama's size, 128 x 64, found 64 x 32");
     expect_in(try_map("negative.pfm", 128, 64, -1.f), "column 5, row 6");
     expect_in(try_map("negative.pfm", 128, 64, -1.f), "found -1");
-    expect_in(complaint([] { range_from_file(write_map("zero.pfm", 128, 64, [](int, int) { return 0.f; }), {128, 64}); }), "no finite value above zero");
-    expect_in(complaint([] { range_from_file(write_map("inf.pfm", 128, 64, [](int, int) { return std::numeric_limits<float>::infinity(); }), {128, 64}); }),
+    expect_in(complaint([] {
+                  range_from_file(write_map("zero.pfm", 128, 64, [](int, int) { return 0.f; }), {128, 64});
+              }),
+              "no finite value above zero");
+    expect_in(complaint([] {
+                  range_from_file(
+                      write_map("inf.pfm", 128, 64, [](int, int) { return std::numeric_limits<float>::infinity(); }),
+                      {128, 64});
+              }),
               "no finite value above zero");
 }
 
@@ -124,7 +138,10 @@ TEST(ImagePanorama, IsTurnedUprightAsExifSays) {
         for (int x = 0; x < 64; ++x) stored.at(x, y) = y < 64 ? Rgb8{250, 250, 250} : Rgb8{20, 20, 20};
     const std::string jpeg = encode_jpeg(stored);
     // Orientation 6: the stored top is the right side.
-    const std::string exif("\xff\xe1\x00\x22" "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", 36);
+    const std::string exif(
+        "\xff\xe1\x00\x22"
+        "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+        36);
     write_file(temporary("side.jpg"), jpeg.substr(0, 2) + exif + jpeg.substr(2));
     EXPECT_EQ(panorama_size(temporary("side.jpg")).width, 128);
     const Panorama panorama = panorama_from_image(temporary("side.jpg"));
@@ -145,7 +162,10 @@ TEST(ImagePanorama, LightIsExposedWhateverItsUnit) {
             for (int x = 0; x < 128; ++x)
                 for (const float c : {1.f, 0.9f, 0.8f}) {
                     // A window that is a hundred times as bright as the walls, and a pixel that is no number.
-                    const float v = unit * c * (x > 60 && x < 70 && y > 25 && y < 40 ? 100.f : x == 3 && y == 3 ? std::nanf("") : 1.f);
+                    const float v = unit * c *
+                                    (x > 60 && x < 70 && y > 25 && y < 40 ? 100.f
+                                     : x == 3 && y == 3                   ? std::nanf("")
+                                                                          : 1.f);
                     bytes.append(reinterpret_cast<const char*>(&v), 4);
                 }
         write_file(temporary("probe.pfm"), bytes);

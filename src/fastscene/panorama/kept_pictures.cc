@@ -29,7 +29,8 @@ std::optional<KeptPicture> kept(const fs::path& picture, const fs::path& about, 
 
 }  // namespace
 
-KeptPicture KeptPictures::get(const std::string& name, const std::string& key, const std::function<ImageRgb8()>& make) const {
+KeptPicture KeptPictures::get(const std::string& name, const std::string& key,
+                              const std::function<ImageRgb8()>& make) const {
     const fs::path file = file_of(name), about = folder_ / (name + ".json");
     if (!folder_.empty())
         if (auto found = kept(file, about, key)) return std::move(*found);

@@ -19,9 +19,11 @@ constexpr float kRotationError = 1e-3f;  // what few digits in a file leave
 // One entry of the list, by its key.
 class ListEntry {
   public:
-    ListEntry(const fs::path& list, std::size_t index, const Json& json) : where_(fmt::format("{}: panorama {}", list.string(), index)), json_(json) {
+    ListEntry(const fs::path& list, std::size_t index, const Json& json)
+        : where_(fmt::format("{}: panorama {}", list.string(), index)), json_(json) {
         if (!json.is_object()) fail("an object with color and world_from_pano, or position", json.dump());
-        static constexpr std::string_view kKnown[] = {"name", "color", "range", "world_from_pano", "position", "yaw_deg"};
+        static constexpr std::string_view kKnown[] = {"name",     "color",  "range", "world_from_pano",
+                                                      "position", "yaw_deg"};
         for (const auto& [key, value] : json.items())
             if (std::find(std::begin(kKnown), std::end(kKnown), key) == std::end(kKnown))
                 fail("color, range, world_from_pano, position or yaw_deg", key);
@@ -37,7 +39,9 @@ class ListEntry {
         if (matrix && json_.contains("yaw_deg")) fail("yaw_deg together with position", "it beside world_from_pano");
         return checked(matrix ? from_matrix() : from_place());
     }
-    [[noreturn]] void fail(std::string_view expected, std::string_view found) const { throw Error("{}: expected {}, found {}", where_, expected, found); }
+    [[noreturn]] void fail(std::string_view expected, std::string_view found) const {
+        throw Error("{}: expected {}, found {}", where_, expected, found);
+    }
 
   private:
     std::vector<float> numbers(const Json& row, std::size_t count) const {
@@ -51,22 +55,29 @@ class ListEntry {
     }
     Rigid from_matrix() const {
         const Json& rows = json_["world_from_pano"];
-        if (!rows.is_array() || (rows.size() != 3 && rows.size() != 4)) fail("world_from_pano with 3 or 4 rows of 4", rows.dump());
+        if (!rows.is_array() || (rows.size() != 3 && rows.size() != 4))
+            fail("world_from_pano with 3 or 4 rows of 4", rows.dump());
         const auto a = numbers(rows[0], 4), b = numbers(rows[1], 4), c = numbers(rows[2], 4);
         return {{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}}, {a[3], b[3], c[3]}};
     }
     Rigid from_place() const {
         const auto p = numbers(json_["position"], 3);
-        const float yaw = json_.contains("yaw_deg") ? numbers(Json::array({json_["yaw_deg"]}), 1)[0] * std::numbers::pi_v<float> / 180 : 0;
+        const float yaw = json_.contains("yaw_deg")
+                              ? numbers(Json::array({json_["yaw_deg"]}), 1)[0] * std::numbers::pi_v<float> / 180
+                              : 0;
         const float c = std::cos(yaw), s = std::sin(yaw);
-        return {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}, {p[0], p[1], p[2]}};   // what lies ahead (z) lies to the right (x) of the first's ahead
+        return {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}},
+                {p[0], p[1], p[2]}};  // what lies ahead (z) lies to the right (x) of the first's ahead
     }
     Rigid checked(const Rigid& pose) const {
         const Mat3f unit = pose.rotation * transpose(pose.rotation);
-        const float off = std::max({length(unit.row0 - Vec3f{1, 0, 0}), length(unit.row1 - Vec3f{0, 1, 0}), length(unit.row2 - Vec3f{0, 0, 1})});
+        const float off = std::max({length(unit.row0 - Vec3f{1, 0, 0}), length(unit.row1 - Vec3f{0, 1, 0}),
+                                    length(unit.row2 - Vec3f{0, 0, 1})});
         const float turn = dot(cross(pose.rotation.row0, pose.rotation.row1), pose.rotation.row2);
-        if (off > kRotationError || turn < 0) fail("a rotation in world_from_pano", turn < 0 ? "a mirror" : "other lengths or angles");
-        if (!(length(pose.translation) < kFarthest_m)) fail("a place within a kilometre, in metres", fmt::format("{} m", length(pose.translation)));
+        if (off > kRotationError || turn < 0)
+            fail("a rotation in world_from_pano", turn < 0 ? "a mirror" : "other lengths or angles");
+        if (!(length(pose.translation) < kFarthest_m))
+            fail("a place within a kilometre, in metres", fmt::format("{} m", length(pose.translation)));
         return pose;
     }
 
@@ -79,7 +90,8 @@ class ListEntry {
 std::vector<MorePanorama> read_more_panoramas(const fs::path& list) {
     const Json json = read_json(list);
     if (!json.is_object() || !json.contains("panoramas") || !json["panoramas"].is_array() || json["panoramas"].empty())
-        throw Error("{}: expected {{\"panoramas\": [...]}} with one entry or more (docs/depth.md), found none", list.string());
+        throw Error("{}: expected {{\"panoramas\": [...]}} with one entry or more (docs/depth.md), found none",
+                    list.string());
     std::vector<MorePanorama> out;
     for (const Json& one : json["panoramas"]) {
         const ListEntry entry(list, out.size() + 1, one);
@@ -101,8 +113,8 @@ Panorama in_first_orientation(const Panorama& panorama, EquirectSize size) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Vec2f at = pixel_of_direction(transpose(turn) * direction_of_pixel(x, y, size), source);
-            out.range.at(x, y) =
-                panorama.range.at(wrap_column(static_cast<int>(at.x), source.width), std::min(static_cast<int>(at.y), source.height - 1));
+            out.range.at(x, y) = panorama.range.at(wrap_column(static_cast<int>(at.x), source.width),
+                                                   std::min(static_cast<int>(at.y), source.height - 1));
         }
     return out;
 }

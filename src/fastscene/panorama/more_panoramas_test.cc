@@ -39,25 +39,32 @@ class MoreList : public testing::Test {
 TEST_F(MoreList, PosesAreMatricesOrPlacesWithAYaw) {
     const auto list = read(R"({"panoramas": [
         {"color": "b.jpg", "position": [1, -0.5, 2], "yaw_deg": 90},
-        {"color": "c.jpg", "range": "c.exr", "world_from_pano": [[0, 0, 1, 3], [0, 1, 0, 0], [-1, 0, 0, 1], [0, 0, 0, 1]]}]})");
+        {"color": "c.jpg", "range": "c.exr",
+         "world_from_pano": [[0, 0, 1, 3], [0, 1, 0, 0], [-1, 0, 0, 1], [0, 0, 0, 1]]}]})");
     ASSERT_EQ(list.size(), 2u);
     EXPECT_EQ(list[0].color, folder_ / "b.jpg");
     EXPECT_TRUE(list[0].range.empty());
     EXPECT_EQ(list[1].range, folder_ / "c.exr");
     EXPECT_EQ(list[0].world_from_pano.translation, (Vec3f{1, -0.5f, 2}));
     // Turned to the right by a quarter, ahead is where right was; the matrix of the second says the same.
-    for (const MorePanorama& one : list) EXPECT_LT(length(one.world_from_pano.rotation * Vec3f{0, 0, 1} - Vec3f{1, 0, 0}), 1e-6f);
+    for (const MorePanorama& one : list)
+        EXPECT_LT(length(one.world_from_pano.rotation * Vec3f{0, 0, 1} - Vec3f{1, 0, 0}), 1e-6f);
 }
 
 TEST_F(MoreList, WhatIsNotSoIsNamed) {
     EXPECT_NE(complaint(R"({"position": [0, 0, 0]})").find("panorama 1: expected color"), std::string::npos);
-    EXPECT_NE(complaint(R"({"color": "b.jpg"})").find("either world_from_pano or position, found neither"), std::string::npos);
+    EXPECT_NE(complaint(R"({"color": "b.jpg"})").find("either world_from_pano or position, found neither"),
+              std::string::npos);
     EXPECT_NE(complaint(R"({"color": "b.jpg", "positon": [0, 0, 0]})").find("found positon"), std::string::npos);
     EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 0]})").find("expected 3 numbers"), std::string::npos);
     EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 0, "1"]})").find("expected a number"), std::string::npos);
-    EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 5000, 0]})").find("within a kilometre"), std::string::npos);
-    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})").find("a mirror"), std::string::npos);
-    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})").find("other lengths"),
+    EXPECT_NE(complaint(R"({"color": "b.jpg", "position": [0, 5000, 0]})").find("within a kilometre"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})")
+                  .find("a mirror"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"color": "b.jpg", "world_from_pano": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]})")
+                  .find("other lengths"),
               std::string::npos);
     EXPECT_NE(complaint("3").find("expected an object"), std::string::npos);
     EXPECT_THROW(read("{}"), Error);
@@ -75,16 +82,16 @@ TEST(FirstOrientation, AYawShiftsTheColumns) {
             turned.color.at(x, y) = {static_cast<float>(x) / 64, static_cast<float>(y) / 32, 0.5f};
             turned.range.at(x, y) = 1 + static_cast<float>(x);
         }
-    turned.world_from_pano.rotation = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};   // looks right
+    turned.world_from_pano.rotation = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};  // looks right
     turned.world_from_pano.translation = {1, 2, 3};
     const Panorama straight = in_first_orientation(turned, size);
     EXPECT_EQ(straight.world_from_pano.translation, (Vec3f{1, 2, 3}));
     EXPECT_EQ(straight.world_from_pano.rotation, Mat3f{});
     for (int y = 4; y < 28; ++y)
         for (int x = 0; x < size.width; ++x) {
-            const int from = wrap_column(x - 16, 64);   // what it has in its middle lies a quarter to the right
+            const int from = wrap_column(x - 16, 64);  // what it has in its middle lies a quarter to the right
             EXPECT_EQ(straight.range.at(x, y), turned.range.at(from, y)) << x << ", " << y;
-            if (from <= 1 || from >= 62) continue;   // the colors jump there
+            if (from <= 1 || from >= 62) continue;  // the colors jump there
             EXPECT_LT(length(straight.color.at(x, y) - turned.color.at(from, y)), 0.02f) << x << ", " << y;
         }
 }

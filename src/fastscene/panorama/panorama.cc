@@ -5,9 +5,11 @@
 
 namespace fastscene {
 
-std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params, std::vector<std::string>* complaints) {
+std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params,
+                                                    std::vector<std::string>* complaints) {
     std::vector<std::string> unheard;
-    return FurniturePack::open(FurniturePack::default_folder(), assets_named(params.assets), complaints ? *complaints : unheard);
+    return FurniturePack::open(FurniturePack::default_folder(), assets_named(params.assets),
+                               complaints ? *complaints : unheard);
 }
 
 PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, std::vector<std::string>* complaints) {
@@ -18,7 +20,7 @@ namespace {
 
 // Panorama 0, and where visitors may stand: what none of them sees gets fewer light paths.
 std::vector<Vec3f> places_to_look_from(const TracedRoom& room) {
-    constexpr int kApart = 8;             // cells
+    constexpr int kApart = 8;  // cells
     constexpr float kEyeHeight_m = 1.5f;
     const StandableFloor floor = passable_floor(room);
     std::vector<Vec3f> places{Vec3f{}};
@@ -38,8 +40,14 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 }
 
 ShotParts panorama_parts(const TraceParams& trace) {
-    // With the denoiser, a quarter of pixel_samples where light is even, twice as many where they do not agree (soft shadows, reflections, outlines).
-    return {.color = true, .range = true, .object = true, .pixel_samples = 4 * trace.pixel_samples, .contacts = true, .denoise = !trace.keep_noise,
+    // With the denoiser, a quarter of pixel_samples where light is even, twice as many where they do not agree (soft
+    // shadows, reflections, outlines).
+    return {.color = true,
+            .range = true,
+            .object = true,
+            .pixel_samples = 4 * trace.pixel_samples,
+            .contacts = true,
+            .denoise = !trace.keep_noise,
             .noise = 0.012f};
 }
 

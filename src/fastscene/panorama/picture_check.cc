@@ -37,17 +37,20 @@ struct RowStats {
 RowStats row_stats(const ImageF& image, int y) {
     RowStats s;
     double squares = 0;
-    for (int x = 0; x < image.width; ++x) s.mean += image.at(x, y), squares += static_cast<double>(image.at(x, y)) * image.at(x, y);
+    for (int x = 0; x < image.width; ++x)
+        s.mean += image.at(x, y), squares += static_cast<double>(image.at(x, y)) * image.at(x, y);
     s.mean /= image.width;
     s.deviation = std::sqrt(std::max(0., squares / image.width - s.mean * s.mean));
     return s;
 }
 
-// The seam may pass an edge of the room; so it is held against what columns elsewhere do: their upper tenth, and how many are as strong.
+// The seam may pass an edge of the room; so it is held against what columns elsewhere do: their upper tenth, and how
+// many are as strong.
 bool seam_is_open(const ImageF& image) {
     constexpr int kEnough = 3;
     std::vector<double> changes;
-    for (int x = 0; x + 1 < image.width; x += std::max(1, image.width / 1024)) changes.push_back(column_change(image, x, x + 1));
+    for (int x = 0; x + 1 < image.width; x += std::max(1, image.width / 1024))
+        changes.push_back(column_change(image, x, x + 1));
     std::sort(changes.begin(), changes.end());
     const double seam = column_change(image, image.width - 1, 0), usual = changes[changes.size() * 9 / 10];
     const auto as_strong = std::count_if(changes.begin(), changes.end(), [&](double c) { return c > 0.9 * seam; });
@@ -104,24 +107,31 @@ std::vector<std::string> doubts_about_panorama(const ImageColor& color) {
     if (*most - *least < 0.01f) return {"the picture is one color throughout: expected a room"};
 
     const bool open = seam_is_open(image);
-    const int top = black_rows(image, true), bottom = black_rows(image, false), left = black_columns(image, true), right = black_columns(image, false);
+    const int top = black_rows(image, true), bottom = black_rows(image, false), left = black_columns(image, true),
+              right = black_columns(image, false);
     if (std::max(top, bottom) > image.height / 64 || std::max(left, right) > image.width / 128)
         doubts.push_back(
-            fmt::format("black borders ({} rows at the top, {} at the bottom, {} columns at the left, {} at the right): expected a full sphere; they will be "
+            fmt::format("black borders ({} rows at the top, {} at the bottom, {} columns at the left, {} at the "
+                        "right): expected a full sphere; they will be "
                         "taken for surfaces",
                         top, bottom, left, right));
     else {
-        // Each row of pixels at a pole is one point of the world. A rug's edge or a tripod's leg may lie there; so one pole alone is no proof.
+        // Each row of pixels at a pole is one point of the world. A rug's edge or a tripod's leg may lie there; so one
+        // pole alone is no proof.
         const RowStats zenith = row_stats(image, 0), nadir = row_stats(image, image.height - 1);
-        const double less = std::min(zenith.deviation, nadir.deviation), more = std::max(zenith.deviation, nadir.deviation);
+        const double less = std::min(zenith.deviation, nadir.deviation),
+                     more = std::max(zenith.deviation, nadir.deviation);
         if (more > 0.12 && (less > 0.06 || open))
-            doubts.push_back(fmt::format(
-                "the {} is not one color along its row: expected an equirectangular picture (360 x 180 degrees), this may be an ordinary photo",
-                zenith.deviation > nadir.deviation ? "top" : "bottom"));
+            doubts.push_back(
+                fmt::format("the {} is not one color along its row: expected an equirectangular picture (360 x 180 "
+                            "degrees), this may be an ordinary photo",
+                            zenith.deviation > nadir.deviation ? "top" : "bottom"));
     }
     if (open)
-        doubts.push_back("the left and the right edge do not meet: expected a picture that closes, or is it a part of a panorama?");
-    if (has_nadir_disc(image)) doubts.push_back("a disc straight below (a tripod or a logo?): it will be taken for the floor's texture");
+        doubts.push_back(
+            "the left and the right edge do not meet: expected a picture that closes, or is it a part of a panorama?");
+    if (has_nadir_disc(image))
+        doubts.push_back("a disc straight below (a tripod or a logo?): it will be taken for the floor's texture");
     return doubts;
 }
 

@@ -10,9 +10,11 @@
 namespace fastscene {
 
 // What speaks against an equirectangular picture of a room, in sentences for the user; empty when nothing does:
-// sides that do not meet, poles that are not one color, black borders, a tripod or logo under the camera, no light at all.
+// sides that do not meet, poles that are not one color, black borders, a tripod or logo under the camera, no light at
+// all.
 std::vector<std::string> doubts_about_panorama(const ImageColor& color);
-// What was done with a picture's file to make a panorama of it: turned as EXIF says, its light exposed, see-through parts made black.
+// What was done with a picture's file to make a panorama of it: turned as EXIF says, its light exposed, see-through
+// parts made black.
 std::vector<std::string> remarks_on_file(const std::filesystem::path& picture);
 
 }  // namespace fastscene

@@ -33,20 +33,23 @@ TEST(PictureCheck, HasNothingAgainstAClosedPanorama) { EXPECT_TRUE(doubts_about_
 TEST(PictureCheck, SeesAnOpenSeam) {
     ImageColor color = smooth();
     for (int y = 0; y < color.height; ++y)
-        for (int x = 0; x < color.width; ++x) color.at(x, y) = color.at(x, y) * (0.6f + 0.8f * static_cast<float>(x) / 256.f);
+        for (int x = 0; x < color.width; ++x)
+            color.at(x, y) = color.at(x, y) * (0.6f + 0.8f * static_cast<float>(x) / 256.f);
     EXPECT_TRUE(says(color, "do not meet"));
 }
 
 TEST(PictureCheck, SeesAnOrdinaryPhoto) {
     ImageColor color = smooth();
     for (int y = 0; y < color.height; ++y)
-        for (int x = 0; x < color.width; ++x) color.at(x, y) = (x / 40) % 2 ? Vec3f{0.8f, 0.8f, 0.8f} : Vec3f{0.1f, 0.1f, 0.1f};
+        for (int x = 0; x < color.width; ++x)
+            color.at(x, y) = (x / 40) % 2 ? Vec3f{0.8f, 0.8f, 0.8f} : Vec3f{0.1f, 0.1f, 0.1f};
     EXPECT_TRUE(says(color, "not one color"));
 }
 
 TEST(PictureCheck, OnePoleAloneIsNoProof) {
     ImageColor color = smooth();
-    for (int x = 0; x < color.width; ++x) color.at(x, color.height - 1) = (x / 40) % 2 ? Vec3f{0.8f, 0.8f, 0.8f} : Vec3f{0.1f, 0.1f, 0.1f};
+    for (int x = 0; x < color.width; ++x)
+        color.at(x, color.height - 1) = (x / 40) % 2 ? Vec3f{0.8f, 0.8f, 0.8f} : Vec3f{0.1f, 0.1f, 0.1f};
     EXPECT_FALSE(says(color, "not one color"));
 }
 
@@ -69,7 +72,7 @@ TEST(PictureCheck, SeesATripod) {
 
 TEST(PictureCheck, SeesALargeTripod) {
     ImageColor color = smooth();
-    for (int y = 108; y < color.height; ++y)   // the lowest 28 degrees
+    for (int y = 108; y < color.height; ++y)  // the lowest 28 degrees
         for (int x = 0; x < color.width; ++x) color.at(x, y) = {0.02f, 0.02f, 0.02f};
     EXPECT_TRUE(says(color, "tripod"));
 }
@@ -92,7 +95,9 @@ TEST(PictureCheck, AnEdgeOfTheRoomMayRunAlongTheSeam) {
     EXPECT_FALSE(says(color, "do not meet"));
 }
 
-TEST(PictureCheck, SeesThatThereIsNothing) { EXPECT_TRUE(says(ImageColor(64, 32, Vec3f{0.5f, 0.5f, 0.5f}), "one color throughout")); }
+TEST(PictureCheck, SeesThatThereIsNothing) {
+    EXPECT_TRUE(says(ImageColor(64, 32, Vec3f{0.5f, 0.5f, 0.5f}), "one color throughout"));
+}
 
 TEST(PictureCheck, SeesDarkness) { EXPECT_TRUE(says(ImageColor(64, 32), "black")); }
 

@@ -1,4 +1,5 @@
-// Range maps of users: what was not measured becomes far background, or goes on from its surroundings where only a speck or the tripod is missing.
+// Range maps of users: what was not measured becomes far background, or goes on from its surroundings where only a
+// speck or the tripod is missing.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -57,7 +58,9 @@ float median_beside(const ImageF& range, const Pixels& patch, Of of) {
 }
 
 // How much of a range from the viewpoint leads down.
-float down_of(int y, int height) { return std::cos((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>) * -1.f; }
+float down_of(int y, int height) {
+    return std::cos((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>) * -1.f;
+}
 
 }  // namespace
 
@@ -75,14 +78,18 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
         for (int x = 0; x < range.width; ++x) {
             if (!left.at(x, y)) continue;
             const Pixels patch = patch_from(x, y, left);
-            const auto lowest =
-                std::max_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
-            const auto highest =
-                std::min_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+            const auto lowest = std::max_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) {
+                                    return a.second < b.second;
+                                })->second;
+            const auto highest = std::min_element(patch.begin(), patch.end(), [](const auto& a, const auto& b) {
+                                     return a.second < b.second;
+                                 })->second;
             const bool speck = share_of_sphere(patch, size) < kSpeckShare;
             // Below the horizon and as far down as there is: the camera stood on it. The floor goes on level.
             const bool tripod = lowest == range.height - 1 && highest > range.height * 2 / 3;
-            const float floor = tripod ? median_beside(range, patch, [&](float r, int j) { return r * down_of(j, range.height); }) : 0;
+            const float floor = tripod ? median_beside(range, patch,
+                                                       [&](float r, int j) { return r * down_of(j, range.height); })
+                                       : 0;
             const float beside = speck && !tripod ? median_beside(range, patch, [](float r, int) { return r; }) : kFar;
             for (const auto& [px, py] : patch) out.at(px, py) = tripod ? floor / down_of(py, range.height) : beside;
             (tripod || speck ? gaps.closed : gaps.far) += static_cast<std::int64_t>(patch.size());
@@ -92,18 +99,23 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
 
 namespace {
 
-// Median of the measured ranges outside of which no room lies (half a metre to 200 m wide ones do): thousandths, thousands or a share of something.
+// Median of the measured ranges outside of which no room lies (half a metre to 200 m wide ones do): thousandths,
+// thousands or a share of something.
 constexpr float kNearestRoom = 0.15f, kFarthestRoom = 150.f;
 
-// Millimetres, or ranges divided by their greatest, are walked through as well as metres are, only wrongly: so it is told.
+// Millimetres, or ranges divided by their greatest, are walked through as well as metres are, only wrongly: so it is
+// told.
 void tell_other_units(const ImageF& range, const std::filesystem::path& map, const Run& run) {
     std::vector<float> measured;
-    std::copy_if(range.pixels.begin(), range.pixels.end(), std::back_inserter(measured), [](float r) { return r > 0.f && std::isfinite(r); });
+    std::copy_if(range.pixels.begin(), range.pixels.end(), std::back_inserter(measured),
+                 [](float r) { return r > 0.f && std::isfinite(r); });
     const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
     std::nth_element(measured.begin(), middle, measured.end());
     if (*middle >= kNearestRoom && *middle <= kFarthestRoom) return;
-    run.warn(fmt::format("{}: half of it is {} than {:.3g} m: expected the ranges of a room in metres (16-bit PNG and TIFF: millimetres), are these in another unit?",
-                         map.string(), *middle < kNearestRoom ? "nearer" : "farther", *middle));
+    run.warn(
+        fmt::format("{}: half of it is {} than {:.3g} m: expected the ranges of a room in metres (16-bit PNG and TIFF: "
+                    "millimetres), are these in another unit?",
+                    map.string(), *middle < kNearestRoom ? "nearer" : "farther", *middle));
 }
 
 }  // namespace
@@ -111,24 +123,28 @@ void tell_other_units(const ImageF& range, const std::filesystem::path& map, con
 ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, const Run& run) {
     const PictureInfo info = picture_info(map);
     if (info.width != size.width || info.height != size.height)
-        throw Error("{}: expected a range map of the panorama's size, {} x {}, found {} x {}", map.string(), size.width, size.height, info.width,
-                    info.height);
+        throw Error("{}: expected a range map of the panorama's size, {} x {}, found {} x {}", map.string(), size.width,
+                    size.height, info.width, info.height);
     const ImageF range = load_float(map);
     std::size_t measured = 0;
     for (int y = 0; y < range.height; ++y)
         for (int x = 0; x < range.width; ++x) {
             const float r = range.at(x, y);
-            if (r < 0.f) throw Error("{}: expected ranges in metres, 0 or more, found {} at column {}, row {}", map.string(), r, x, y);
+            if (r < 0.f)
+                throw Error("{}: expected ranges in metres, 0 or more, found {} at column {}, row {}", map.string(), r,
+                            x, y);
             if (r > 0.f && std::isfinite(r)) ++measured;
         }
-    if (measured == 0) throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
+    if (measured == 0)
+        throw Error("{}: expected ranges in metres, found no finite value above zero in the whole map", map.string());
     tell_other_units(range, map, run);
     RangeGaps gaps;
     ImageF out = completed_range(range, gaps);
     if (gaps.unmeasured > 0)
-        run.warn(fmt::format(
-            "{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies about them (specks, and straight below)",
-            map.string(), gaps.unmeasured, gaps.far, gaps.closed));
+        run.warn(
+            fmt::format("{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies "
+                        "about them (specks, and straight below)",
+                        map.string(), gaps.unmeasured, gaps.far, gaps.closed));
     return out;
 }
 

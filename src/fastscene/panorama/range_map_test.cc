@@ -69,7 +69,8 @@ TEST(RangeMap, SaysWhatWasMissing) {
     save_pfm(path, range);
     Heard heard;
     range_from_file(path, {kWidth, kHeight}, {0, &heard, {}});
-    EXPECT_NE(heard.warnings.find("fastscene-range-gaps.pfm: 7680 pixels without a range"), std::string::npos) << heard.warnings;
+    EXPECT_NE(heard.warnings.find("fastscene-range-gaps.pfm: 7680 pixels without a range"), std::string::npos)
+        << heard.warnings;
     EXPECT_NE(heard.warnings.find("7680 kept as far background"), std::string::npos) << heard.warnings;
 }
 
@@ -84,7 +85,9 @@ TEST(RangeMap, AnotherUnitIsTold) {
         return heard.warnings;
     };
     for (const float metres : {0.25f, 2.f, 100.f}) EXPECT_EQ(heard_of(metres), "");
-    EXPECT_NE(heard_of(2500.f).find("fastscene-range-unit.pfm: half of it is farther than 2.5e+03 m"), std::string::npos) << heard_of(2500.f);
+    EXPECT_NE(heard_of(2500.f).find("fastscene-range-unit.pfm: half of it is farther than 2.5e+03 m"),
+              std::string::npos)
+        << heard_of(2500.f);
     EXPECT_NE(heard_of(0.002f).find("half of it is nearer than 0.002 m"), std::string::npos) << heard_of(0.002f);
 }
 

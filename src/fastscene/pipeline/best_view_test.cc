@@ -12,7 +12,8 @@ Panorama room_with_stripes_at(float yaw_deg) {
     room.range = ImageF(360, 180, 2.f);
     const int center = 180 + static_cast<int>(yaw_deg);
     for (int y = 0; y < 180; ++y)
-        for (int d = -20; d <= 20; ++d) room.color.at(wrap_column(center + d, 360), y) = d % 2 == 0 ? Vec3f{1, 1, 1} : Vec3f{};
+        for (int d = -20; d <= 20; ++d)
+            room.color.at(wrap_column(center + d, 360), y) = d % 2 == 0 ? Vec3f{1, 1, 1} : Vec3f{};
     return room;
 }
 

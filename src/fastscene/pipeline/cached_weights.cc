@@ -12,7 +12,8 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
         run.note(fmt::format("{}: weights from {}", model, found->string()));
     };
     const auto asked_for = [](std::string_view what, std::string_view flag, std::string_view model) {
-        return UsageError("{}: expected {}, or the model in the cache (fastscene models pull {}), found neither", what, flag, model);
+        return UsageError("{}: expected {}, or the model in the cache (fastscene models pull {}), found neither", what,
+                          flag, model);
     };
     SceneSource& source = request.source;
     PanoramaParams& panorama = request.params.panorama;
@@ -27,13 +28,16 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     }
     if (!source.picture.empty() && panorama.diffusion.upscale != "none" && source.weights.empty()) {
         take("diffusion360", cached_model("diffusion360-upscale"), source.weights);
-        if (source.weights.empty()) throw asked_for("--panorama-upscale", "--weights DIR with sr-base/ and sr-control/", "diffusion360-upscale");
+        if (source.weights.empty())
+            throw asked_for("--panorama-upscale", "--weights DIR with sr-base/ and sr-control/",
+                            "diffusion360-upscale");
     }
     if (request.last_stage == "panorama") return;
     DepthParams& depth = request.params.depth;
-    const bool estimated =
-        depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() && (!source.picture.empty() || !source.weights.empty()));
-    if (estimated && depth.weights.empty()) take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
+    const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() &&
+                                                           (!source.picture.empty() || !source.weights.empty()));
+    if (estimated && depth.weights.empty())
+        take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;
     const WalkParams resolved = walk_of(source, depth, walk);

@@ -22,8 +22,8 @@ struct CameraPath {
     int width = 1280, height = 720;
     std::vector<CameraKey> keys;  // at least one; times grow
 
-    int frames() const;                  // at least one; the last key is the last frame
-    CameraKey at(float time_s) const;    // clamped to the first and last key
+    int frames() const;                // at least one; the last key is the last frame
+    CameraKey at(float time_s) const;  // clamped to the first and last key
 };
 // Throws Error naming the file and what is wrong in it.
 CameraPath load_camera_path(const std::filesystem::path& path);

@@ -50,10 +50,11 @@ TEST(CameraPath, OneKeyIsOneFrame) {
 
 TEST(CameraPath, BadFilesAreRefusedWithTheirName) {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "fastscene-path.json";
-    for (const char* text : {"[]", "{}", R"({"keys": []})", R"({"keys": [{"position_m": [0, 0]}]})", R"({"keys": [{"position_m": [0,0,0]}], "fps": 0})",
-                             R"({"keys": [{"position_m": [0,0,0]}], "size": [0, 5]})",
-                             R"({"keys": [{"position_m": [0,0,0]}, {"time_s": 1e9, "position_m": [0,0,0]}]})",
-                             R"({"keys": [{"time_s": 1, "position_m": [0,0,0]}, {"time_s": 1, "position_m": [0,0,0]}]})"}) {
+    for (const char* text :
+         {"[]", "{}", R"({"keys": []})", R"({"keys": [{"position_m": [0, 0]}]})",
+          R"({"keys": [{"position_m": [0,0,0]}], "fps": 0})", R"({"keys": [{"position_m": [0,0,0]}], "size": [0, 5]})",
+          R"({"keys": [{"position_m": [0,0,0]}, {"time_s": 1e9, "position_m": [0,0,0]}]})",
+          R"({"keys": [{"time_s": 1, "position_m": [0,0,0]}, {"time_s": 1, "position_m": [0,0,0]}]})"}) {
         write_file(file, text);
         try {
             load_camera_path(file);
@@ -62,12 +63,15 @@ TEST(CameraPath, BadFilesAreRefusedWithTheirName) {
             EXPECT_NE(std::string(e.what()).find("fastscene-path.json"), std::string::npos);
         }
     }
-    for (const auto& [text, said] : {std::pair{R"({"keys": [{"position_m": [0,0,0]}, {"position_m": [0,0,0], "yaw": 20}]})", "key 2: expected time_s, position_m, yaw_deg, pitch_deg, found yaw"},
-                                     {R"({"keys": [{"position_m": [0,0,0], "yaw_deg": 1e39}]})", "key 1: expected a number below a million as yaw_deg, found 1e+39"},
-                                     {R"({"keys": [{"position_m": [0,0]}]})", "key 1: expected 3 numbers as position_m, found [0,0]"},
-                                     {R"({"keys": {"a": 3}})", "expected a list of keys"},
-                                     {R"({"key": []})", "found key; did you mean keys?"},
-                                     {R"({"keys": [{"position_m": [0,0,0]}], "fps": "fast"})", "as fps, found \"fast\""}}) {
+    for (const auto& [text, said] :
+         {std::pair{R"({"keys": [{"position_m": [0,0,0]}, {"position_m": [0,0,0], "yaw": 20}]})",
+                    "key 2: expected time_s, position_m, yaw_deg, pitch_deg, found yaw"},
+          {R"({"keys": [{"position_m": [0,0,0], "yaw_deg": 1e39}]})",
+           "key 1: expected a number below a million as yaw_deg, found 1e+39"},
+          {R"({"keys": [{"position_m": [0,0]}]})", "key 1: expected 3 numbers as position_m, found [0,0]"},
+          {R"({"keys": {"a": 3}})", "expected a list of keys"},
+          {R"({"key": []})", "found key; did you mean keys?"},
+          {R"({"keys": [{"position_m": [0,0,0]}], "fps": "fast"})", "as fps, found \"fast\""}}) {
         write_file(file, text);
         try {
             load_camera_path(file);

@@ -21,7 +21,8 @@ namespace {
 Capture load_capture(const CaptureRequest& request) {
     CaptureFolders folders = request.folders;
     folders.downscale = request.photos.downscale;
-    return request.kind == "colmap" ? load_colmap_capture(request.source, folders) : load_nerfstudio_capture(request.source, folders);
+    return request.kind == "colmap" ? load_colmap_capture(request.source, folders)
+                                    : load_nerfstudio_capture(request.source, folders);
 }
 
 // Masks that fit no picture are a mistake that would show only in the result.
@@ -29,12 +30,16 @@ void check_masks(const CaptureRequest& request, const Capture& capture, const Ru
     const std::string folder = request.folders.masks.string();
     if (folder.empty()) return;
     if (!fs::is_directory(folder)) throw Error("--masks {}: expected a folder, found none", folder);
-    const auto without = std::count_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return p.mask.empty(); });
+    const auto without = std::count_if(capture.photos.begin(), capture.photos.end(),
+                                       [](const Photo& p) { return p.mask.empty(); });
     if (without == 0) return;
-    const std::string name = std::find_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return p.mask.empty(); })->name;
+    const std::string name = std::find_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) {
+                                 return p.mask.empty();
+                             })->name;
     if (static_cast<std::size_t>(without) == capture.photos.size())
         throw Error("--masks {}: expected masks named like the pictures, such as {}.png, found none", folder, name);
-    run.warn(fmt::format("--masks {}: {} of {} pictures have no mask and count fully, {} first", folder, without, capture.photos.size(), name));
+    run.warn(fmt::format("--masks {}: {} of {} pictures have no mask and count fully, {} first", folder, without,
+                         capture.photos.size(), name));
 }
 
 // The model's numbers, and of each picture its name, size and time: pictures are not read to know that nothing changed.
@@ -56,7 +61,8 @@ std::string identity_of(const Capture& capture) {
         for (const double v : l.k) hash.add(v);
         for (const double v : l.s) hash.add(v);
         const Mat3d& r = p.world_from_camera.rotation;
-        for (const Vec3d& v : {r.row0, r.row1, r.row2, p.world_from_camera.translation}) hash.add(v.x).add(v.y).add(v.z);
+        for (const Vec3d& v : {r.row0, r.row1, r.row2, p.world_from_camera.translation})
+            hash.add(v.x).add(v.y).add(v.z);
     }
     for (const CapturePoint& p : capture.points)
         hash.add(p.position.x).add(p.position.y).add(p.position.z).add(p.color.r).add(p.color.g).add(p.color.b);
@@ -84,16 +90,20 @@ void claim(const RunFolder& folder, const Json& wanted, bool start_over) {
     if (fs::exists(folder.run_json())) {
         const Json recorded = read_json(folder.run_json());
         const auto source = [](const Json& run) {
-            return run.contains("capture") ? run.at("capture").value("source", "") : "\"" + run.value("prompt", "") + "\"";
+            return run.contains("capture") ? run.at("capture").value("source", "")
+                                           : "\"" + run.value("prompt", "") + "\"";
         };
         if (source(recorded) != source(wanted))
-            throw UsageError("{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or --force to throw that run away",
-                             folder.root.string(), source(wanted), source(recorded));
+            throw UsageError(
+                "{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or "
+                "--force to throw that run away",
+                folder.root.string(), source(wanted), source(recorded));
     } else {
         for (const std::string& name : RunFolder::owned())
             if (fs::exists(folder.root / name))
                 throw UsageError(
-                    "{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or --force to replace what is "
+                    "{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or "
+                    "--force to replace what is "
                     "there",
                     folder.root.string(), name);
     }
@@ -118,7 +128,8 @@ Json json_of(const Rigid& pose) {
 void check_memory(const CaptureRequest& request, const Capture& capture) {
     const std::int64_t have = available_memory();
     if (have <= 0) return;
-    const std::size_t points = capture.points.empty() ? static_cast<std::size_t>(request.photos.random_points) : capture.points.size();
+    const std::size_t points = capture.points.empty() ? static_cast<std::size_t>(request.photos.random_points)
+                                                      : capture.points.size();
     const std::int64_t splats = splat_memory(request.splat, points);
     const auto wanted = [&](const PhotosMemory& photos) {
         return photos.views + std::max(photos.reading, splats + (request.splat.coarse > 0 ? photos.views / 4 : 0));
@@ -128,17 +139,20 @@ void check_memory(const CaptureRequest& request, const Capture& capture) {
     if (wanted(photos) <= have) return;
     constexpr double kGiB = 1 << 30;
     throw Error(
-        "{}: its pictures take {:.1f} GiB, {:.1f} GiB more while they are read, and {} Gaussians {:.1f} GiB while they train; found {:.1f} GiB free: "
+        "{}: its pictures take {:.1f} GiB, {:.1f} GiB more while they are read, and {} Gaussians {:.1f} GiB while they "
+        "train; found {:.1f} GiB free: "
         "smaller pictures (--max-size, --downscale) or fewer Gaussians (--splat-count) would fit",
-        capture.source, static_cast<double>(photos.views) / kGiB, static_cast<double>(photos.reading) / kGiB, request.splat.count,
-        static_cast<double>(splats) / kGiB, static_cast<double>(have) / kGiB);
+        capture.source, static_cast<double>(photos.views) / kGiB, static_cast<double>(photos.reading) / kGiB,
+        request.splat.count, static_cast<double>(splats) / kGiB, static_cast<double>(have) / kGiB);
 }
 
 // All files of the stage. viewer.json: where a visitor stands first, in the frame of viewer.compressed.ply.
-void make_capture_splat(const CaptureRequest& request, const Capture& capture, const RunFolder& folder, const fs::path& out, const Run& run) {
+void make_capture_splat(const CaptureRequest& request, const Capture& capture, const RunFolder& folder,
+                        const fs::path& out, const Run& run) {
     check_memory(request, capture);
     const PhotoViews photos = views_of_capture(capture, request.photos, run);
-    run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(), capture.photos.size(), photos.set.points.size()));
+    run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(),
+                         capture.photos.size(), photos.set.points.size()));
     FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run);
     Splats own = fitted.splats;
     transform(own, inverse(photos.world_from_capture));
@@ -150,12 +164,16 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     transform(own, {upright, 1, {}});
     save_compressed_ply(out / "viewer.compressed.ply", own);
     const View& first = photos.set.views.front();
-    const Mat3f turn{{float(upright.row0.x), float(upright.row0.y), float(upright.row0.z)}, {float(upright.row1.x), float(upright.row1.y), float(upright.row1.z)},
+    const Mat3f turn{{float(upright.row0.x), float(upright.row0.y), float(upright.row0.z)},
+                     {float(upright.row1.x), float(upright.row1.y), float(upright.row1.z)},
                      {float(upright.row2.x), float(upright.row2.y), float(upright.row2.z)}};
     Json viewer = json_of({turn * first.world_from_camera.rotation, turn * first.world_from_camera.translation});
     const bool sphere = first.model == CameraModel::equirectangular;
-    viewer["fov_deg"] =
-        sphere ? 75.f : std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) * 57.29578f, 50.f, 90.f);
+    viewer["fov_deg"] = sphere
+                            ? 75.f
+                            : std::clamp(2 * std::atan(static_cast<float>(first.camera.width) / (2 * first.camera.fx)) *
+                                             57.29578f,
+                                         50.f, 90.f);
     write_json(out / "viewer.json", viewer);
     forget_place(folder);
 }
@@ -173,11 +191,14 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
     claim(folder, run_json_of(request, identity, run.seed), request.start_over);
 
     const Json params{{"splat", fields_json(request.splat)}, {"photos", fields_json(request.photos)}};
-    const StageRecord record = run_stage(folder.root, "splat", stage_key("splat", params, {identity}, run.seed), run,
-                                         [&](const fs::path& out) { make_capture_splat(request, capture, folder, out, run); });
+    const StageRecord record = run_stage(
+        folder.root, "splat", stage_key("splat", params, {identity}, run.seed), run,
+        [&](const fs::path& out) { make_capture_splat(request, capture, folder, out, run); });
     if (record.skipped) run.note("splat: already made");
     run.check_stop();
-    share_capture(folder, request.source.filename().empty() ? request.source.parent_path().filename().string() : request.source.filename().string(),
+    share_capture(folder,
+                  request.source.filename().empty() ? request.source.parent_path().filename().string()
+                                                    : request.source.filename().string(),
                   run);
     Json report{{"capture", fs::absolute(request.source).lexically_normal().string()},
                 {"photographs", capture.photos.size()},
@@ -189,7 +210,10 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
                 {"seconds", record.cost.seconds},
                 {"cpu_seconds", record.cost.cpu_seconds},
                 {"peak_memory_bytes", record.cost.peak_memory_bytes}};
-    report["stages"]["splat"] = {{"seconds", record.cost.seconds}, {"cpu_seconds", record.cost.cpu_seconds}, {"peak_memory_bytes", record.cost.peak_memory_bytes}, {"hash", record.result}};
+    report["stages"]["splat"] = {{"seconds", record.cost.seconds},
+                                 {"cpu_seconds", record.cost.cpu_seconds},
+                                 {"peak_memory_bytes", record.cost.peak_memory_bytes},
+                                 {"hash", record.result}};
     Json made = Json::array();
     for (const std::string& name : RunFolder::owned())
         if (name == "report.json" || fs::exists(folder.root / name)) made.push_back(name);

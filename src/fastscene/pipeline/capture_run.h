@@ -1,4 +1,5 @@
-// A capture (photographs with cameras of another program) becomes splats in a run folder: the splat stage standing on its own.
+// A capture (photographs with cameras of another program) becomes splats in a run folder: the splat stage standing on
+// its own.
 #pragma once
 
 #include <filesystem>
@@ -23,9 +24,9 @@ struct CaptureRequest {
     bool start_over = false;
 };
 
-// Writes run.json, splat/{scene.ply,scene.compressed.ply,curve.json} in the capture's own coordinates, splat/viewer.compressed.ply
-// (upright and metre-sized) with viewer.html, preview.jpg and report.json; returns the report. A finished run of the same request is
-// left as it is. Throws as make_scene does.
+// Writes run.json, splat/{scene.ply,scene.compressed.ply,curve.json} in the capture's own coordinates,
+// splat/viewer.compressed.ply (upright and metre-sized) with viewer.html, preview.jpg and report.json; returns the
+// report. A finished run of the same request is left as it is. Throws as make_scene does.
 Json train_capture(const CaptureRequest& request, const RunFolder& folder, const Run& run);
 
 // The request of a folder that train_capture made; absent when another made it.

@@ -42,7 +42,8 @@ ImageRgb8 perspectives(const TracedRoom& room, int width, const ShotParts& parts
     ImageRgb8 out(width, height);
     for (const bool back : {false, true}) {
         // Furniture stands below eye height.
-        const Mat3f turn = rotation_about(Vec3f{0, 1, 0}, back ? 3.14159265f : 0.f) * rotation_about(Vec3f{1, 0, 0}, -0.2f);
+        const Mat3f turn = rotation_about(Vec3f{0, 1, 0}, back ? 3.14159265f : 0.f) *
+                           rotation_about(Vec3f{1, 0, 0}, -0.2f);
         const Shot shot = room.perspective({turn, {}}, camera, parts, run);
         paste(out, srgb8_from_linear(shot.color), back ? half : 0, 0);
     }
@@ -71,7 +72,8 @@ ImageRgb8 sheet_of(const std::vector<Tile>& tiles, int columns) {
     const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
     ImageRgb8 sheet(columns * (w + kGap) + kGap, rows * (h + label + kGap) + kGap, kPaper);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const int x = kGap + static_cast<int>(i) % columns * (w + kGap), y = kGap + static_cast<int>(i) / columns * (h + label + kGap);
+        const int x = kGap + static_cast<int>(i) % columns * (w + kGap),
+                  y = kGap + static_cast<int>(i) / columns * (h + label + kGap);
         draw_label(sheet, tiles[i].name, x, y, kInk);
         paste(sheet, tiles[i].picture, x, y + label);
     }
@@ -94,8 +96,9 @@ void keep_only_fitting(const fs::path& folder, const SheetParams& params, const 
 
 }  // namespace
 
-std::vector<fs::path> make_contact_sheet(const fs::path& folder, std::vector<std::string> rooms, std::vector<std::string> style_names,
-                                         const SheetParams& params, const Run& run) {
+std::vector<fs::path> make_contact_sheet(const fs::path& folder, std::vector<std::string> rooms,
+                                         std::vector<std::string> style_names, const SheetParams& params,
+                                         const Run& run) {
     check_names("--rooms", rooms, room_types());
     check_names("--styles", style_names, styles());
     check_fields("", params);

@@ -14,24 +14,34 @@
 namespace fastscene {
 namespace {
 
-constexpr std::pair<const char*, DepthAlignment> kAlignments[] = {{"affine", DepthAlignment::affine}, {"scale", DepthAlignment::scale}, {"none", DepthAlignment::none}};
+constexpr std::pair<const char*, DepthAlignment> kAlignments[] = {
+    {"affine", DepthAlignment::affine}, {"scale", DepthAlignment::scale}, {"none", DepthAlignment::none}};
 
 // The first picture of each place.
 std::vector<DepthFiles> chosen(const DepthCheck& check, const Run& run) {
     std::vector<DepthFiles> out;
     std::set<std::string> seen;
     for (const DepthFiles& files : find_depth_files(check.data))
-        if ((check.all || files.held_out) && seen.insert(files.place).second && static_cast<int>(out.size()) < check.count) out.push_back(files);
+        if ((check.all || files.held_out) && seen.insert(files.place).second &&
+            static_cast<int>(out.size()) < check.count)
+            out.push_back(files);
     if (out.empty())
         throw Error("{}: expected {}places, found none{}", check.data.string(), check.all ? "" : "held-out ",
                     check.all ? "" : ": --all takes those of a set that the network never saw");
     if (static_cast<int>(out.size()) < check.count)
-        run.warn(fmt::format("{}: expected {} {}places, found {}{}", check.data.string(), check.count, check.all ? "" : "held-out ", out.size(),
+        run.warn(fmt::format("{}: expected {} {}places, found {}{}", check.data.string(), check.count,
+                             check.all ? "" : "held-out ", out.size(),
                              check.all ? "" : ": --all takes all, if the network never saw this set"));
     return out;
 }
 
-Json json_of(const DepthScores& s) { return {{"abs_rel", s.abs_rel}, {"rmse_m", s.rmse}, {"delta1", s.delta[0]}, {"delta2", s.delta[1]}, {"delta3", s.delta[2]}}; }
+Json json_of(const DepthScores& s) {
+    return {{"abs_rel", s.abs_rel},
+            {"rmse_m", s.rmse},
+            {"delta1", s.delta[0]},
+            {"delta2", s.delta[1]},
+            {"delta3", s.delta[2]}};
+}
 
 }  // namespace
 
@@ -58,7 +68,8 @@ Json check_depth(const DepthCheck& check, const Run& run) {
             for (std::size_t i = 0; i < std::size(kAlignments); ++i) {
                 DepthScoreOptions options;
                 options.alignment = kAlignments[i].second;
-                options.found_name = "range estimated of " + files.color.string(), options.truth_name = files.range.string();
+                options.found_name = "range estimated of " + files.color.string(),
+                options.truth_name = files.range.string();
                 each[i] = depth_scores(found.range, truth, options);
                 one[kAlignments[i].first] = json_of(each[i]);
             }
@@ -71,26 +82,32 @@ Json check_depth(const DepthCheck& check, const Run& run) {
             run.warn(fmt::format("left out: {}", e.what()));
         }
     }
-    if (pictures.empty()) throw Error("{}: expected {}pictures with range, found none of {} that can be used; the first: {}", check.data.string(), check.all ? "" : "held-out ", all.size(), left_out[0]);
+    if (pictures.empty())
+        throw Error("{}: expected {}pictures with range, found none of {} that can be used; the first: {}",
+                    check.data.string(), check.all ? "" : "held-out ", all.size(), left_out[0]);
     report["backend"] = backend;
     report["pictures"] = pictures.size();
     report["held_out"] = !check.all;
     report["left_out"] = left_out;
     report["cpu_s_per_picture"] = seconds / static_cast<double>(pictures.size());
-    for (std::size_t i = 0; i < std::size(kAlignments); ++i) report[kAlignments[i].first] = json_of(mean_scores(scores[i]));
+    for (std::size_t i = 0; i < std::size(kAlignments); ++i)
+        report[kAlignments[i].first] = json_of(mean_scores(scores[i]));
     report["each"] = pictures;
     return report;
 }
 
 std::string depth_check_text(const Json& report) {
     const std::size_t left_out = report.at("left_out").size();
-    std::string text =
-        fmt::format("{}, {} {}places{}, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}", report.at("backend").get<std::string>(),
-                    report.at("pictures").get<int>(), report.at("held_out").get<bool>() ? "held-out " : "", left_out == 0 ? "" : fmt::format(" ({} more cannot be used)", left_out), report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1", "d2");
+    std::string text = fmt::format("{}, {} {}places{}, {:.1f} CPU seconds a picture\n{:8} {:>8} {:>8} {:>8} {:>8}",
+                                   report.at("backend").get<std::string>(), report.at("pictures").get<int>(),
+                                   report.at("held_out").get<bool>() ? "held-out " : "",
+                                   left_out == 0 ? "" : fmt::format(" ({} more cannot be used)", left_out),
+                                   report.at("cpu_s_per_picture").get<double>(), "aligned", "AbsRel", "RMSE m", "d1",
+                                   "d2");
     for (const auto& [name, alignment] : kAlignments) {
         const Json& s = report.at(name);
-        text += fmt::format("\n{:8} {:8.4f} {:8.4f} {:8.4f} {:8.4f}", name, s.at("abs_rel").get<double>(), s.at("rmse_m").get<double>(), s.at("delta1").get<double>(),
-                            s.at("delta2").get<double>());
+        text += fmt::format("\n{:8} {:8.4f} {:8.4f} {:8.4f} {:8.4f}", name, s.at("abs_rel").get<double>(),
+                            s.at("rmse_m").get<double>(), s.at("delta1").get<double>(), s.at("delta2").get<double>());
     }
     return text;
 }

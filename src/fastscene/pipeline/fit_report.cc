@@ -60,7 +60,8 @@ void save_curves(const fs::path& out, const FittedSplats& fitted) {
     if (!fitted.eval_pictures.empty()) make_directories(out / "eval");
     for (std::size_t i = 0; i < fitted.eval_pictures.size(); ++i) {
         const EvalPicture& p = fitted.eval_pictures[i];
-        save_png(out / "eval" / fmt::format("{:02}-{}.png", i, fs::path(p.view).stem().string()), beside(p.picture, p.truth));
+        save_png(out / "eval" / fmt::format("{:02}-{}.png", i, fs::path(p.view).stem().string()),
+                 beside(p.picture, p.truth));
     }
 }
 

@@ -7,7 +7,8 @@
 
 namespace fastscene {
 
-// curve.json, curve.csv, curve.svg; with held-out views eval/NAME.png: the splats' picture on the left, the truth on the right.
+// curve.json, curve.csv, curve.svg; with held-out views eval/NAME.png: the splats' picture on the left, the truth on
+// the right.
 void save_curves(const std::filesystem::path& out, const FittedSplats& fitted);
 
 }  // namespace fastscene

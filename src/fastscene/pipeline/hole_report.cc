@@ -17,13 +17,17 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
     if (!fs::exists(folder.depth_range()))
-        throw UsageError("{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene depth {}`",
-                         run_dir.string(), run_dir.string());
+        throw UsageError(
+            "{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene "
+            "depth {}`",
+            run_dir.string(), run_dir.string());
     const ImageF range = load_float(folder.depth_range());
     if (!truth) return hole_table(range, run);
     const SceneSource& source = recorded.request.source;
     if (!source.has_room())
-        throw UsageError("--truth: expected a scene from a prompt: behind the picture of {} there is no room to compare with", run_dir.string());
+        throw UsageError(
+            "--truth: expected a scene from a prompt: behind the picture of {} there is no room to compare with",
+            run_dir.string());
     PromptSpec prompt = read_prompt(source.prompt, recorded.request.params.panorama);
     const TracedRoom room(make_room(prompt, {recorded.seed, run.events, run.stop}));
     check_same_room(room, range, run_dir);
@@ -40,8 +44,13 @@ void save_hole_table(const fs::path& folder, const std::vector<HoleRow>& rows) {
     write_json(folder / "hole_table.json", hole_table_json(rows));
     std::vector<Plot> plots;
     for (const char axis : {'x', 'y', 'z'}) {
-        Plot plot{fmt::format("along {}", axis), "step, share of the greatest range", "holes, % of the picture",
-                  {{"published", {}, false}, {"ours", {}, false}, {"paper's scenes", {}, true}, {"true disocclusion", {}, true}}};
+        Plot plot{fmt::format("along {}", axis),
+                  "step, share of the greatest range",
+                  "holes, % of the picture",
+                  {{"published", {}, false},
+                   {"ours", {}, false},
+                   {"paper's scenes", {}, true},
+                   {"true disocclusion", {}, true}}};
         for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
             if (row->axis != axis) continue;
             plot.curves[0].points.push_back({row->share, 100 * row->published});

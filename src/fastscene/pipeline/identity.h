@@ -17,16 +17,19 @@ std::string identity_of(const SceneSource& source);
 // For people: the prompt, or the picture's name.
 std::string title_of(const SceneSource& source);
 
-// What run.json says of this source, when files that it was read from (the picture, its range map, further panoramas) are gone meanwhile: what is
-// finished was made of them, and the run goes on from there. Nothing when all are there, or when the record is of other files.
+// What run.json says of this source, when files that it was read from (the picture, its range map, further panoramas)
+// are gone meanwhile: what is finished was made of them, and the run goes on from there. Nothing when all are there, or
+// when the record is of other files.
 struct GoneSource {
     Json record;
-    std::filesystem::path file;   // the first that is gone
+    std::filesystem::path file;  // the first that is gone
 };
 std::optional<GoneSource> gone_source(const RunFolder& folder, const SceneSource& source);
 
-// Writes run.json; of a source that is gone it keeps what was recorded. Throws UsageError when the folder holds another source's or another seed's run, or files under our
-// names that no run made; with `start_over` those are removed instead.
-void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uint64_t seed, const std::optional<GoneSource>& gone = {});
+// Writes run.json; of a source that is gone it keeps what was recorded. Throws UsageError when the folder holds another
+// source's or another seed's run, or files under our names that no run made; with `start_over` those are removed
+// instead.
+void claim_folder(const RunFolder& folder, const SceneRequest& request, std::uint64_t seed,
+                  const std::optional<GoneSource>& gone = {});
 
 }  // namespace fastscene

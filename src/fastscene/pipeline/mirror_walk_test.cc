@@ -19,10 +19,12 @@ Room room_with_a_mirror() {
     room.max_corner = kHigh;
     Material mirror = diffuse({0.85f, 0.85f, 0.85f});
     mirror.mirror = 1;
-    room.materials = {diffuse({0.75f, 0.72f, 0.68f}), diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9}), diffuse({0.7f, 0.06f, 0.05f}), diffuse({0.05f, 0.2f, 0.7f}), mirror};
+    room.materials = {diffuse({0.75f, 0.72f, 0.68f}), diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9}),
+                      diffuse({0.7f, 0.06f, 0.05f}), diffuse({0.05f, 0.2f, 0.7f}), mirror};
     room.objects.resize(1);
     room.meshes = {box_mesh(kLow, kHigh, 0, -1, true), box_mesh({-0.4f, -1.09f, -0.4f}, {0.4f, -1.05f, 0.4f}, 1),
-                   box_mesh({-1.2f, 0.2f, -1.9f}, {-0.5f, 1.5f, -1.4f}, 2), box_mesh({0.4f, -0.4f, -2.4f}, {1.3f, 1.5f, -2.f}, 3),
+                   box_mesh({-1.2f, 0.2f, -1.9f}, {-0.5f, 1.5f, -1.4f}, 2),
+                   box_mesh({0.4f, -0.4f, -2.4f}, {1.3f, 1.5f, -2.f}, 3),
                    box_mesh({-0.8f, -0.6f, 2.4f}, {0.8f, 0.7f, 2.42f}, 4, 0)};
     return room;
 }
@@ -49,11 +51,14 @@ TEST(MirrorWalk, WhatAMirrorShowsMovesAsItsImageDoes) {
     ASSERT_EQ(on_glass.panoramas.size(), behind_it.panoramas.size());
     for (std::size_t i = 1; i < behind_it.panoramas.size(); ++i) {
         const Panorama& walked = behind_it.panoramas[i];
-        EXPECT_EQ(walked.world_from_pano.translation, on_glass.panoramas[i].world_from_pano.translation) << "nobody steps into a mirror";
+        EXPECT_EQ(walked.world_from_pano.translation, on_glass.panoramas[i].world_from_pano.translation)
+            << "nobody steps into a mirror";
         const Shot truth = room.panorama(walked.world_from_pano, size, {.object = true, .pixel_samples = 16}, {});
         ImageMask glass(size.width, size.height), rest = glass;
         for (std::size_t k = 0; k < glass.size(); ++k) (truth.object.pixels[k] == 0 ? glass : rest).pixels[k] = 255;
-        const auto likeness = [&](const Panorama& p, const ImageMask& mask) { return psnr(srgb8_from_linear(p.color), srgb8_from_linear(truth.color), mask); };
+        const auto likeness = [&](const Panorama& p, const ImageMask& mask) {
+            return psnr(srgb8_from_linear(p.color), srgb8_from_linear(truth.color), mask);
+        };
         EXPECT_GT(likeness(walked, glass), likeness(on_glass.panoramas[i], glass) + 6) << "viewpoint " << i;
         int invented = 0, seen = 0;
         for (std::size_t k = 0; k < glass.size(); ++k)

@@ -31,11 +31,13 @@ class Stream {
         if (request.source.picture.empty())
             if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
         const std::string& to = request.params.panorama.diffusion.upscale;
-        if (!request.source.weights.empty() && to != "none") inputs_.push_back(enlarger_identity(request.source.weights, to));
+        if (!request.source.weights.empty() && to != "none")
+            inputs_.push_back(enlarger_identity(request.source.weights, to));
     }
 
     // `make` writes the stage's files into the directory it is given.
-    void stage(std::string_view name, const Json& params, const std::function<void(const fs::path& out, const Run& run)>& make) {
+    void stage(std::string_view name, const Json& params,
+               const std::function<void(const fs::path& out, const Run& run)>& make) {
         if (!done_.empty() && done_.back().name == last_stage_) return;
         StageEvents events(name, last_stage_, run_.events);
         const Run stage_run{run_.seed, &events, run_.stop};
@@ -54,7 +56,8 @@ class Stream {
     std::vector<StageRecord> done_;
 };
 
-Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& request, const RunFolder& folder, const Run& run) {
+Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& request, const RunFolder& folder,
+               const Run& run) {
     Json report;
     report["prompt"] = request.source.prompt;
     if (!request.source.picture.empty()) report["picture"] = request.source.picture.string();
@@ -87,7 +90,8 @@ Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& reque
 
 // What people look at hangs on the splats alone; it is made again only when they changed or a file is gone.
 bool is_shared(const RunFolder& folder, const StageRecord& splat) {
-    for (const fs::path& path : {folder.report_json(), folder.viewer_html(), folder.preview_jpg(), folder.credits_txt()})
+    for (const fs::path& path :
+         {folder.report_json(), folder.viewer_html(), folder.preview_jpg(), folder.credits_txt()})
         if (!fs::exists(path)) return false;
     try {
         return read_json(folder.report_json()).at("stages").at("splat").at("hash") == splat.result;
@@ -100,17 +104,21 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
 void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     const SceneParams& params = request.params;
     const auto reaches = [&](std::string_view stage) {
-        return std::find(std::begin(kStages), std::end(kStages), stage) <= std::find(std::begin(kStages), std::end(kStages), request.last_stage);
+        return std::find(std::begin(kStages), std::end(kStages), stage) <=
+               std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
-    if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer") load_weights(params.depth.weights);
+    if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer")
+        load_weights(params.depth.weights);
     if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
-    if (reaches("walk") && !params.walk.inpaint_weights.empty() && walk_of(request.source, params.depth, params.walk).inpainter == "aotgan")
+    if (reaches("walk") && !params.walk.inpaint_weights.empty() &&
+        walk_of(request.source, params.depth, params.walk).inpainter == "aotgan")
         load_weights(params.walk.inpaint_weights);
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
     if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
     // Splats that are there already may come from a larger machine.
-    if (params.splat.per_m2 == 0 && (request.start_over || !fs::exists(folder.stage("splat")))) check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
+    if (params.splat.per_m2 == 0 && (request.start_over || !fs::exists(folder.stage("splat"))))
+        check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
 }
 
 }  // namespace
@@ -131,19 +139,24 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
 
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
-    Stream stream(folder, request, gone ? gone->record.at("identity").get<std::string>() : identity_of(request.source), run);
-    std::shared_ptr<const TracedRoom> room;   // kept for a walk that looks into it again
+    Stream stream(folder, request, gone ? gone->record.at("identity").get<std::string>() : identity_of(request.source),
+                  run);
+    std::shared_ptr<const TracedRoom> room;  // kept for a walk that looks into it again
     stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
         auto made = make_panorama(source, params.panorama, out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
-    stream.stage("depth", fields_json(params.depth),
-                 [&](const fs::path& out, const Run& r) { make_depth(source, params.panorama, params.depth, folder, out, r); });
-    stream.stage("walk", fields_json(params.walk),
-                 [&](const fs::path& out, const Run& r) { make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r); });
-    stream.stage("views", fields_json(params.views), [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
+    stream.stage("depth", fields_json(params.depth), [&](const fs::path& out, const Run& r) {
+        make_depth(source, params.panorama, params.depth, folder, out, r);
+    });
+    stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) {
+        make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r);
+    });
+    stream.stage("views", fields_json(params.views),
+                 [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     const SplatParams splat = splat_of(source, params.depth, params.walk, params.splat);
-    stream.stage("splat", fields_json(splat), [&](const fs::path& out, const Run& r) { make_splat(folder, splat, out, r); });
+    stream.stage("splat", fields_json(splat),
+                 [&](const fs::path& out, const Run& r) { make_splat(folder, splat, out, r); });
 
     const std::vector<StageRecord>& done = stream.done();
     if (done.back().name == "splat" && !is_shared(folder, done.back())) {

@@ -27,8 +27,8 @@ struct SceneRequest {
 // holds something else; Error when a file or the disk is wrong; Stopped on request. Finished stages stay in any case.
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run);
 
-// The request that run.json records, with its seed; for verbs that go on with a folder. Throws UsageError when the folder
-// holds no run.
+// The request that run.json records, with its seed; for verbs that go on with a folder. Throws UsageError when the
+// folder holds no run.
 struct RecordedRun {
     SceneRequest request;
     std::uint64_t seed = 0;

@@ -5,8 +5,8 @@
 namespace fastscene {
 namespace {
 
-// Scenes from panoramas: points lie dense on every surface, and there is a backdrop behind, so splats start as closed, opaque surfaces that are
-// nearly where they belong.
+// Scenes from panoramas: points lie dense on every surface, and there is a backdrop behind, so splats start as closed,
+// opaque surfaces that are nearly where they belong.
 void start_closed(SplatParams& p) {
     p.start_opacity = 0.95f;
     p.start_overlap = 0.7f;
@@ -72,24 +72,23 @@ std::vector<std::string> qualities() { return {"draft", "standard", "high"}; }
 SceneParams params_of_quality(std::string_view quality) {
     SceneParams params;
     start_closed(params.splat);
-    params.views.backdrop = 6000;   // 2.6 degrees apart
-    if (quality == "draft")
-        fill_draft(params);
-    else if (quality == "standard")
-        fill_standard(params);
-    else if (quality == "high")
-        fill_high(params);
-    else
-        throw UsageError("--quality: expected one of {}, found \"{}\"", fmt::join(qualities(), ", "), quality);
+    params.views.backdrop = 6000;  // 2.6 degrees apart
+    if (quality == "draft") fill_draft(params);
+    else if (quality == "standard") fill_standard(params);
+    else if (quality == "high") fill_high(params);
+    else throw UsageError("--quality: expected one of {}, found \"{}\"", fmt::join(qualities(), ", "), quality);
     return params;
 }
 
-SplatParams capture_params_of_quality(std::string_view quality) { return started_as_photographs(params_of_quality(quality).splat); }
+SplatParams capture_params_of_quality(std::string_view quality) {
+    return started_as_photographs(params_of_quality(quality).splat);
+}
 
 Json json_of_params(const SceneParams& params) {
     Json json = Json::object();
     SceneParams copy = params;
-    visit_sections(copy, [&](std::string_view section, auto& fields) { json[std::string(section)] = fields_json(fields); });
+    visit_sections(copy,
+                   [&](std::string_view section, auto& fields) { json[std::string(section)] = fields_json(fields); });
     return json;
 }
 

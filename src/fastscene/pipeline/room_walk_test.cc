@@ -18,10 +18,11 @@ Room room_with_a_screen() {
     Room room;
     room.min_corner = kLow;
     room.max_corner = kHigh;
-    room.materials = {diffuse({0.75f, 0.72f, 0.68f}), diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9}), diffuse({0.8f, 0.8f, 0.8f}), diffuse({0.05f, 0.2f, 0.7f}),
-                      diffuse({0.7f, 0.06f, 0.05f})};
+    room.materials = {diffuse({0.75f, 0.72f, 0.68f}), diffuse({0.8f, 0.8f, 0.8f}, {9, 9, 9}),
+                      diffuse({0.8f, 0.8f, 0.8f}), diffuse({0.05f, 0.2f, 0.7f}), diffuse({0.7f, 0.06f, 0.05f})};
     room.meshes = {box_mesh(kLow, kHigh, 0, -1, true), box_mesh({-0.4f, -1.09f, -0.4f}, {0.4f, -1.05f, 0.4f}, 1),
-                   box_mesh({-0.7f, -0.5f, 1.2f}, {0.7f, 1.f, 1.25f}, 2), box_mesh({-0.75f, -0.4f, 1.8f}, {-0.3f, 0.9f, 2.f}, 3),
+                   box_mesh({-0.7f, -0.5f, 1.2f}, {0.7f, 1.f, 1.25f}, 2),
+                   box_mesh({-0.75f, -0.4f, 1.8f}, {-0.3f, 0.9f, 2.f}, 3),
                    box_mesh({0.3f, -0.4f, 1.8f}, {0.75f, 0.9f, 2.f}, 4)};
     return room;
 }
@@ -47,7 +48,8 @@ struct Walks {
         advice.room = [this](const Rigid& world_from_pano, const ImageMask& hole, const Run& run) {
             ++looks;
             for (const std::uint8_t h : hole.pixels) asked += h != 0;
-            Shot shot = room.panorama(world_from_pano, size, {.mirrored_range = true, .pixel_samples = 16, .only = &hole}, run);
+            Shot shot = room.panorama(world_from_pano, size,
+                                      {.mirrored_range = true, .pixel_samples = 16, .only = &hole}, run);
             return RoomSight{std::move(shot.color), std::move(shot.mirrored_range)};
         };
     }
@@ -61,7 +63,7 @@ TEST(RoomWalk, HolesAreWhatTheRoomHasThere) {
     const Walked painted = walked_through(w.first, w.params, {});
     ASSERT_EQ(looked.panoramas.size(), painted.panoramas.size());
     int all = 0;
-    double off = 0, looked_error = 0, painted_error = 0;   // metres; squares of sRGB values where panorama 0 saw nothing
+    double off = 0, looked_error = 0, painted_error = 0;  // metres; squares of sRGB values where panorama 0 saw nothing
     for (std::size_t i = 1; i < looked.panoramas.size(); ++i) {
         const Panorama &one = looked.panoramas[i], &other = painted.panoramas[i];
         ASSERT_EQ(one.world_from_pano.translation, other.world_from_pano.translation);
@@ -69,12 +71,16 @@ TEST(RoomWalk, HolesAreWhatTheRoomHasThere) {
         const auto error_at = [&](const Panorama& p, std::size_t k) {
             double sum = 0;
             for (std::size_t c = 0; c < 3; ++c)
-                sum += std::pow(static_cast<double>(srgb_from_linear(p.color.pixels[k][c]) - srgb_from_linear(truth.color.pixels[k][c])), 2) / 3;
+                sum += std::pow(static_cast<double>(srgb_from_linear(p.color.pixels[k][c]) -
+                                                    srgb_from_linear(truth.color.pixels[k][c])),
+                                2) /
+                       3;
             return sum;
         };
         for (std::size_t k = 0; k < one.known.size(); ++k) {
             EXPECT_NE(one.known.pixels[k], Known::invented);
-            if (one.known.pixels[k] == Known::looked) ++all, off += std::fabs(one.range.pixels[k] - truth.range.pixels[k]);
+            if (one.known.pixels[k] == Known::looked)
+                ++all, off += std::fabs(one.range.pixels[k] - truth.range.pixels[k]);
             if (one.known.pixels[k] == Known::original) continue;
             looked_error += error_at(one, k);
             painted_error += error_at(other, k);

@@ -46,10 +46,12 @@ struct RunFolder {
     static std::vector<std::string> owned();
 };
 
-// "A cozy bedroom, 3 chairs" -> "a-cozy-bedroom-3-chairs": letters and digits, at most 60 of them; "scene" if none are left.
+// "A cozy bedroom, 3 chairs" -> "a-cozy-bedroom-3-chairs": letters and digits, at most 60 of them; "scene" if none are
+// left.
 std::string slug_of(std::string_view text);
 
-// One program at a time works on a folder. Throws Error when another one does. Released with the object, or with the process.
+// One program at a time works on a folder. Throws Error when another one does. Released with the object, or with the
+// process.
 class FolderLock {
   public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -19,8 +19,10 @@ void check_same_room(const TracedRoom& room, const ImageF& range, const std::fil
                      (std::isfinite(recorded) && !(std::fabs(true_range - recorded) < 0.02f * recorded));
         }
     if (20 * other > looked)
-        throw Error("the room behind {} is not the one its range map shows ({} of {} rays differ): it was made by another version; make it anew",
-                    run_dir.string(), other, looked);
+        throw Error(
+            "the room behind {} is not the one its range map shows ({} of {} rays differ): it was made by another "
+            "version; make it anew",
+            run_dir.string(), other, looked);
 }
 
 }  // namespace fastscene

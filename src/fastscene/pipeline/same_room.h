@@ -1,4 +1,5 @@
-// The room behind a run is made again from its prompt and seed. The room maker changes from version to version: then it is another room.
+// The room behind a run is made again from its prompt and seed. The room maker changes from version to version: then it
+// is another room.
 #pragma once
 
 #include <filesystem>

@@ -41,7 +41,8 @@ std::vector<Pair> pairs_of(const std::vector<View>& known, const std::vector<Pho
 Quatd mean_turn(const std::vector<Pair>& pairs) {
     Quatd sum{0, 0, 0, 0}, first;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const Quatd q = quaternion_of(to_double(pairs[i].known->world_from_camera.rotation) * transpose(pairs[i].found->world_from_camera.rotation));
+        const Quatd q = quaternion_of(to_double(pairs[i].known->world_from_camera.rotation) *
+                                      transpose(pairs[i].found->world_from_camera.rotation));
         if (i == 0) first = q;
         const double sign = q.w * first.w + q.x * first.x + q.y * first.y + q.z * first.z < 0 ? -1 : 1;
         sum = {sum.w + sign * q.w, sum.x + sign * q.x, sum.y + sign * q.y, sum.z + sign * q.z};
@@ -62,7 +63,8 @@ class Colmap {
         const auto found = find_program("colmap");
         if (!found)
             throw Error(
-                "--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or leave the flag away (the poses are known)");
+                "--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or leave the "
+                "flag away (the poses are known)");
         program_ = *found;
         make_directories(dir);
     }
@@ -90,21 +92,25 @@ std::string match_list(const std::vector<View>& views) {
     const double least = std::cos(kMatchDeg * std::numbers::pi / 180);
     for (std::size_t i = 0; i < views.size(); ++i)
         for (std::size_t j = i + 1; j < views.size(); ++j)
-            if (static_cast<double>(dot(views[i].world_from_camera.rotation.column(2), views[j].world_from_camera.rotation.column(2))) >= least)
+            if (static_cast<double>(dot(views[i].world_from_camera.rotation.column(2),
+                                        views[j].world_from_camera.rotation.column(2))) >= least)
                 out += views[i].name + " " + views[j].name + "\n";
     return out;
 }
 
-void match(Colmap& colmap, const fs::path& dir, const fs::path& work, const std::vector<View>& views, const std::string& mode) {
+void match(Colmap& colmap, const fs::path& dir, const fs::path& work, const std::vector<View>& views,
+           const std::string& mode) {
     const Pinhole& c = views.front().camera;
     // Where numbers of images must be those of our files, one thread keeps them in order.
     const std::string threads = std::to_string(mode == "triangulate" ? 1 : thread_count());
-    colmap.run("feature_extractor", {"--database_path", work / "database.db", "--image_path", dir / "images", "--ImageReader.camera_model", "PINHOLE",
-                                     "--ImageReader.single_camera", "1", "--ImageReader.camera_params", fmt::format("{},{},{},{}", c.fx, c.fy, c.cx, c.cy),
+    colmap.run("feature_extractor", {"--database_path", work / "database.db", "--image_path", dir / "images",
+                                     "--ImageReader.camera_model", "PINHOLE", "--ImageReader.single_camera", "1",
+                                     "--ImageReader.camera_params", fmt::format("{},{},{},{}", c.fx, c.fy, c.cx, c.cy),
                                      "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads", threads});
     write_file(work / "pairs.txt", match_list(views));
-    colmap.run("matches_importer", {"--database_path", work / "database.db", "--match_list_path", work / "pairs.txt", "--match_type", "pairs",
-                                    "--SiftMatching.use_gpu", "0", "--SiftMatching.num_threads", std::to_string(thread_count())});
+    colmap.run("matches_importer",
+               {"--database_path", work / "database.db", "--match_list_path", work / "pairs.txt", "--match_type",
+                "pairs", "--SiftMatching.use_gpu", "0", "--SiftMatching.num_threads", std::to_string(thread_count())});
 }
 
 // The mapper may leave several models; the one with most images counts.
@@ -116,17 +122,21 @@ Capture largest_model(const fs::path& dir) {
     std::sort(models.begin(), models.end());
     for (const fs::path& path : models)
         if (is_colmap_model(path))
-            if (Capture model = load_colmap_model(path); model.photos.size() > best.photos.size()) best = std::move(model);
+            if (Capture model = load_colmap_model(path); model.photos.size() > best.photos.size())
+                best = std::move(model);
     return best;
 }
 
 Capture mapped(Colmap& colmap, const fs::path& dir, const fs::path& work) {
     make_directories(work / "models");
-    colmap.run("mapper", {"--database_path", work / "database.db", "--image_path", dir / "images", "--output_path", work / "models",
-                          "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point", "0", "--Mapper.ba_refine_extra_params", "0"});
+    colmap.run("mapper", {"--database_path", work / "database.db", "--image_path", dir / "images", "--output_path",
+                          work / "models", "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point",
+                          "0", "--Mapper.ba_refine_extra_params", "0"});
     Capture best = largest_model(work / "models");
     if (best.photos.empty())
-        throw Error("colmap mapper: expected a model, found none: the views share too little; leave --views-sfm away (the poses are known)");
+        throw Error(
+            "colmap mapper: expected a model, found none: the views share too little; leave --views-sfm away (the "
+            "poses are known)");
     return best;
 }
 
@@ -134,9 +144,10 @@ Capture triangulated(Colmap& colmap, const fs::path& dir, const fs::path& work, 
     make_directories(work / "known");
     make_directories(work / "points");
     save_views_model(work / "known", {known.views, {}});
-    colmap.run("point_triangulator", {"--database_path", work / "database.db", "--image_path", dir / "images", "--input_path", work / "known",
-                                      "--output_path", work / "points", "--Mapper.ba_refine_focal_length", "0", "--Mapper.ba_refine_principal_point",
-                                      "0", "--Mapper.ba_refine_extra_params", "0"});
+    colmap.run("point_triangulator",
+               {"--database_path", work / "database.db", "--image_path", dir / "images", "--input_path", work / "known",
+                "--output_path", work / "points", "--Mapper.ba_refine_focal_length", "0",
+                "--Mapper.ba_refine_principal_point", "0", "--Mapper.ba_refine_extra_params", "0"});
     return load_colmap_model(work / "points");
 }
 
@@ -159,9 +170,9 @@ void measure(const ViewSet& known, SfmResult& result) {
             // From the sine: the cosine of small angles loses them to rounding.
             const Mat3f turn = transpose(a.rotation) * b.rotation;
             const Vec3f axis{turn.row2.y - turn.row1.z, turn.row0.z - turn.row2.x, turn.row1.x - turn.row0.y};
-            error.rotation_deg =
-                std::atan2(static_cast<double>(length(axis)) / 2, (static_cast<double>(turn.row0.x + turn.row1.y + turn.row2.z) - 1) / 2) * 180 /
-                std::numbers::pi;
+            error.rotation_deg = std::atan2(static_cast<double>(length(axis)) / 2,
+                                            (static_cast<double>(turn.row0.x + turn.row1.y + turn.row2.z) - 1) / 2) *
+                                 180 / std::numbers::pi;
             positions.push_back(error.position_m);
             rotations.push_back(error.rotation_deg);
         }
@@ -215,9 +226,11 @@ SfmResult structure_from_motion(const fs::path& dir, const ViewSet& known, const
         result.set.views.push_back(std::move(view));
     }
     std::vector<Vec3f> places;
-    for (const CapturePoint& p : model.points) places.push_back(to_float((ours.new_from_old * p.position) * ours.scale + ours.translation));
+    for (const CapturePoint& p : model.points)
+        places.push_back(to_float((ours.new_from_old * p.position) * ours.scale + ours.translation));
     const std::vector<float> sizes = spacings(places);
-    for (std::size_t i = 0; i < places.size(); ++i) result.set.points.push_back({places[i], {}, model.points[i].color, sizes[i]});
+    for (std::size_t i = 0; i < places.size(); ++i)
+        result.set.points.push_back({places[i], {}, model.points[i].color, sizes[i]});
     measure(known, result);
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     fs::remove_all(work);
@@ -227,18 +240,33 @@ SfmResult structure_from_motion(const fs::path& dir, const ViewSet& known, const
 Json to_json(const SfmReport& r) {
     Json views = Json::array();
     for (const PoseError& e : r.errors)
-        views.push_back(e.registered ? Json{{"view", e.view}, {"registered", true}, {"position_m", e.position_m}, {"rotation_deg", e.rotation_deg}} : Json{{"view", e.view}, {"registered", false}});
-    return {{"mode", r.mode}, {"views", r.views}, {"registered", r.registered}, {"points", r.points}, {"metres_a_unit", r.scale},
-            {"position_median_m", r.position_median_m}, {"position_max_m", r.position_max_m}, {"rotation_median_deg", r.rotation_median_deg},
-            {"rotation_max_deg", r.rotation_max_deg}, {"errors", views}};
+        views.push_back(e.registered ? Json{{"view", e.view},
+                                            {"registered", true},
+                                            {"position_m", e.position_m},
+                                            {"rotation_deg", e.rotation_deg}}
+                                     : Json{{"view", e.view}, {"registered", false}});
+    return {{"mode", r.mode},
+            {"views", r.views},
+            {"registered", r.registered},
+            {"points", r.points},
+            {"metres_a_unit", r.scale},
+            {"position_median_m", r.position_median_m},
+            {"position_max_m", r.position_max_m},
+            {"rotation_median_deg", r.rotation_median_deg},
+            {"rotation_max_deg", r.rotation_max_deg},
+            {"errors", views}};
 }
 
 std::string table_of(const SfmReport& r) {
     std::string out = fmt::format("{:<12} {:>12} {:>14}\n", "view", "position (m)", "rotation (deg)");
     for (const PoseError& e : r.errors)
-        out += e.registered ? fmt::format("{:<12} {:>12.4f} {:>14.3f}\n", e.view, e.position_m, e.rotation_deg) : fmt::format("{:<12} {:>12} {:>14}\n", e.view, "-", "-");
-    out += fmt::format("\nregistered {} of {} views, {} points\nposition: median {:.4f} m, most {:.4f} m\nrotation: median {:.3f} deg, most {:.3f} deg\n", r.registered, r.views, r.points,
-                       r.position_median_m, r.position_max_m, r.rotation_median_deg, r.rotation_max_deg);
+        out += e.registered ? fmt::format("{:<12} {:>12.4f} {:>14.3f}\n", e.view, e.position_m, e.rotation_deg)
+                            : fmt::format("{:<12} {:>12} {:>14}\n", e.view, "-", "-");
+    out += fmt::format(
+        "\nregistered {} of {} views, {} points\nposition: median {:.4f} m, most {:.4f} m\nrotation: median {:.3f} "
+        "deg, most {:.3f} deg\n",
+        r.registered, r.views, r.points, r.position_median_m, r.position_max_m, r.rotation_median_deg,
+        r.rotation_max_deg);
     return out;
 }
 

@@ -39,20 +39,25 @@ std::string credits_of(const RunFolder& folder, const std::optional<fs::path>& v
     if (!sources.empty()) text += "\nFurniture and surfaces:\n";
     for (const std::string& source : sources)
         text += source == "built-in" ? "  built-in: part of fastscene (Apache-2.0)\n" : "  " + source + "\n";
-    if (std::any_of(sources.begin(), sources.end(), [](const std::string& s) { return s.find("CC BY") != std::string::npos; }))
-        text += "\nCC BY 3.0 (https://creativecommons.org/licenses/by/3.0/): name the authors above wherever you show this scene, and say\n"
-                "that the models were changed: they were scaled, lit and partly recolored.\n";
+    if (std::any_of(sources.begin(), sources.end(),
+                    [](const std::string& s) { return s.find("CC BY") != std::string::npos; }))
+        text +=
+            "\nCC BY 3.0 (https://creativecommons.org/licenses/by/3.0/): name the authors above wherever you show this "
+            "scene, and say\n"
+            "that the models were changed: they were scaled, lit and partly recolored.\n";
     if (!fs::exists(folder.viewer_html())) return text;
     text += "\nviewer.html contains the SuperSplat viewer and the PlayCanvas engine (MIT).\n";
     if (viewer_dir)
-        if (const fs::path license = viewer_dir->parent_path() / "LICENSE"; fs::exists(license)) text += "\n" + read_file(license);
+        if (const fs::path license = viewer_dir->parent_path() / "LICENSE"; fs::exists(license))
+            text += "\n" + read_file(license);
     return text;
 }
 
 }  // namespace
 
 Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg) {
-    return {rotation_about(Vec3f{0, 1, 0}, radians(yaw_deg)) * rotation_about(Vec3f{1, 0, 0}, radians(pitch_deg)), position_m};
+    return {rotation_about(Vec3f{0, 1, 0}, radians(yaw_deg)) * rotation_about(Vec3f{1, 0, 0}, radians(pitch_deg)),
+            position_m};
 }
 
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
@@ -69,8 +74,10 @@ std::optional<fs::path> find_viewer_dir() {
 }
 
 std::string viewer_remedy() {
-    return fmt::format("the viewer's files are missing: run `npm ci --ignore-scripts` in {}/web, or name their folder in FASTSCENE_VIEWER_DIR",
-                       source_dir());
+    return fmt::format(
+        "the viewer's files are missing: run `npm ci --ignore-scripts` in {}/web, or name their folder in "
+        "FASTSCENE_VIEWER_DIR",
+        source_dir());
 }
 
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
@@ -82,9 +89,9 @@ void share_scene(const RunFolder& folder, const std::string& title, const Run& r
 
     const auto viewer_dir = find_viewer_dir();
     if (viewer_dir)
-        save_viewer_html(folder.viewer_html(), splats, {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f, walkable_in(folder)}, *viewer_dir);
-    else
-        run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
+        save_viewer_html(folder.viewer_html(), splats,
+                         {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f, walkable_in(folder)}, *viewer_dir);
+    else run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
 }
 
@@ -100,7 +107,9 @@ std::optional<FirstGlance> first_glance_of_capture(const RunFolder& folder) {
     if (!fs::exists(file)) return {};
     const Json json = read_json(file);
     try {
-        const auto three = [&](const char* name) { return Vec3f{json.at(name).at(0), json.at(name).at(1), json.at(name).at(2)}; };
+        const auto three = [&](const char* name) {
+            return Vec3f{json.at(name).at(0), json.at(name).at(1), json.at(name).at(2)};
+        };
         return FirstGlance{three("position_m"), three("forward"), json.at("fov_deg")};
     } catch (const Json::exception& e) {
         throw Error("{}: expected position_m, forward and fov_deg: {}", file.string(), e.what());
@@ -113,13 +122,15 @@ void share_capture(const RunFolder& folder, const std::string& title, const Run&
     const Splats splats = load_splat_ply(folder.stage("splat") / "viewer.compressed.ply");
     const Vec3f f = normalize(glance->forward);
     constexpr float kDegrees = 180.f / std::numbers::pi_v<float>;
-    const Rigid pose = world_from_camera_at(glance->position_m, std::atan2(f.x, f.z) * kDegrees, std::asin(std::clamp(-f.y, -1.f, 1.f)) * kDegrees);
-    save_jpeg(folder.preview_jpg(), picture_of(splats, Pinhole::with_fov(kPreviewWidth, kPreviewHeight, glance->fov_deg), pose));
+    const Rigid pose = world_from_camera_at(glance->position_m, std::atan2(f.x, f.z) * kDegrees,
+                                            std::asin(std::clamp(-f.y, -1.f, 1.f)) * kDegrees);
+    save_jpeg(folder.preview_jpg(),
+              picture_of(splats, Pinhole::with_fov(kPreviewWidth, kPreviewHeight, glance->fov_deg), pose));
     const auto viewer_dir = find_viewer_dir();
     if (viewer_dir)
-        save_viewer_html(folder.viewer_html(), splats, {title, glance->position_m, glance->position_m + f, glance->fov_deg}, *viewer_dir);
-    else
-        run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
+        save_viewer_html(folder.viewer_html(), splats,
+                         {title, glance->position_m, glance->position_m + f, glance->fov_deg}, *viewer_dir);
+    else run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
 }
 

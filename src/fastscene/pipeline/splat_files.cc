@@ -27,7 +27,8 @@ Command splat_transform() {
     const auto node = find_program("node");
     if (node && fs::exists(checkout)) return {*node, {checkout.string()}};
     throw Error(
-        "SOG is written and read by the program splat-transform, which is not here: `npm install -g @playcanvas/splat-transform` (Node 18 or later), "
+        "SOG is written and read by the program splat-transform, which is not here: `npm install -g "
+        "@playcanvas/splat-transform` (Node 18 or later), "
         "or `npm ci --ignore-scripts` in {}/web; or use .spz, .glb or .compressed.ply",
         source_dir());
 }
@@ -67,21 +68,26 @@ std::string reason_in(const std::string& said) {
 void check_bundle(const fs::path& file) {
     const std::string bytes = read_file(file);
     if (!bytes.starts_with("PK\x03\x04"))
-        throw Error("{}: expected a SOG bundle, which is a ZIP archive, found {}", file.string(), bytes.empty() ? "an empty file" : "something else");
+        throw Error("{}: expected a SOG bundle, which is a ZIP archive, found {}", file.string(),
+                    bytes.empty() ? "an empty file" : "something else");
     constexpr std::size_t kLongestEnd = 22 + 65535;
     if (bytes.find("PK\x05\x06", bytes.size() - std::min(bytes.size(), kLongestEnd)) == std::string::npos)
-        throw Error("{}: expected a whole SOG bundle, found: the file ends too early ({} bytes)", file.string(), bytes.size());
+        throw Error("{}: expected a whole SOG bundle, found: the file ends too early ({} bytes)", file.string(),
+                    bytes.size());
 }
 
 // Without a graphics card: `-g cpu`.
-void translate(const fs::path& from, const fs::path& to, const fs::path& named, const ScratchFolder& scratch, const Run& run) {
+void translate(const fs::path& from, const fs::path& to, const fs::path& named, const ScratchFolder& scratch,
+               const Run& run) {
     const Command command = splat_transform();
     std::vector<std::string> arguments = command.first;
-    for (const std::string& a : {std::string("-w"), std::string("-g"), std::string("cpu"), from.string(), to.string()}) arguments.push_back(a);
+    for (const std::string& a : {std::string("-w"), std::string("-g"), std::string("cpu"), from.string(), to.string()})
+        arguments.push_back(a);
     const fs::path log = scratch.path() / "log";
     const int code = run_program(command.program, arguments, {log, {}, run.stop});
     if (code == 0 && fs::exists(to)) return;
-    throw Error("{}: splat-transform failed with exit code {}: {}", named.string(), code, fs::exists(log) ? reason_in(read_file(log)) : "");
+    throw Error("{}: splat-transform failed with exit code {}: {}", named.string(), code,
+                fs::exists(log) ? reason_in(read_file(log)) : "");
 }
 
 }  // namespace
@@ -113,20 +119,24 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
         loaded = load_splats(file);
     }
     if (loaded.cleaned.dropped)
-        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and are left out", file.string(),
-                             loaded.cleaned.dropped));
+        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and are left out",
+                             file.string(), loaded.cleaned.dropped));
     if (loaded.cleaned.repaired)
-        run.note(
-            fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired", file.string(), loaded.cleaned.repaired));
+        run.note(fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired",
+                             file.string(), loaded.cleaned.repaired));
     return loaded;
 }
 
 void save_scene(const fs::path& path, const Splats& splats, const SplatWriting& writing, const Run& run) {
-    if (!is_splat_file_name(path)) throw UsageError("{}: expected a name that ends in {}", path.string(), kSplatFileNames);
+    if (!is_splat_file_name(path))
+        throw UsageError("{}: expected a name that ends in {}", path.string(), kSplatFileNames);
     if (!is_sog(path)) return save_splats(path, splats, *splat_format_of_name(path), writing);
-    if (splats.size() == 0) throw Error("{}: expected splats to write, found none: splat-transform makes no empty SOG", path.string());
+    if (splats.size() == 0)
+        throw Error("{}: expected splats to write, found none: splat-transform makes no empty SOG", path.string());
     if (splats.antialias)
-        run.warn(fmt::format("{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright", path.string()));
+        run.warn(fmt::format(
+            "{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright",
+            path.string()));
     const ScratchFolder scratch;
     save_splat_ply(scratch.path() / "scene.ply", splats, PlyBands::present);
     translate(scratch.path() / "scene.ply", scratch.path() / "scene.sog", path, scratch, run);

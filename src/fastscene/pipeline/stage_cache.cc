@@ -19,7 +19,9 @@ namespace {
 double cpu_seconds_so_far() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -103,7 +105,8 @@ Cost measure_cost(const std::function<void()>& work) {
     return {to_ms(seconds.count()), to_ms(cpu_seconds_so_far() - cpu), peak_memory_bytes()};
 }
 
-std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs, std::uint64_t seed) {
+std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs,
+                      std::uint64_t seed) {
     Hash hash;
     hash.add(stage).add(code_version(stage)).add(params.dump(-1, ' ', false, Json::error_handler_t::replace)).add(seed);
     for (const std::string& input : inputs) hash.add(input);

@@ -26,13 +26,14 @@ Cost measure_cost(const std::function<void()>& work);
 
 struct StageRecord {
     std::string name;
-    std::string result;     // hash of all its files: the input of the next stage's key
-    Cost cost;              // of the making, also when it was made by an earlier process
-    bool skipped = false;   // it was there already
+    std::string result;    // hash of all its files: the input of the next stage's key
+    Cost cost;             // of the making, also when it was made by an earlier process
+    bool skipped = false;  // it was there already
 };
 
 // Hash of everything that a stage's files depend on.
-std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs, std::uint64_t seed);
+std::string stage_key(std::string_view stage, const Json& params, const std::vector<std::string>& inputs,
+                      std::uint64_t seed);
 
 // Has `make` write the stage's files into the directory it is given, unless `root`/`name` is already there
 // with this key. Throws what `make` throws; then nothing has changed on disk.

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 class StageCache : public ::testing::Test {
   protected:
     void SetUp() override {
-        root_ = fs::path(::testing::TempDir()) / (std::string("fastscene-cache-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        root_ = fs::path(::testing::TempDir()) /
+                (std::string("fastscene-cache-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
         fs::remove_all(root_);
         make_directories(root_);
     }
@@ -53,7 +54,9 @@ TEST_F(StageCache, AnotherKeyReplacesTheWholeDirectory) {
     EXPECT_NE(other.result, "");
 }
 
-TEST_F(StageCache, EqualFilesHaveEqualResultsWhateverTheKey) { EXPECT_EQ(make("k", "one").result, make("l", "one").result); }
+TEST_F(StageCache, EqualFilesHaveEqualResultsWhateverTheKey) {
+    EXPECT_EQ(make("k", "one").result, make("l", "one").result);
+}
 
 TEST_F(StageCache, AMissingOrShortenedFileIsMadeAgain) {
     make("k", "one");
@@ -118,7 +121,8 @@ TEST(StageKey, HangsOnEverythingTheFilesDependOn) {
     EXPECT_NE(base, key("walk", 8, "b", 1));
     EXPECT_NE(base, key("walk", 8, "a", 2));
     EXPECT_NE(code_version("panorama"), code_version("splat"));
-    EXPECT_NE(code_version("metrics"), code_version("scores")) << "scores hang on the code of the metrics, true pictures do not";
+    EXPECT_NE(code_version("metrics"), code_version("scores"))
+        << "scores hang on the code of the metrics, true pictures do not";
 }
 
 TEST(RunFolder, SlugsAreShortAndPlain) {

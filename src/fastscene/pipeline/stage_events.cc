@@ -5,17 +5,20 @@
 namespace fastscene {
 namespace {
 
-// Shares of the time, between those of a draft and of a standard run, and how many works a stage reports. Measured; only the time left hangs on them.
+// Shares of the time, between those of a draft and of a standard run, and how many works a stage reports. Measured;
+// only the time left hangs on them.
 struct Plan {
     std::string_view stage;
     double share;
     double first_work;  // share of the stage's time that its first work takes
 };
-constexpr Plan kPlan[] = {{"panorama", 0.35, 0.75}, {"depth", 0.01, 1}, {"walk", 0.11, 1}, {"views", 0.07, 1}, {"splat", 0.46, 1}};
+constexpr Plan kPlan[] = {
+    {"panorama", 0.35, 0.75}, {"depth", 0.01, 1}, {"walk", 0.11, 1}, {"views", 0.07, 1}, {"splat", 0.46, 1}};
 
 }  // namespace
 
-StageEvents::StageEvents(std::string_view stage, std::string_view last_stage, EventSink* sink) : stage_(stage), sink_(sink) {
+StageEvents::StageEvents(std::string_view stage, std::string_view last_stage, EventSink* sink)
+    : stage_(stage), sink_(sink) {
     double total = 0;
     for (const Plan& plan : kPlan) {
         if (plan.stage == stage) begin_ = total, share_ = plan.share;

@@ -21,8 +21,8 @@ class StageEvents : public EventSink {
     std::string stage_;
     EventSink* sink_;
     std::mutex mutex_;
-    std::string work_;        // the one going on
-    int works_before_ = -1;   // finished works of this stage
+    std::string work_;              // the one going on
+    int works_before_ = -1;         // finished works of this stage
     double begin_ = 0, share_ = 0;  // of the whole run
 };
 

@@ -79,7 +79,8 @@ struct Viewpoint {
 
 void save_viewpoints(const fs::path& path, const std::vector<Viewpoint>& viewpoints) {
     Json poses = Json::array();
-    for (const auto& [name, pose] : viewpoints) poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(pose)}});
+    for (const auto& [name, pose] : viewpoints)
+        poses.push_back({{"name", name}, {"world_from_pano", json_from_pose(pose)}});
     write_json(path, {{"panoramas", poses}});
 }
 
@@ -116,7 +117,8 @@ class SaidOfPicture : public EventSink {
     void tell(const Event& event) override {
         if (!sink_) return;
         if (const auto* note = std::get_if<NoteEvent>(&event)) sink_->tell(NoteEvent{picture_ + ": " + note->text});
-        else if (const auto* warning = std::get_if<WarningEvent>(&event)) sink_->tell(WarningEvent{picture_ + ": " + warning->text});
+        else if (const auto* warning = std::get_if<WarningEvent>(&event))
+            sink_->tell(WarningEvent{picture_ + ": " + warning->text});
         else sink_->tell(event);
     }
 
@@ -125,9 +127,10 @@ class SaidOfPicture : public EventSink {
     EventSink* sink_;
 };
 
-// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was assumed and found, each.
-Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder, const ImageF& first_range, const fs::path& out,
-                      const Run& run) {
+// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was
+// assumed and found, each.
+Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder,
+                      const ImageF& first_range, const fs::path& out, const Run& run) {
     make_directories(out);
     const Panorama first{load_color(folder.panorama_color()), first_range, {}, {}};
     const std::vector<Viewpoint> viewpoints = load_viewpoints(folder.more_panoramas() / "poses.json");
@@ -146,7 +149,8 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
             entry["backend"] = "image";
         } else {
             SaidOfPicture said(given[i].color, run.events);
-            EstimatedRange found = make_depth_estimator(depth_of_further(params, pose.translation))->estimate(one.color, {run.seed, &said, run.stop});
+            EstimatedRange found = make_depth_estimator(depth_of_further(params, pose.translation))
+                                       ->estimate(one.color, {run.seed, &said, run.stop});
             one.range = std::move(found.range);
             const float scale = scale_to_agree(first, one);
             for (float& r : one.range.pixels) r *= scale;
@@ -161,7 +165,8 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
 
 }  // namespace
 
-std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params, const fs::path& out, const Run& run) {
+std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
+                                                const fs::path& out, const Run& run) {
     std::shared_ptr<const TracedRoom> traced;
     Json prompt, room;
     Panorama panorama;
@@ -187,7 +192,8 @@ std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const
     } else {
         panorama = reduced_panorama(panorama_from_image(source.picture), params.width);
         if (!source.weights.empty() && params.diffusion.upscale != "none")
-            panorama.color = linear_from_srgb8(enlarged_by_diffusion360(srgb8_from_linear(panorama.color), painting, params, run, memory));
+            panorama.color = linear_from_srgb8(
+                enlarged_by_diffusion360(srgb8_from_linear(panorama.color), painting, params, run, memory));
         prompt = {{"text", source.prompt}, {"picture", source.picture.filename().string()}};
         room = {{"objects", Json::array()}};
     }
@@ -198,8 +204,8 @@ std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const
     return traced;
 }
 
-void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params, const RunFolder& folder, const fs::path& out,
-                const Run& run) {
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params,
+                const RunFolder& folder, const fs::path& out, const Run& run) {
     const PictureInfo info = picture_info(folder.panorama_color());
     const EquirectSize size{info.width, info.height};
     const std::string backend = depth_backend(source, params);
@@ -209,14 +215,16 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
         PromptSpec prompt = read_prompt(source.prompt, panorama);
         const TracedRoom room(make_room(prompt, run));
         found.range = exact_range(room, size, run);
-        if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty()) save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
+        if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty())
+            save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
     } else if (backend == "image") {
         found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture), run), size.width);
     } else {
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
     save_exr(out / "range.exr", found.range);
-    if (!source.more.empty()) found.assumptions["more"] = save_more_ranges(source, params, folder, found.range, out / "more", run);
+    if (!source.more.empty())
+        found.assumptions["more"] = save_more_ranges(source, params, folder, found.range, out / "more", run);
     save_png(out / "range.png", picture_of_range(found.range));
     write_json(out / "about.json", found.assumptions);
 }
@@ -226,15 +234,17 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params) 
     if (params.backend == "auto" && has_room) return "exact";
     if (params.backend == "auto" && has_map) return "image";
     if (params.backend == "exact" && !has_room)
-        throw UsageError("--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
-                         source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
-    if (params.backend == "image" && !has_map) throw UsageError("--depth-backend image: expected --range FILE, found none");
+        throw UsageError(
+            "--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
+            source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
+    if (params.backend == "image" && !has_map)
+        throw UsageError("--depth-backend image: expected --range FILE, found none");
     return params.backend;
 }
 
 DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
-    if (params.backend == "image") params.backend = "auto";   // the map was the first panorama's
-    params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);   // y points down
+    if (params.backend == "image") params.backend = "auto";  // the map was the first panorama's
+    params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);  // y points down
     return params;
 }
 
@@ -250,7 +260,10 @@ std::vector<Panorama> load_more_panoramas(const RunFolder& folder) {
     std::vector<Panorama> more;
     if (!fs::exists(folder.more_panoramas())) return more;
     for (const auto& [name, pose] : load_viewpoints(folder.more_panoramas() / "poses.json"))
-        more.push_back({load_color(folder.more_panoramas() / (name + ".png")), load_float(folder.more_ranges() / (name + ".exr")), {}, pose});
+        more.push_back({load_color(folder.more_panoramas() / (name + ".png")),
+                        load_float(folder.more_ranges() / (name + ".exr")),
+                        {},
+                        pose});
     return more;
 }
 
@@ -260,7 +273,8 @@ WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const Wa
 
 SplatParams splat_of(const SceneSource& source, const DepthParams& depth, const WalkParams& walk, SplatParams params) {
     constexpr int kReflections = 2;
-    if (params.sh_degree == kAutomaticShDegree) params.sh_degree = walk_of(source, depth, walk).kind == kRoomWalk ? kReflections : 0;
+    if (params.sh_degree == kAutomaticShDegree)
+        params.sh_degree = walk_of(source, depth, walk).kind == kRoomWalk ? kReflections : 0;
     return params;
 }
 
@@ -269,17 +283,23 @@ bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || 
 void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& asked) {
     const WalkParams params = walk_of(source, depth, asked);
     if (!looks_into_room(params)) return;
-    const std::string flag = params.kind == kRoomWalk ? fmt::format("--walk {}", kRoomWalk) : fmt::format("--walk-inpainter {}", kLookIntoRoom);
-    const auto refuse = [&](std::string_view expected, std::string_view found) { throw UsageError("{}: expected {}, found {}", flag, expected, found); };
+    const std::string flag = params.kind == kRoomWalk ? fmt::format("--walk {}", kRoomWalk)
+                                                      : fmt::format("--walk-inpainter {}", kLookIntoRoom);
+    const auto refuse = [&](std::string_view expected, std::string_view found) {
+        throw UsageError("{}: expected {}, found {}", flag, expected, found);
+    };
     if (!source.has_room())
-        refuse("a prompt and the rooms' maker", source.picture.empty() ? "a painted panorama, behind which there is no room"
-                                                                       : "the picture " + source.picture.string() + ", behind which there is no room");
-    if (const std::string backend = depth_backend(source, depth); backend != "exact") refuse("the room's own range", "--depth-backend " + backend);
+        refuse("a prompt and the rooms' maker",
+               source.picture.empty() ? "a painted panorama, behind which there is no room"
+                                      : "the picture " + source.picture.string() + ", behind which there is no room");
+    if (const std::string backend = depth_backend(source, depth); backend != "exact")
+        refuse("the room's own range", "--depth-backend " + backend);
     if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);
 }
 
-void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth, const RunFolder& folder, const WalkParams& asked,
-               std::shared_ptr<const TracedRoom> room, const fs::path& out, const Run& run) {
+void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth,
+               const RunFolder& folder, const WalkParams& asked, std::shared_ptr<const TracedRoom> room,
+               const fs::path& out, const Run& run) {
     check_walk(source, depth, asked);
     const WalkParams params = walk_of(source, depth, asked);
     if (looks_into_room(params) && !room) {
@@ -289,15 +309,14 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     }
     WalkAdvice advice;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
-        DepthParams published = depth;   // after each of 48 steps: one look, as published
+        DepthParams published = depth;  // after each of 48 steps: one look, as published
         if (published.looks == 0) published.looks = 1;
-        advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](const ImageColor& color, const Run& r) {
-            return estimator->estimate(color, r).range;
-        };
+        advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](
+                           const ImageColor& color, const Run& r) { return estimator->estimate(color, r).range; };
     }
     if (params.inpainter == kLookIntoRoom) {
         advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& mask, const Run& r) {
-            ShotParts parts = panorama_parts(panorama.trace);   // as panorama 0 was shot
+            ShotParts parts = panorama_parts(panorama.trace);  // as panorama 0 was shot
             parts.range = parts.object = false;
             parts.mirrored_range = true;
             parts.only = &mask;
@@ -319,18 +338,21 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     };
     const Panorama first = load_first_panorama(folder);
     const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
-    Json about = params.kind == kRoomWalk ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
-                                          : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
+    Json about = params.kind == kRoomWalk
+                     ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
+                     : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
     about["invented"] = to_json(inventions);
     const bool stands = !standable_cells(floor).empty();
-    write_json(out / folder.walkable_json().filename(), walkable_json(stands ? walkable_room(floor) : walkable_of(inventions, floor_below(first))));
+    write_json(out / folder.walkable_json().filename(),
+               walkable_json(stands ? walkable_room(floor) : walkable_of(inventions, floor_below(first))));
     save_viewpoints(out / "poses.json", viewpoints);
     write_json(out / "about.json", about);
 }
 
 std::vector<Rigid> load_walk_poses(const RunFolder& folder) {
     std::vector<Rigid> poses;
-    for (const Viewpoint& viewpoint : load_viewpoints(folder.walk() / "poses.json")) poses.push_back(viewpoint.world_from_pano);
+    for (const Viewpoint& viewpoint : load_viewpoints(folder.walk() / "poses.json"))
+        poses.push_back(viewpoint.world_from_pano);
     return poses;
 }
 
@@ -357,10 +379,13 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
     write_json(out / "sfm.json", to_json(found.report));
     write_file(out / "sfm.txt", table_of(found.report));
     const SfmReport& r = found.report;
-    run.note(fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; position off by {:.4f} m (median), rotation by {:.3f} degrees; views/sfm.txt has all",
-                         r.registered, r.views, r.points, r.seconds, r.position_median_m, r.rotation_median_deg));
+    run.note(
+        fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; position off by {:.4f} m (median), "
+                    "rotation by {:.3f} degrees; views/sfm.txt has all",
+                    r.registered, r.views, r.points, r.seconds, r.position_median_m, r.rotation_median_deg));
     if (r.registered < r.views)
-        run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them", r.views - r.registered, r.views));
+        run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them",
+                             r.views - r.registered, r.views));
 }
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
@@ -368,10 +393,13 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const fs::pa
     SplatParams sized = params;
     sized.count = count_for(views.points, params);
     if (const int fit = most_that_fit(params); params.per_m2 > 0 && fit < sized.count) {
-        run.warn(fmt::format("splat: the room wants {} Gaussians and there is memory for {}: it will look coarser", sized.count, fit));
+        run.warn(fmt::format("splat: the room wants {} Gaussians and there is memory for {}: it will look coarser",
+                             sized.count, fit));
         sized.count = fit;
-    } else if (sized.count < params.count) run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
-    else if (params.per_m2 > 0) run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
+    } else if (sized.count < params.count)
+        run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
+    else if (params.per_m2 > 0)
+        run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
     save_fit(fit_and_keep_place(views, sized, folder, run), out);
     forget_place(folder);
 }

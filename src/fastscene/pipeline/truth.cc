@@ -47,12 +47,15 @@ struct RunTruth::Impl {
         const std::string result = finished_stage(folder.root, "panorama").value_or(StageRecord{}).result;
         TruthParams asked = params;
         asked.bounds = false;
-        if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;   // does not count
-        const Json what{{"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}};
+        if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;  // does not count
+        const Json what{
+            {"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}};
         const std::string key = stage_key("metrics", what, {result}, run.seed);
         const std::string name = params.where == "room" ? "room" : fmt::format("radius-{}", params.radius_m);
         make_directories(kept);
-        const auto make = [&](const std::filesystem::path& out) { save_truth_set(out, make_truth_set(lit_room(params.samples), params, run)); };
+        const auto make = [&](const std::filesystem::path& out) {
+            save_truth_set(out, make_truth_set(lit_room(params.samples), params, run));
+        };
         run_stage(kept, name, key, run, make);
         return load_truth_set(kept / name);
     }
@@ -62,18 +65,24 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
     if (!recorded.request.source.has_room())
-        throw UsageError("{}: expected a scene from a prompt: behind a picture there is no room to compare with; `splat DIR --splat-eval-every N` "
-                         "holds views of it out instead", run_dir.string());
+        throw UsageError(
+            "{}: expected a scene from a prompt: behind a picture there is no room to compare with; `splat DIR "
+            "--splat-eval-every N` "
+            "holds views of it out instead",
+            run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
     if (!walk || !splat)
-        throw UsageError("{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first", run_dir.string());
+        throw UsageError(
+            "{}: expected a finished run (run.json … splat/scene.ply), found none: run `fastscene make` first",
+            run_dir.string());
     if (kept.empty()) kept = folder.metrics() / "kept";
     impl_ = std::make_unique<Impl>(Impl{folder, std::move(kept), run, recorded, *walk, nullptr, 0});
 }
 
 RunTruth::~RunTruth() = default;
 
-Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& splats, const std::filesystem::path& out) {
+Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& splats,
+                       const std::filesystem::path& out) {
     const RunFolder& folder = impl_->folder;
     const std::filesystem::path to = out.empty() ? folder.metrics() : out;
     const SceneParams& settings = impl_->recorded.request.params;
@@ -81,7 +90,7 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     inputs.truth = impl_->truth_set(params);
     inputs.room = [&]() -> const TracedRoom& { return impl_->lit_room(params.samples); };
     inputs.first = load_first_panorama(folder);
-    inputs.first.range = inputs.first.seen_range();   // as the true panoramas have it
+    inputs.first.range = inputs.first.seen_range();  // as the true panoramas have it
     inputs.world_from_pano = load_walk_poses(folder);
     inputs.walked = [&] {
         std::vector<ImageRgb8> colors;

@@ -15,13 +15,16 @@ struct Bounds {
     void add(Vec3f p) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
     }
-    bool holds(Vec3f p) const { return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z; }
+    bool holds(Vec3f p) const {
+        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+    }
     bool empty() const { return !(low.x < high.x && low.y < high.y && low.z < high.z); }
     Bounds shrunk(float by) const { return {low + Vec3f{by, by, by}, high - Vec3f{by, by, by}}; }
 };
 Bounds common(const Bounds& a, const Bounds& b) {
     Bounds out;
-    for (std::size_t i = 0; i < 3; ++i) out.low[i] = std::max(a.low[i], b.low[i]), out.high[i] = std::min(a.high[i], b.high[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+        out.low[i] = std::max(a.low[i], b.low[i]), out.high[i] = std::min(a.high[i], b.high[i]);
     return out;
 }
 
@@ -30,9 +33,9 @@ using Triangle = std::array<Vec3f, 3>;
 // A thing: an object, or one mesh of the shell.
 struct Body {
     int object = -1;
-    bool soft = false;      // others may sink into it, and it into others
+    bool soft = false;  // others may sink into it, and it into others
     bool of_shell = false;
-    bool hung = false;      // its rose is let into the ceiling
+    bool hung = false;  // its rose is let into the ceiling
     Bounds box;
     std::vector<Triangle> triangles;
 };
@@ -51,8 +54,8 @@ float distance_to_triangle(Vec3f p, const Triangle& t) {
     return std::min({edge(t[0], t[1]), edge(t[1], t[2]), edge(t[2], t[0])});
 }
 
-// How many solids lie around the point: surfaces left minus surfaces entered along a line up, and along one down. A sheet is met
-// on one side only, so the two disagree: it has no inside.
+// How many solids lie around the point: surfaces left minus surfaces entered along a line up, and along one down. A
+// sheet is met on one side only, so the two disagree: it has no inside.
 int solids_around(Vec3f p, const std::vector<Triangle>& triangles) {
     int up = 0, down = 0;
     // A little off, so that the line meets no edge.
@@ -79,8 +82,8 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
         for (const Vec3f p : t) box.add(p);
         // A hand wider than needed for counting, so that sides near by limit the depth.
         constexpr float kBeside = 0.05f;
-        if (box.low.x < part.high.x + kBeside && box.high.x > part.low.x - kBeside && box.low.z < part.high.z + kBeside &&
-            box.high.z > part.low.z - kBeside)
+        if (box.low.x < part.high.x + kBeside && box.high.x > part.low.x - kBeside &&
+            box.low.z < part.high.z + kBeside && box.high.z > part.low.z - kBeside)
             column.push_back(t);
     }
     if (column.empty()) return;
@@ -98,8 +101,8 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     for (const Triangle& t : a.triangles) {
         Bounds box;
         for (const Vec3f p : t) box.add(p);
-        if (common(box, part).low.x > common(box, part).high.x || box.low.y > part.high.y || box.high.y < part.low.y || box.low.z > part.high.z ||
-            box.high.z < part.low.z)
+        if (common(box, part).low.x > common(box, part).high.x || box.low.y > part.high.y || box.high.y < part.low.y ||
+            box.low.z > part.high.z || box.high.z < part.low.z)
             continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3f from = t[k], along = t[(k + 1) % 3] - from;
@@ -111,7 +114,8 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
 }
 
 bool is_soft(std::string_view klass) {
-    static constexpr std::array<std::string_view, 7> kSoft{"rug", "cushion", "throw", "curtain", "teddy_bear", "cat", "dog"};
+    static constexpr std::array<std::string_view, 7> kSoft{"rug",        "cushion", "throw", "curtain",
+                                                           "teddy_bear", "cat",     "dog"};
     return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
 }
 
@@ -136,8 +140,8 @@ std::vector<Body> bodies_of(const Room& room) {
             body->of_shell = true;
         }
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-            body->triangles.push_back(
-                {mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]], mesh.positions[mesh.triangles[t + 2]]});
+            body->triangles.push_back({mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]],
+                                       mesh.positions[mesh.triangles[t + 2]]});
             for (const Vec3f p : body->triangles.back()) body->box.add(p);
         }
     }
@@ -152,7 +156,8 @@ std::vector<Crossing> room_crossings(const Room& room, float tolerance) {
     std::vector<Crossing> found;
     for (const Body& a : bodies)
         for (const Body& b : bodies)
-            if (&a != &b && !a.soft && !b.soft && !(a.of_shell && b.of_shell) && !(a.hung && b.of_shell)) look_inside(a, b, tolerance, found);
+            if (&a != &b && !a.soft && !b.soft && !(a.of_shell && b.of_shell) && !(a.hung && b.of_shell))
+                look_inside(a, b, tolerance, found);
     return found;
 }
 

@@ -27,10 +27,12 @@ Room with_box(Vec3f low, Vec3f size, const char* klass = "vase") {
 TEST(Crossings, WhatReachesIntoASolidIsFoundHowDeepItIs) {
     EXPECT_TRUE(room_crossings(with_box({-0.1f, -1.f, -0.1f}, {0.2f, 0.2f, 0.2f})).empty()) << "stands on it";
     const auto sunk = room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}));
-    const auto vase = std::find_if(sunk.begin(), sunk.end(), [](const Crossing& c) { return c.object == 1 && c.into == 0; });
+    const auto vase = std::find_if(sunk.begin(), sunk.end(),
+                                   [](const Crossing& c) { return c.object == 1 && c.into == 0; });
     ASSERT_NE(vase, sunk.end());
     EXPECT_NEAR(vase->depth_m, 0.05f, 1e-3f);
-    EXPECT_TRUE(room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}, "cushion")).empty()) << "soft things may sink";
+    EXPECT_TRUE(room_crossings(with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f}, "cushion")).empty())
+        << "soft things may sink";
 }
 
 TEST(Crossings, APoleThroughATableHasItsEndsOutside) {
@@ -41,7 +43,7 @@ TEST(Crossings, APoleThroughATableHasItsEndsOutside) {
 
 TEST(Crossings, ASheetHasNoInside) {
     Room room = with_box({-0.1f, -0.95f, -0.1f}, {0.2f, 0.2f, 0.2f});
-    room.meshes[0].triangles.resize(6);   // one side of the table
+    room.meshes[0].triangles.resize(6);  // one side of the table
     EXPECT_TRUE(room_crossings(room).empty());
 }
 
@@ -51,14 +53,17 @@ TEST(Crossings, NothingReachesIntoAnotherOver60Rooms) {
     int crossed = 0;
     std::string list;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        PromptSpec spec = understand_prompt("a " + all[(seed + seed / 60) % all.size()] + " " + room_title(rooms[seed % rooms.size()]), false);
+        PromptSpec spec = understand_prompt(
+            "a " + all[(seed + seed / 60) % all.size()] + " " + room_title(rooms[seed % rooms.size()]), false);
         const Room room = make_room(spec, {seed, nullptr, {}});
         const std::vector<Crossing> found = room_crossings(room);
         crossed += !found.empty();
-        const auto name = [&](int object) { return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].klass; };
+        const auto name = [&](int object) {
+            return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].klass;
+        };
         for (const Crossing& c : found)
-            list +=
-                "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " + name(c.into) + " " + std::to_string(c.depth_m);
+            list += "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " +
+                    name(c.into) + " " + std::to_string(c.depth_m);
     }
     EXPECT_EQ(crossed, 0) << list;
 }

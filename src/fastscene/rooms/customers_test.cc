@@ -1,4 +1,5 @@
-// What people ask for in so many words, and where it must show: worktops, upholstery, shades, windows to the floor, the style that is named.
+// What people ask for in so many words, and where it must show: worktops, upholstery, shades, windows to the floor, the
+// style that is named.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,18 +21,21 @@ struct Asked {
     PromptSpec spec;
     FurnishedRoom room;
     const Placed* find(std::string_view klass) const {
-        const auto p = std::find_if(room.placed.begin(), room.placed.end(), [&](const Placed& q) { return q.piece.klass == klass; });
+        const auto p = std::find_if(room.placed.begin(), room.placed.end(),
+                                    [&](const Placed& q) { return q.piece.klass == klass; });
         return p == room.placed.end() ? nullptr : &*p;
     }
     int standing(std::string_view klass) const {
-        return static_cast<int>(std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& q) { return q.wish.klass == klass; }));
+        return static_cast<int>(std::count_if(room.placed.begin(), room.placed.end(),
+                                              [&](const Placed& q) { return q.wish.klass == klass; }));
     }
 };
 Asked asked_room(const std::string& text, std::uint64_t seed) {
     Asked a;
     a.spec = read(text);
     a.room = furnish_room(a.spec, {seed, nullptr, {}});
-    for (const Fault& fault : room_faults(a.room.plan, a.room.placed, a.room.camera)) ADD_FAILURE() << text << ", seed " << seed << ": " << fault.text;
+    for (const Fault& fault : room_faults(a.room.plan, a.room.placed, a.room.camera))
+        ADD_FAILURE() << text << ", seed " << seed << ": " << fault.text;
     return a;
 }
 std::string fate_of(const PromptSpec& spec, std::string_view words) {
@@ -56,9 +60,15 @@ std::pair<float, float> reach_of_main(const Piece& p) {
 float away(Vec3f a, Vec3f b) { return length(a - b); }
 
 TEST(Customers, TheStyleThatIsNamedComesBeforeWhatQualifiesIt) {
-    for (const auto& [text, style] : {std::pair{"a formal art deco dining room", "art deco"}, {"a minimalist japandi bedroom", "japandi"}, {"a modern boho living room", "boho"},
-                                      {"an elegant mediterranean kitchen", "mediterranean"}, {"a scandinavian bedroom, modern and bright", "scandinavian"},
-                                      {"a luxurious hotel room, industrial", "industrial"}, {"an elegant living room", "classic"}, {"a modern, elegant bathroom", "modern"}, {"a rustic japandi bedroom", "rustic"}})
+    for (const auto& [text, style] : {std::pair{"a formal art deco dining room", "art deco"},
+                                      {"a minimalist japandi bedroom", "japandi"},
+                                      {"a modern boho living room", "boho"},
+                                      {"an elegant mediterranean kitchen", "mediterranean"},
+                                      {"a scandinavian bedroom, modern and bright", "scandinavian"},
+                                      {"a luxurious hotel room, industrial", "industrial"},
+                                      {"an elegant living room", "classic"},
+                                      {"a modern, elegant bathroom", "modern"},
+                                      {"a rustic japandi bedroom", "rustic"}})
         EXPECT_EQ(read(text).style, style) << text;
     EXPECT_EQ(read("a minimalist japandi bedroom").clutter, "minimal");
     EXPECT_EQ(fate_of(read("a formal art deco dining room"), "formal"), "else: style: art deco, which is named");
@@ -67,7 +77,9 @@ TEST(Customers, TheStyleThatIsNamedComesBeforeWhatQualifiesIt) {
 }
 
 TEST(Customers, WorktopsAreNotDoors) {
-    for (const char* text : {"a kitchen with pale green cabinets and marble countertops", "a kitchen with pale green cabinets and a marble counter", "a kitchen with marble countertops and pale green cabinets"}) {
+    for (const char* text : {"a kitchen with pale green cabinets and marble countertops",
+                             "a kitchen with pale green cabinets and a marble counter",
+                             "a kitchen with marble countertops and pale green cabinets"}) {
         const PromptSpec spec = read(text);
         const PromptObject* units = object_of(spec, "kitchen_counter");
         ASSERT_TRUE(units) << text;
@@ -75,7 +87,8 @@ TEST(Customers, WorktopsAreNotDoors) {
         EXPECT_EQ(units->material, "") << text;
         EXPECT_EQ(units->holder_material, "marble") << text;
     }
-    const PromptSpec tiled = read("a kitchen with white cabinets, butcher block countertops and a blue tile backsplash and a steel sink");
+    const PromptSpec tiled = read(
+        "a kitchen with white cabinets, butcher block countertops and a blue tile backsplash and a steel sink");
     const PromptObject* units = object_of(tiled, "kitchen_counter");
     ASSERT_TRUE(units);
     EXPECT_EQ(units->color, "white");
@@ -102,7 +115,9 @@ TEST(Customers, WorktopsAreNotDoors) {
         const Asked a = asked_room("a kitchen with white cabinets, marble countertops and an island", seed);
         const Placed* island = a.find("kitchen_island");
         ASSERT_TRUE(island) << seed;
-        EXPECT_TRUE(std::any_of(island->piece.materials.begin(), island->piece.materials.end(), [](const Material& m) { return m.pattern == Pattern::marble; })) << seed;
+        EXPECT_TRUE(std::any_of(island->piece.materials.begin(), island->piece.materials.end(), [](const Material& m) {
+            return m.pattern == Pattern::marble;
+        })) << seed;
     }
 }
 
@@ -116,8 +131,11 @@ TEST(Customers, ChairsInClothHaveLegs) {
                 const Piece p = make_piece(r);
                 const auto [low, high] = reach_of_main(p);
                 EXPECT_GT(low, 0.25f) << style << " " << klass << " " << material;
-                EXPECT_GT(high, std::string_view(klass) == "chair" ? 0.8f : 0.4f) << style << " " << klass << " " << material;
-                EXPECT_LT(away(p.materials[static_cast<std::size_t>(p.main_material)].color_a, *color_named("emerald")), 0.05f) << style << " " << klass;
+                EXPECT_GT(high, std::string_view(klass) == "chair" ? 0.8f : 0.4f)
+                    << style << " " << klass << " " << material;
+                EXPECT_LT(away(p.materials[static_cast<std::size_t>(p.main_material)].color_a, *color_named("emerald")),
+                          0.05f)
+                    << style << " " << klass;
                 for (const Mesh& m : p.meshes)
                     for (const Vec3f& v : m.positions) EXPECT_GT(v.y, -0.001f) << style << " " << klass;
             }
@@ -129,11 +147,13 @@ TEST(Customers, PendantsShowTheirColor) {
         float sum = 0;
         for (const Mesh& m : p.meshes)
             for (std::size_t t = 0; m.material == material && t < m.triangles.size(); t += 3)
-                sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]])) / 2;
+                sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]],
+                                    m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]])) /
+                       2;
         return sum;
     };
     for (const std::string& style : styles()) {
-        if (style_named(style).lamp == LampFamily::cage) continue;   // all wire
+        if (style_named(style).lamp == LampFamily::cage) continue;  // all wire
         for (const char* what : {"brass", "black"}) {
             PieceRequest r = request_of("pendant_lamp", style);
             if (std::string_view(what) == "brass") r.material = what;
@@ -148,19 +168,25 @@ TEST(Customers, PendantsShowTheirColor) {
 
 TEST(Customers, WindowsFromFloorToCeilingAreThat) {
     for (const std::uint64_t seed : {1, 2, 3, 4})
-        for (const char* text : {"a modern living room with floor-to-ceiling windows and a gray sofa", "a bedroom with a floor-to-ceiling window and a double bed", "a dining room with full height windows"}) {
+        for (const char* text :
+             {"a modern living room with floor-to-ceiling windows and a gray sofa",
+              "a bedroom with a floor-to-ceiling window and a double bed", "a dining room with full height windows"}) {
             const Asked a = asked_room(text, seed);
             int full = 0;
-            for (const Opening& o : a.room.plan.openings) full += o.kind == Opening::Kind::window && o.y0 < 0.1f && o.y1 > a.room.plan.height - 0.2f;
+            for (const Opening& o : a.room.plan.openings)
+                full += o.kind == Opening::Kind::window && o.y0 < 0.1f && o.y1 > a.room.plan.height - 0.2f;
             EXPECT_GT(full, a.room.plan.bay ? -1 : 0) << text << ", seed " << seed;
             for (const Placed& p : a.room.placed) EXPECT_TRUE(p.sill < 0 || p.position.y > 0.3f) << text;
-            for (const PromptObject& o : a.spec.objects) EXPECT_EQ(is_shell(o.klass) ? o.count : a.standing(o.klass), o.count) << text << ", seed " << seed << ": " << o.klass;
+            for (const PromptObject& o : a.spec.objects)
+                EXPECT_EQ(is_shell(o.klass) ? o.count : a.standing(o.klass), o.count)
+                    << text << ", seed " << seed << ": " << o.klass;
         }
     for (const Opening& o : asked_room("a living room with large windows", 1).room.plan.openings)
         EXPECT_TRUE(o.kind != Opening::Kind::window || o.y0 > 0.3f);
 }
 
-// A screen on the wall hangs above its stand, or where nothing stands; a sectional keeps its shape whatever is said between.
+// A screen on the wall hangs above its stand, or where nothing stands; a sectional keeps its shape whatever is said
+// between.
 TEST(Customers, MountedScreensAndCornersOfSofas) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const Asked a = asked_room("a living room with a wall-mounted TV opposite the sofa", seed);
@@ -170,7 +196,9 @@ TEST(Customers, MountedScreensAndCornersOfSofas) {
         EXPECT_GT(screen->position.y, 0.5f) << seed;
         EXPECT_EQ(fate_of(a.spec, "wall mounted"), "understood: hangs on the wall") << seed;
     }
-    for (const char* text : {"a living room with an L-shaped beige sofa", "a living room with an l shaped gray fabric couch"}) EXPECT_EQ(object_of(read(text), "sofa")->pattern, "corner") << text;
+    for (const char* text :
+         {"a living room with an L-shaped beige sofa", "a living room with an l shaped gray fabric couch"})
+        EXPECT_EQ(object_of(read(text), "sofa")->pattern, "corner") << text;
     EXPECT_EQ(object_of(read("a living room with a gray sofa"), "sofa")->pattern, "");
 }
 
@@ -181,11 +209,13 @@ TEST(Customers, BedsForOneWhateverStandsBetween) {
     EXPECT_EQ(object_of(twins, "bed_single")->color, "white");
     EXPECT_FALSE(object_of(twins, "bed"));
     EXPECT_TRUE(object_of(read("a bedroom with a single lamp and a bed"), "bed"));
-    int beds = 0, beside = 0;   // of twelve
+    int beds = 0, beside = 0;  // of twelve
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
         const Asked a = asked_room("a girls' bedroom with two single white beds on either side of a window", seed);
         beds += a.standing("bed_single");
-        for (const Placed& p : a.room.placed) beside += p.piece.klass == "bed_single" && stands_as_asked(a.room.plan, a.room.placed, p, p.wish).value_or(false);
+        for (const Placed& p : a.room.placed)
+            beside += p.piece.klass == "bed_single" &&
+                      stands_as_asked(a.room.plan, a.room.placed, p, p.wish).value_or(false);
     }
     EXPECT_EQ(beds, 12);
     EXPECT_GE(beside, 10);
@@ -212,14 +242,19 @@ TEST(Customers, ADeskThatFacesTheWindowStandsThere) {
 
 TEST(Customers, WhoAsksForATableWithChairsGetsIt) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6})
-        for (const char* text : {"a sunroom full of plants with two rattan chairs around a small round table and a hanging egg chair", "a living room with a round table and two chairs"}) {
+        for (const char* text :
+             {"a sunroom full of plants with two rattan chairs around a small round table and a hanging egg chair",
+              "a living room with a round table and two chairs"}) {
             const Asked a = asked_room(text, seed);
             const Placed* table = a.find("dining_table_round");
             EXPECT_TRUE(table) << text << ", seed " << seed;
         }
-    const Asked small = asked_room("a dining room with a small round table", 1), usual = asked_room("a dining room with a round table", 1);
-    EXPECT_LT(small.find("dining_table_round")->piece.size_m.x, 0.8f * usual.find("dining_table_round")->piece.size_m.x);
-    EXPECT_NEAR(small.find("dining_table_round")->piece.size_m.y, usual.find("dining_table_round")->piece.size_m.y, 0.03f);
+    const Asked small = asked_room("a dining room with a small round table", 1),
+                usual = asked_room("a dining room with a round table", 1);
+    EXPECT_LT(small.find("dining_table_round")->piece.size_m.x,
+              0.8f * usual.find("dining_table_round")->piece.size_m.x);
+    EXPECT_NEAR(small.find("dining_table_round")->piece.size_m.y, usual.find("dining_table_round")->piece.size_m.y,
+                0.03f);
 }
 
 // A table is as long as its chairs need, and as long as was said.
@@ -227,18 +262,22 @@ TEST(Customers, ChairsDoNotOutvoteAMeasure) {
     EXPECT_GT(object_of(read("a dining room with a long table and ten chairs"), "dining_table")->size_m.x, 2.5f);
     EXPECT_GT(object_of(read("a room with a long dining table"), "dining_table")->size_m.x, 2.1f);
     EXPECT_GT(object_of(read("a dining room with a table for ten"), "dining_table")->size_m.x, 2.5f);
-    EXPECT_NEAR(object_of(read("a dining room with a 2 metre long table and ten chairs"), "dining_table")->size_m.x, 2.f, 1e-3f);
+    EXPECT_NEAR(object_of(read("a dining room with a 2 metre long table and ten chairs"), "dining_table")->size_m.x,
+                2.f, 1e-3f);
 }
 
 // Ten chairs find their places at one table, whatever form the style has for it.
 TEST(Customers, ALongTableSeatsThemAll) {
     for (const std::uint64_t seed : {1, 2, 3})
         for (const char* style : {"art deco", "modern", "boho"}) {
-            const Asked a = asked_room(std::string("a ") + style + " dining room, long black table with ten velvet chairs", seed);
+            const Asked a = asked_room(
+                std::string("a ") + style + " dining room, long black table with ten velvet chairs", seed);
             const Placed* table = a.find("dining_table");
             ASSERT_TRUE(table) << style << seed;
             EXPECT_GT(table->piece.size_m.x, 1.8f * table->piece.size_m.z) << style << seed;
-            const auto near = std::count_if(a.room.placed.begin(), a.room.placed.end(), [&](const Placed& p) { return p.piece.klass == "chair" && distance_to(footprint_of(*table), flat(p.position)) < 0.6f; });
+            const auto near = std::count_if(a.room.placed.begin(), a.room.placed.end(), [&](const Placed& p) {
+                return p.piece.klass == "chair" && distance_to(footprint_of(*table), flat(p.position)) < 0.6f;
+            });
             EXPECT_GE(near, 9) << style << ", seed " << seed;
         }
 }
@@ -324,13 +363,21 @@ TEST(Customers, WhatIsNotUnderstoodLeavesItsPlaceToNobody) {
 }
 
 TEST(Customers, NothingHangsAboveWhatReachesTheCeiling) {
-    EXPECT_EQ(object_of(read("a parlor with a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to, "fireplace");
-    EXPECT_EQ(object_of(read("a parlor with a loveseat, a grandfather clock next to the fireplace and a portrait above"), "picture")->relation_to,
+    EXPECT_EQ(object_of(read("a parlor with a grandfather clock next to the fireplace and a portrait above"), "picture")
+                  ->relation_to,
               "fireplace");
+    EXPECT_EQ(
+        object_of(read("a parlor with a loveseat, a grandfather clock next to the fireplace and a portrait above"),
+                  "picture")
+            ->relation_to,
+        "fireplace");
 }
 
 TEST(Customers, AWallThatIsNamedNeedsNoOther) {
-    EXPECT_EQ(object_of(read("a sunroom with a daybed against the wall and a striped blanket on the armchair"), "daybed")->relation_to, "");
+    EXPECT_EQ(
+        object_of(read("a sunroom with a daybed against the wall and a striped blanket on the armchair"), "daybed")
+            ->relation_to,
+        "");
 }
 
 TEST(Customers, TableclothsLieOnTables) {
@@ -349,8 +396,9 @@ TEST(Customers, TableclothsLieOnTables) {
             r.holder_material = kTableCloth, r.holder_color = "yellow", r.pattern = "gingham";
             const Piece laid = make_piece(r);
             const auto at = [&](const Piece& p) { return p.materials[static_cast<std::size_t>(p.main_material)]; };
-            EXPECT_EQ(at(laid).pattern, at(bare).pattern) << style << " " << klass;   // the wood stays as it is
-            const auto cloth = std::find_if(laid.materials.begin(), laid.materials.end(), [](const Material& m) { return m.name == "tablecloth"; });
+            EXPECT_EQ(at(laid).pattern, at(bare).pattern) << style << " " << klass;  // the wood stays as it is
+            const auto cloth = std::find_if(laid.materials.begin(), laid.materials.end(),
+                                            [](const Material& m) { return m.name == "tablecloth"; });
             ASSERT_NE(cloth, laid.materials.end()) << style << " " << klass;
             EXPECT_LT(away(cloth->color_a, *color_named("yellow")), 0.01f) << style;
             // It covers the top, and hangs over its rim.
@@ -358,7 +406,8 @@ TEST(Customers, TableclothsLieOnTables) {
             for (const Mesh& m : laid.meshes)
                 for (const Vec3f& v : m.positions)
                     if (m.material == cloth - laid.materials.begin())
-                        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
+                        for (std::size_t k = 0; k < 3; ++k)
+                            low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
             EXPECT_GT(high.y, bare.size_m.y - 0.001f) << style << " " << klass;
             EXPECT_LT(low.y, bare.size_m.y - 0.15f) << style << " " << klass;
             EXPECT_GT(high.x - low.x, bare.size_m.x - 0.3f) << style << " " << klass;
@@ -404,21 +453,24 @@ TEST(Customers, ALongTableIsLongWithoutChairs) {
 TEST(Customers, TeenagersHaveNoRockingHorse) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
         const Asked a = asked_room("a teenager's bedroom with posters", seed);
-        for (const char* toy : {"rocking_horse", "teddy_bear", "toy_blocks", "play_table"}) EXPECT_FALSE(a.find(toy)) << toy << ", seed " << seed;
+        for (const char* toy : {"rocking_horse", "teddy_bear", "toy_blocks", "play_table"})
+            EXPECT_FALSE(a.find(toy)) << toy << ", seed " << seed;
     }
 }
 
 // ---- what was asked for has its form, and its place
 
 TEST(Customers, CrystalIsNoBrass) {
-    for (const char* text : {"a dining room with a crystal chandelier above the table", "a dining room with a chandelier of crystal"}) {
+    for (const char* text :
+         {"a dining room with a crystal chandelier above the table", "a dining room with a chandelier of crystal"}) {
         const Asked a = asked_room(text, 1);
         const Placed* lamp = a.find("chandelier");
         ASSERT_TRUE(lamp) << text;
         std::size_t cut = 0, all = 0;
         for (const Mesh& m : lamp->piece.meshes) {
             all += m.triangles.size();
-            if (lamp->piece.materials[static_cast<std::size_t>(m.material)].name == "cut crystal") cut += m.triangles.size();
+            if (lamp->piece.materials[static_cast<std::size_t>(m.material)].name == "cut crystal")
+                cut += m.triangles.size();
         }
         EXPECT_GT(2 * cut, all) << text;
     }
@@ -459,7 +511,8 @@ TEST(Customers, LightsAroundAWindowHangAtIt) {
         ASSERT_TRUE(lights) << seed;
         EXPECT_TRUE(std::any_of(a.room.plan.openings.begin(), a.room.plan.openings.end(), [&](const Opening& o) {
             return o.kind == Opening::Kind::window &&
-                   length(a.room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, lights->position.y) - lights->position) < 0.1f;
+                   length(a.room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, lights->position.y) - lights->position) <
+                       0.1f;
         })) << seed;
     }
 }
@@ -473,22 +526,25 @@ TEST(Customers, BedsOnBothSidesOfANightstandHaveItBetweenThem) {
 
 // Built in, without a furniture pack, and where it was asked for.
 TEST(Customers, KeepsakesStandWhereTheyWereAskedFor) {
-    for (const auto& [text, klass] : {std::pair{"a study with a typewriter on the desk", "typewriter"},
-                                      {"a study with a record player on the sideboard", "record_player"},
-                                      {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
-                                      {"a dining room with two candelabras on the sideboard", "candelabrum"},
-                                      {"a kids room with bunting on the wall", "bunting"},
-                                      {"a living room with a fireplace and a garland over the mantel", "garland"},
-                                      {"a living room with a fireplace and stockings on the fireplace", "christmas_stocking"},
-                                      {"a hallway with a bench under coat hooks", "coat_hooks"},
-                                      {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
+    for (const auto& [text, klass] :
+         {std::pair{"a study with a typewriter on the desk", "typewriter"},
+          {"a study with a record player on the sideboard", "record_player"},
+          {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
+          {"a dining room with two candelabras on the sideboard", "candelabrum"},
+          {"a kids room with bunting on the wall", "bunting"},
+          {"a living room with a fireplace and a garland over the mantel", "garland"},
+          {"a living room with a fireplace and stockings on the fireplace", "christmas_stocking"},
+          {"a hallway with a bench under coat hooks", "coat_hooks"},
+          {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
         for (const std::uint64_t seed : {1, 2}) {
             const Asked a = asked_room(text, seed);
             const Placed* piece = a.find(klass);
             ASSERT_TRUE(piece) << text << ", seed " << seed;
-            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)), std::optional(false))
+            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)),
+                      std::optional(false))
                 << text << ", seed " << seed;
-            for (const PromptWord& w : a.spec.words) EXPECT_NE(w.fate, PromptWord::Fate::not_understood) << text << ": " << w.words;
+            for (const PromptWord& w : a.spec.words)
+                EXPECT_NE(w.fate, PromptWord::Fate::not_understood) << text << ": " << w.words;
         }
 }
 
@@ -515,7 +571,8 @@ TEST(Customers, HidesHaveTheirOutline) {
 
 TEST(Customers, ADozenPlantsFindRoom) {
     int standing = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) standing += asked_room("a bathroom with a dozen plants", seed).standing("plant");
+    for (const std::uint64_t seed : {1, 2, 3})
+        standing += asked_room("a bathroom with a dozen plants", seed).standing("plant");
     EXPECT_GE(standing, 26);  // of 36
 }
 
@@ -531,7 +588,8 @@ TEST(Customers, WindowlessRoomsHaveNone) {
 }
 
 TEST(Customers, WhereAClothLiesIsTold) {
-    EXPECT_EQ(fate_of(read("a kitchen with a red tablecloth on a round table"), "on"), "understood: where the tablecloth lies");
+    EXPECT_EQ(fate_of(read("a kitchen with a red tablecloth on a round table"), "on"),
+              "understood: where the tablecloth lies");
 }
 
 }  // namespace

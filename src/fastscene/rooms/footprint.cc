@@ -35,7 +35,8 @@ bool overlap(const Footprint& a, const Footprint& b) {
 float distance_to(const Footprint& box, Vec2f point) {
     const auto axes = axes_of(box);
     const Vec2f d = point - box.center;
-    const float x = std::max(0.f, std::abs(dot(d, axes[0])) - box.half.x), y = std::max(0.f, std::abs(dot(d, axes[1])) - box.half.y);
+    const float x = std::max(0.f, std::abs(dot(d, axes[0])) - box.half.x),
+                y = std::max(0.f, std::abs(dot(d, axes[1])) - box.half.y);
     return std::hypot(x, y);
 }
 

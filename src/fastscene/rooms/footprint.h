@@ -8,7 +8,7 @@
 namespace fastscene {
 
 struct Footprint {
-    Vec2f center, half;        // x, z
+    Vec2f center, half;  // x, z
     float yaw = 0, y0 = 0, y1 = 0;
 };
 

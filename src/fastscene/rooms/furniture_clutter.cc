@@ -8,7 +8,9 @@
 namespace fastscene::furniture {
 namespace {
 
-int glazed(Kit& k) { return k.main(plain("glazed ceramic", lerp(k.accent(), {0.75f, 0.72f, 0.66f}, k.dice.uniform(0.f, 0.6f)), 0.25f)); }
+int glazed(Kit& k) {
+    return k.main(plain("glazed ceramic", lerp(k.accent(), {0.75f, 0.72f, 0.66f}, k.dice.uniform(0.f, 0.6f)), 0.25f));
+}
 void on_surface(Kit& k) { k.piece.mount = Mount::surface; }
 
 void cup_at(Kit& k, int mat, Vec3f at, float r = 0.04f, float h = 0.085f) {
@@ -23,11 +25,15 @@ void cup_at(Kit& k, int mat, Vec3f at, float r = 0.04f, float h = 0.085f) {
     k.add(shapes::tube(handle, 0.005f, 6), mat, at);
 }
 void plate_at(Kit& k, int mat, Vec3f at, float r) {
-    const std::array<Vec2f, 6> p{Vec2f{0.f, 0}, {0.6f * r, 0.f}, {0.65f * r, 0.006f}, {r, 0.017f}, {0.985f * r, 0.02f}, {0.62f * r, 0.009f}};
+    const std::array<Vec2f, 6> p{Vec2f{0.f, 0}, {0.6f * r, 0.f},     {0.65f * r, 0.006f},
+                                 {r, 0.017f},   {0.985f * r, 0.02f}, {0.62f * r, 0.009f}};
     k.add(shapes::lathe(p, 28), mat, at);
 }
 void bottle_at(Kit& k, int mat, Vec3f at, float r, float h) {
-    const std::array<Vec2f, 8> p{Vec2f{0.9f * r, 0}, {r, 0.01f}, {r, 0.55f * h}, {0.85f * r, 0.66f * h}, {0.36f * r, 0.78f * h}, {0.34f * r, 0.96f * h}, {0.42f * r, 0.965f * h}, {0.42f * r, h}};
+    const std::array<Vec2f, 8> p{Vec2f{0.9f * r, 0},      {r, 0.01f},
+                                 {r, 0.55f * h},          {0.85f * r, 0.66f * h},
+                                 {0.36f * r, 0.78f * h},  {0.34f * r, 0.96f * h},
+                                 {0.42f * r, 0.965f * h}, {0.42f * r, h}};
     k.add(shapes::lathe(p, 20), mat, at);
 }
 
@@ -39,7 +45,8 @@ void cup(Kit& k) {
 }
 // A tray with a pot and cups, or bottles and glasses.
 void tray(Kit& k) {
-    const int wood = k.main(k.style.wood2), china = k.material(plain("porcelain", lerp(k.accent(), {0.78f, 0.76f, 0.7f}, 0.6f), 0.2f));
+    const int wood = k.main(k.style.wood2),
+              china = k.material(plain("porcelain", lerp(k.accent(), {0.78f, 0.76f, 0.7f}, 0.6f), 0.2f));
     const float w = 0.38f, d = 0.27f;
     k.board(wood, {}, {w, 0.012f, d}, 0.004f);
     for (const float s : {-1.f, 1.f}) {
@@ -47,7 +54,8 @@ void tray(Kit& k) {
         k.board(wood, {s * (0.5f * w - 0.006f), 0.01f, 0}, {0.012f, 0.04f, d - 0.024f}, 0.004f);
     }
     if (k.dice.chance(0.5f)) {
-        const std::array<Vec2f, 7> pot{Vec2f{0.045f, 0}, {0.065f, 0.02f}, {0.072f, 0.06f}, {0.055f, 0.1f}, {0.03f, 0.115f}, {0.012f, 0.125f}, {0.012f, 0.14f}};
+        const std::array<Vec2f, 7> pot{Vec2f{0.045f, 0}, {0.065f, 0.02f},  {0.072f, 0.06f}, {0.055f, 0.1f},
+                                       {0.03f, 0.115f},  {0.012f, 0.125f}, {0.012f, 0.14f}};
         k.add(shapes::lathe(shapes::curve(pot, 3), 24, true), china, {-0.07f, 0.012f, 0});
         k.rod(china, {-0.14f, 0.09f, 0}, {-0.17f, 0.125f, 0}, 0.009f, 0.006f);
         cup_at(k, china, {0.06f, 0.012f, 0.05f}, 0.036f, 0.055f);
@@ -60,7 +68,8 @@ void tray(Kit& k) {
         const int clear = k.material(glass());
         for (int i = 0; i < 2; ++i) {
             const std::array<Vec2f, 2> p{Vec2f{0.03f, 0}, {0.036f, 0.09f}};
-            k.add(shapes::vessel(p, 0.003f, 18), clear, {0.04f + 0.08f * static_cast<float>(i), 0.012f, i == 0 ? 0.05f : -0.04f});
+            k.add(shapes::vessel(p, 0.003f, 18), clear,
+                  {0.04f + 0.08f * static_cast<float>(i), 0.012f, i == 0 ? 0.05f : -0.04f});
         }
     }
     on_surface(k);
@@ -81,10 +90,11 @@ void bottles(Kit& k) {
     const int count = 2 + k.dice.index(3);
     for (int i = 0; i < count; ++i) {
         Material m = k.dice.chance(0.5f) ? glass() : plain("stoneware", k.accent(), 0.35f);
-        if (m.transmission > 0) m.color_a = m.color_b = lerp(k.accent(), {0.3f, 0.4f, 0.3f}, 0.5f), m.transmission = 0.5f;
+        if (m.transmission > 0)
+            m.color_a = m.color_b = lerp(k.accent(), {0.3f, 0.4f, 0.3f}, 0.5f), m.transmission = 0.5f;
         const int mat = i == 0 ? k.main(m) : k.material(m);
-        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.dice.uniform(-0.03f, 0.03f)}, k.dice.uniform(0.028f, 0.038f),
-                  k.dice.uniform(0.18f, 0.31f));
+        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.dice.uniform(-0.03f, 0.03f)},
+                  k.dice.uniform(0.028f, 0.038f), k.dice.uniform(0.18f, 0.31f));
     }
     on_surface(k);
 }
@@ -111,11 +121,14 @@ void photo_frame(Kit& k) {
 void sculpture(Kit& k) {
     const int kind = k.dice.index(3);
     Material stone = *material_named("marble");
-    if (kind != 0) stone = kind == 1 ? k.style.metal : plain("plaster", lerp(k.accent(), {0.74f, 0.72f, 0.68f}, 0.7f), 0.7f);
+    if (kind != 0)
+        stone = kind == 1 ? k.style.metal : plain("plaster", lerp(k.accent(), {0.74f, 0.72f, 0.68f}, 0.7f), 0.7f);
     const int mat = k.main(stone);
     k.board(mat, {}, {0.11f, 0.03f, 0.11f}, 0.004f);
     if (kind == 0) {
-        const std::array<Vec2f, 9> p{Vec2f{0.03f, 0.03f}, {0.05f, 0.06f}, {0.07f, 0.12f}, {0.04f, 0.17f}, {0.03f, 0.19f}, {0.055f, 0.23f}, {0.06f, 0.27f}, {0.04f, 0.315f}, {0.f, 0.33f}};
+        const std::array<Vec2f, 9> p{Vec2f{0.03f, 0.03f}, {0.05f, 0.06f},  {0.07f, 0.12f},
+                                     {0.04f, 0.17f},      {0.03f, 0.19f},  {0.055f, 0.23f},
+                                     {0.06f, 0.27f},      {0.04f, 0.315f}, {0.f, 0.33f}};
         k.add(shapes::lathe(shapes::curve(p, 3), 24, true), mat);
     } else if (kind == 1) {
         Mesh ring = shapes::ring(0.1f, 0.017f, 36);
@@ -144,7 +157,8 @@ void globe(Kit& k) {
     on_surface(k);
 }
 void laptop(Kit& k) {
-    const int alu = k.main(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f)), dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f));
+    const int alu = k.main(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f)),
+              dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f));
     k.board(alu, {}, {0.32f, 0.014f, 0.22f}, 0.004f);
     if (k.dice.chance(0.4f)) return k.board(alu, {0, 0.014f, 0}, {0.32f, 0.008f, 0.22f}, 0.003f), on_surface(k);
     k.board(dark, {0, 0.0135f, -0.02f}, {0.28f, 0.002f, 0.1f}, 0.0005f);
@@ -163,9 +177,12 @@ void towel_stack(Kit& k) {
     m.pattern = Pattern::knit;
     m.scale_m = 0.008f;
     m.bump_m = 0.002f;
-    const int first = k.main(tinted(m, lerp(k.accent(), {0.76f, 0.74f, 0.7f}, 0.5f))), second = k.material(tinted(m, {0.76f, 0.74f, 0.7f}));
+    const int first = k.main(tinted(m, lerp(k.accent(), {0.76f, 0.74f, 0.7f}, 0.5f))),
+              second = k.material(tinted(m, {0.76f, 0.74f, 0.7f}));
     const int count = 2 + k.dice.index(3);
-    for (int i = 0; i < count; ++i) k.soft(i % 2 == 0 ? first : second, {0, 0.058f * static_cast<float>(i), 0}, {0.34f - 0.01f * static_cast<float>(i), 0.062f, 0.24f}, {0.024f, 0.01f, 0.002f, 10});
+    for (int i = 0; i < count; ++i)
+        k.soft(i % 2 == 0 ? first : second, {0, 0.058f * static_cast<float>(i), 0},
+               {0.34f - 0.01f * static_cast<float>(i), 0.062f, 0.24f}, {0.024f, 0.01f, 0.002f, 10});
     on_surface(k);
 }
 void toiletries(Kit& k) {
@@ -177,13 +194,15 @@ void toiletries(Kit& k) {
     k.add(shapes::vessel(cup, 0.004f, 18), white, {0.02f, 0, -0.01f});
     k.rod(metal, {0.02f, 0.01f, -0.01f}, {0.045f, 0.18f, 0.01f}, 0.004f);
     k.rod(first, {0.015f, 0.01f, -0.01f}, {-0.015f, 0.175f, -0.02f}, 0.004f);
-    k.add(shapes::prism(shapes::circle(0.035f), 0, 0.03f, 0.008f), k.material(plain("soap", {0.7f, 0.62f, 0.5f}, 0.5f)), {0.1f, 0, 0.01f});
+    k.add(shapes::prism(shapes::circle(0.035f), 0, 0.03f, 0.008f), k.material(plain("soap", {0.7f, 0.62f, 0.5f}, 0.5f)),
+          {0.1f, 0, 0.01f});
     on_surface(k);
 }
 void kettle(Kit& k) {
     const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.2f)),
               dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
-    const std::array<Vec2f, 7> p{Vec2f{0.08f, 0}, {0.092f, 0.015f}, {0.09f, 0.07f}, {0.068f, 0.15f}, {0.05f, 0.175f}, {0.014f, 0.185f}, {0.f, 0.2f}};
+    const std::array<Vec2f, 7> p{Vec2f{0.08f, 0}, {0.092f, 0.015f}, {0.09f, 0.07f}, {0.068f, 0.15f},
+                                 {0.05f, 0.175f}, {0.014f, 0.185f}, {0.f, 0.2f}};
     k.add(shapes::lathe(shapes::curve(p, 3), 26, true), body);
     k.rod(body, {-0.06f, 0.09f, 0}, {-0.125f, 0.15f, 0}, 0.018f, 0.01f);
     std::vector<Vec3f> handle;
@@ -236,7 +255,8 @@ void pens(Kit& k) {
     }
     for (int i = 0; i < 3; ++i) {
         const float z = 0.045f + 0.022f * static_cast<float>(i), x = k.dice.uniform(-0.01f, 0.03f);
-        k.rod(k.material(plain("paint", k.accent(), 0.4f)), {x - 0.07f, 0.009f, z}, {x + 0.06f, 0.009f, z + 0.01f}, 0.009f, 0.007f);
+        k.rod(k.material(plain("paint", k.accent(), 0.4f)), {x - 0.07f, 0.009f, z}, {x + 0.06f, 0.009f, z + 0.01f},
+              0.009f, 0.007f);
     }
     on_surface(k);
 }
@@ -279,7 +299,9 @@ void teddy_bear(Kit& k) {
     Material fur = k.style.fabric;
     fur.pattern = Pattern::carpet;
     fur.bump_m = 0.003f;
-    const int body = k.main(tinted(fur, {0.36f, 0.2f, 0.09f})), dark = k.material(plain("button", {0.03f, 0.025f, 0.02f}, 0.3f)), pale = k.material(tinted(fur, {0.6f, 0.44f, 0.26f}));
+    const int body = k.main(tinted(fur, {0.36f, 0.2f, 0.09f})),
+              dark = k.material(plain("button", {0.03f, 0.025f, 0.02f}, 0.3f)),
+              pale = k.material(tinted(fur, {0.6f, 0.44f, 0.26f}));
     k.add(shapes::ball({0, 0.1f, 0}, {0.085f, 0.1f, 0.075f}), body);
     k.add(shapes::ball({0, 0.24f, 0.01f}, {0.075f, 0.07f, 0.07f}), body);
     k.add(shapes::ball({0, 0.225f, 0.07f}, {0.035f, 0.028f, 0.025f}), pale);
@@ -294,7 +316,8 @@ void teddy_bear(Kit& k) {
 }
 void toy_blocks(Kit& k) {
     for (int i = 0; i < 6; ++i) {
-        const int mat = i == 0 ? k.main(plain("toy block", k.accent(), 0.5f)) : k.material(plain("toy block", k.accent(), 0.5f));
+        const int mat = i == 0 ? k.main(plain("toy block", k.accent(), 0.5f))
+                               : k.material(plain("toy block", k.accent(), 0.5f));
         const int row = i < 3 ? 0 : i < 5 ? 1 : 2;
         Mesh m = shapes::box({0.07f, 0.07f, 0.07f}, 0.006f);
         shapes::turn(m, {0, 1, 0}, k.dice.uniform(-20, 20));
@@ -322,7 +345,8 @@ void alarm_clock(Kit& k) {
     on_surface(k);
 }
 void storage_box(Kit& k) {
-    Material m = k.dice.chance(0.5f) ? *material_named("wicker") : tinted(k.style.fabric2, lerp(k.accent(), {0.6f, 0.57f, 0.5f}, 0.5f));
+    Material m = k.dice.chance(0.5f) ? *material_named("wicker")
+                                     : tinted(k.style.fabric2, lerp(k.accent(), {0.6f, 0.57f, 0.5f}, 0.5f));
     const int mat = k.main(m);
     const Vec3f s = k.wanted({0.32f, 0.2f, 0.24f});
     k.board(mat, {}, {s.x, 0.8f * s.y, s.z}, 0.012f);

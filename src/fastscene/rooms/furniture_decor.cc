@@ -23,7 +23,8 @@ Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float d
     const Vec3f side = cross(Vec3f{0, 1, 0}, out);
     Mesh m = shapes::sheet(4, 10, [&](float u, float v) {
         const float a = 2 * u - 1, w = width * std::pow(std::sin(3.1f * std::pow(v * 0.97f + 0.02f, point)), 0.9f);
-        return base + out * (length * v) + Vec3f{0, length * (lift * v - droop * v * v) + 0.12f * width * a * a, 0} + side * (0.5f * w * a);
+        return base + out * (length * v) + Vec3f{0, length * (lift * v - droop * v * v) + 0.12f * width * a * a, 0} +
+               side * (0.5f * w * a);
     });
     for (std::size_t i = 0; i < m.coords.size(); ++i) {
         const float u = static_cast<float>(i % 5) / 4.f, v = static_cast<float>(i / 5) / 10.f;
@@ -39,7 +40,8 @@ namespace {
 float pot(Kit& k, int mat, float r, float h) {
     const std::array<Vec2f, 4> p{Vec2f{0.7f * r, 0}, {0.74f * r, 0.01f}, {r, h - 0.03f}, {r, h}};
     k.add(shapes::vessel(p, 0.012f, 32), mat);
-    k.add(shapes::prism(shapes::circle(0.9f * r, 24), 0.6f * h, 0.88f * h), k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)));
+    k.add(shapes::prism(shapes::circle(0.9f * r, 24), 0.6f * h, 0.88f * h),
+          k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)));
     return 0.88f * h;
 }
 enum Growth { rosette, leafy_tree, swords, palm };
@@ -49,17 +51,21 @@ void palm_crown(Kit& k, float y, float size, int green, int bark) {
     k.rod(bark, {0, y - 0.03f, 0}, crown, 0.032f * size, 0.024f * size, 10);
     Mesh ribs;
     for (int f = 0; f < 11; ++f) {
-        const float a = 2.39996f * static_cast<float>(f), t = static_cast<float>(f) / 10.f, length = size * k.dice.uniform(0.52f, 0.66f) * (1.f - 0.22f * t),
-                    lift = 0.55f + 1.1f * t, droop = 1.05f + 0.1f * t;
+        const float a = 2.39996f * static_cast<float>(f), t = static_cast<float>(f) / 10.f,
+                    length = size * k.dice.uniform(0.52f, 0.66f) * (1.f - 0.22f * t), lift = 0.55f + 1.1f * t,
+                    droop = 1.05f + 0.1f * t;
         const Vec3f out = around(a), side = cross(Vec3f{0, 1, 0}, out);
-        const auto rib = [&](float v) { return crown + out * (length * v) + Vec3f{0, length * (lift * v - droop * v * v), 0}; };
+        const auto rib = [&](float v) {
+            return crown + out * (length * v) + Vec3f{0, length * (lift * v - droop * v * v), 0};
+        };
         std::vector<Vec3f> path;
         for (int i = 0; i <= 8; ++i) path.push_back(rib(static_cast<float>(i) / 8.f));
         shapes::append(ribs, shapes::tube(path, 0.005f * size, 5));
         for (int i = 0; i < 12; ++i) {
             const float v = 0.2f + 0.067f * static_cast<float>(i), leaf = length * (0.36f - 0.2f * std::abs(v - 0.45f));
             for (const float way : {-1.f, 1.f})
-                k.add(blade(rib(v), normalize(side * way + out * 0.75f), leaf, 0.034f * size, 0.18f, 0.55f, 0.7f), green);
+                k.add(blade(rib(v), normalize(side * way + out * 0.75f), leaf, 0.034f * size, 0.18f, 0.55f, 0.7f),
+                      green);
         }
     }
     k.add(std::move(ribs), green);
@@ -67,7 +73,12 @@ void palm_crown(Kit& k, float y, float size, int green, int bark) {
 void plant_of(Kit& k, int kind, float size) {
     Material clay = plain("plant pot", k.dice.chance(0.4f) ? Vec3f{0.7f, 0.68f, 0.63f} : k.accent(), 0.6f);
     if (k.style.plants > 0.8f && size > 0.6f) clay = *material_named("wicker");
-    const int green = k.main(foliage(k, kind == 1 ? Vec3f{0.09f, 0.19f, 0.06f} : kind == 0 ? Vec3f{0.06f, 0.16f, 0.06f} : Vec3f{0.11f, 0.2f, 0.09f}, 0.2f * size)), clay_m = k.material(clay);
+    const int green = k.main(foliage(k,
+                                     kind == 1   ? Vec3f{0.09f, 0.19f, 0.06f}
+                                     : kind == 0 ? Vec3f{0.06f, 0.16f, 0.06f}
+                                                 : Vec3f{0.11f, 0.2f, 0.09f},
+                                     0.2f * size)),
+              clay_m = k.material(clay);
     const float y = pot(k, clay_m, 0.17f * size, 0.3f * size);
     Material bark_m = plain("bark", {0.18f, 0.12f, 0.08f}, 0.9f);
     bark_m.pattern = Pattern::bark;
@@ -78,7 +89,9 @@ void plant_of(Kit& k, int kind, float size) {
     if (kind == 0) {  // a rosette of arching fronds
         for (int i = 0; i < 22; ++i) {
             const float a = 2.39996f * static_cast<float>(i), t = static_cast<float>(i) / 22.f;
-            k.add(blade({0, y - 0.01f, 0}, around(a), size * (0.62f - 0.25f * t), size * 0.085f, 0.7f + 1.7f * t, 1.1f - 0.2f * t, 0.7f), green);
+            k.add(blade({0, y - 0.01f, 0}, around(a), size * (0.62f - 0.25f * t), size * 0.085f, 0.7f + 1.7f * t,
+                        1.1f - 0.2f * t, 0.7f),
+                  green);
         }
     } else if (kind == 1) {  // a small tree with many leaves
         const Vec3f crown{0.04f * size, y + 0.75f * size, 0.02f * size};
@@ -90,37 +103,51 @@ void plant_of(Kit& k, int kind, float size) {
             k.rod(bark, from, to, 0.009f * size, 0.004f * size, 6);
             for (int i = 0; i < 12; ++i) {
                 const float t = 0.3f + 0.06f * static_cast<float>(i), la = a + k.dice.uniform(-1.6f, 1.6f);
-                k.add(blade(lerp(from, to, t), around(la), size * k.dice.uniform(0.13f, 0.2f), size * 0.085f, k.dice.uniform(0.1f, 0.9f), 0.8f, 0.8f),
+                k.add(blade(lerp(from, to, t), around(la), size * k.dice.uniform(0.13f, 0.2f), size * 0.085f,
+                            k.dice.uniform(0.1f, 0.9f), 0.8f, 0.8f),
                       green);
             }
         }
     } else {  // upright swords
         for (int i = 0; i < 16; ++i) {
             const float a = 2.39996f * static_cast<float>(i), r = 0.02f + 0.0065f * static_cast<float>(i);
-            k.add(blade(around(a) * (r * size) + Vec3f{0, y - 0.02f, 0}, around(a), size * 0.16f, size * 0.065f, k.dice.uniform(3.2f, 5.6f), 0.2f,
-                        1.4f),
+            k.add(blade(around(a) * (r * size) + Vec3f{0, y - 0.02f, 0}, around(a), size * 0.16f, size * 0.065f,
+                        k.dice.uniform(3.2f, 5.6f), 0.2f, 1.4f),
                   green);
         }
     }
 }
 void plant(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : k.dice.index(3), 1.05f); }
 void plant_tree(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : leafy_tree, 1.4f); }
-void plant_small(Kit& k) { plant_of(k, k.dice.index(2) * 2, 0.3f); k.piece.mount = Mount::surface; }
+void plant_small(Kit& k) {
+    plant_of(k, k.dice.index(2) * 2, 0.3f);
+    k.piece.mount = Mount::surface;
+}
 
 // Fresh flowers in something whose mouth is at y: a loose ball of blooms over leaves.
 void flowers(Kit& k, int bloom, float mouth_y, std::string_view kind, float size) {
-    const int stem = k.material(plain("stem", {0.07f, 0.16f, 0.05f}, 0.7f)), leaf = k.material(foliage(k, {0.08f, 0.19f, 0.06f}, 0.1f)),
-              middle = k.material(plain("flower middle", kind == "sunflower" ? Vec3f{0.07f, 0.04f, 0.02f} : Vec3f{0.6f, 0.42f, 0.06f}, 0.9f));
+    const int stem = k.material(plain("stem", {0.07f, 0.16f, 0.05f}, 0.7f)),
+              leaf = k.material(foliage(k, {0.08f, 0.19f, 0.06f}, 0.1f)),
+              middle = k.material(plain(
+                  "flower middle", kind == "sunflower" ? Vec3f{0.07f, 0.04f, 0.02f} : Vec3f{0.6f, 0.42f, 0.06f}, 0.9f));
     constexpr int kBlooms = 13;
     for (int i = 0; i < kBlooms; ++i) {
-        const float t = (static_cast<float>(i) + 0.5f) / kBlooms, a = 2.39996f * static_cast<float>(i), far = 0.088f * size * std::sqrt(t) * k.dice.uniform(0.85f, 1.15f);
-        const Vec3f head = around(a) * far + Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.dice.uniform()), 0};
+        const float t = (static_cast<float>(i) + 0.5f) / kBlooms, a = 2.39996f * static_cast<float>(i),
+                    far = 0.088f * size * std::sqrt(t) * k.dice.uniform(0.85f, 1.15f);
+        const Vec3f head = around(a) * far +
+                           Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.dice.uniform()), 0};
         k.rod(stem, {0.2f * head.x, 0.5f * mouth_y, 0.2f * head.z}, head, 0.0028f, -1, 5);
-        k.add(blade({0.4f * head.x, mouth_y, 0.4f * head.z}, around(a + 0.9f), 0.1f * size, 0.026f * size, 1.1f, 0.7f, 0.8f), leaf);
+        k.add(blade({0.4f * head.x, mouth_y, 0.4f * head.z}, around(a + 0.9f), 0.1f * size, 0.026f * size, 1.1f, 0.7f,
+                    0.8f),
+              leaf);
         const Vec3f up = normalize(head - Vec3f{0, mouth_y - 0.12f * size, 0});
         const float r = size * k.dice.uniform(0.026f, 0.034f);
         if (kind == "tulip") {  // a closed cup
-            const std::array<Vec2f, 5> cup{Vec2f{0.25f * r, 0}, {0.85f * r, 0.5f * r}, {0.95f * r, 1.2f * r}, {0.7f * r, 2.f * r}, {0.3f * r, 2.3f * r}};
+            const std::array<Vec2f, 5> cup{Vec2f{0.25f * r, 0},
+                                           {0.85f * r, 0.5f * r},
+                                           {0.95f * r, 1.2f * r},
+                                           {0.7f * r, 2.f * r},
+                                           {0.3f * r, 2.3f * r}};
             Mesh m = shapes::lathe(shapes::curve(cup, 2), 10, true);
             shapes::turn(m, {up.z, 0, -up.x}, 40.f * std::hypot(up.x, up.z));
             k.add(std::move(m), bloom, head);
@@ -130,14 +157,18 @@ void flowers(Kit& k, int bloom, float mouth_y, std::string_view kind, float size
             for (int p = 0; p < 12; ++p) {
                 const float b = kTau * static_cast<float>(p) / 12.f;
                 const Vec3f way = side * std::cos(b) + other * std::sin(b);
-                k.add(shapes::rod(head + way * (0.3f * reach), head + way * reach + up * 0.002f, 0.006f * size, 0.003f * size, 5), bloom);
+                k.add(shapes::rod(head + way * (0.3f * reach), head + way * reach + up * 0.002f, 0.006f * size,
+                                  0.003f * size, 5),
+                      bloom);
             }
             k.add(shapes::ball(head + up * 0.002f, {0.5f * reach, 0.3f * reach, 0.5f * reach}, 10), middle);
         } else {  // a full bloom: petals in two rings about a bud
             k.add(shapes::ball(head, {0.62f * r, 0.7f * r, 0.62f * r}, 10), bloom);
             for (int p = 0; p < 9; ++p) {
                 const float b = kTau * static_cast<float>(p) / (p < 5 ? 5.f : 4.f), out = p < 5 ? 0.72f * r : 0.45f * r;
-                k.add(shapes::ball(head + around(b) * out + Vec3f{0, p < 5 ? -0.2f * r : 0.3f * r, 0}, {0.6f * r, 0.5f * r, 0.6f * r}, 8), bloom);
+                k.add(shapes::ball(head + around(b) * out + Vec3f{0, p < 5 ? -0.2f * r : 0.3f * r, 0},
+                                   {0.6f * r, 0.5f * r, 0.6f * r}, 8),
+                      bloom);
             }
         }
     }
@@ -155,10 +186,12 @@ Vec3f color_of_flower(Kit& k, std::string_view kind) {
 void bouquet(Kit& k) {
     const std::string_view kind = k.request.pattern;
     const int bloom = k.main(plain("petals", color_of_flower(k, kind), 0.6f));
-    Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f) : plain("glazed vase", k.accent(), 0.25f);
+    Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f)
+                                       : plain("glazed vase", k.accent(), 0.25f);
     if (const auto asked = material_named(k.request.holder_material)) pot = *asked;
     if (const auto asked = color_named(k.request.holder_color)) pot = tinted(pot, *asked);
-    const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f}, {0.066f, 0.09f}, {0.055f, 0.15f}, {0.045f, 0.19f}, {0.055f, 0.215f}};
+    const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f},  {0.066f, 0.09f},
+                                 {0.055f, 0.15f},  {0.045f, 0.19f}, {0.055f, 0.215f}};
     k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), k.material(pot));
     flowers(k, bloom, 0.21f, kind, 1.05f);
     k.piece.mount = Mount::surface;
@@ -167,9 +200,27 @@ void bouquet(Kit& k) {
 void vase_of(Kit& k, float size, bool stems) {
     const int body = k.main(plain("glazed vase", k.accent(), 0.25f));
     const int kind = k.dice.index(3);
-    const std::array<std::array<Vec2f, 7>, 3> profiles{{{Vec2f{0.05f, 0}, {0.08f, 0.04f}, {0.1f, 0.12f}, {0.08f, 0.2f}, {0.04f, 0.25f}, {0.035f, 0.28f}, {0.045f, 0.3f}},
-                                                       {Vec2f{0.045f, 0}, {0.055f, 0.02f}, {0.06f, 0.1f}, {0.065f, 0.18f}, {0.07f, 0.24f}, {0.065f, 0.27f}, {0.06f, 0.28f}},
-                                                       {Vec2f{0.06f, 0}, {0.1f, 0.03f}, {0.12f, 0.09f}, {0.1f, 0.15f}, {0.05f, 0.18f}, {0.03f, 0.22f}, {0.04f, 0.24f}}}};
+    const std::array<std::array<Vec2f, 7>, 3> profiles{{{Vec2f{0.05f, 0},
+                                                         {0.08f, 0.04f},
+                                                         {0.1f, 0.12f},
+                                                         {0.08f, 0.2f},
+                                                         {0.04f, 0.25f},
+                                                         {0.035f, 0.28f},
+                                                         {0.045f, 0.3f}},
+                                                        {Vec2f{0.045f, 0},
+                                                         {0.055f, 0.02f},
+                                                         {0.06f, 0.1f},
+                                                         {0.065f, 0.18f},
+                                                         {0.07f, 0.24f},
+                                                         {0.065f, 0.27f},
+                                                         {0.06f, 0.28f}},
+                                                        {Vec2f{0.06f, 0},
+                                                         {0.1f, 0.03f},
+                                                         {0.12f, 0.09f},
+                                                         {0.1f, 0.15f},
+                                                         {0.05f, 0.18f},
+                                                         {0.03f, 0.22f},
+                                                         {0.04f, 0.24f}}}};
     std::array<Vec2f, 7> p = profiles[static_cast<std::size_t>(kind)];
     for (Vec2f& q : p) q = q * size;
     k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
@@ -177,11 +228,14 @@ void vase_of(Kit& k, float size, bool stems) {
     if (!stems) return;
     // Dried stems, or fresh flowers where people like them.
     const bool fresh = !is_one_of(k.style.name, {"japandi", "industrial", "modern"}) && k.dice.chance(0.45f);
-    if (fresh) return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y, k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);
+    if (fresh)
+        return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y,
+                       k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);
     const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
               plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
     for (int i = 0; i < 7; ++i) {
-        const float a = 2.39996f * static_cast<float>(i), lean = k.dice.uniform(0.05f, 0.16f) * size, h = k.dice.uniform(0.55f, 0.75f) * size;
+        const float a = 2.39996f * static_cast<float>(i), lean = k.dice.uniform(0.05f, 0.16f) * size,
+                    h = k.dice.uniform(0.55f, 0.75f) * size;
         const Vec3f tip = around(a) * lean + Vec3f{0, h, 0};
         k.rod(stalk, {0, 0.1f * size, 0}, tip, 0.002f, -1, 5);
         Mesh m = shapes::ball({0, 0, 0}, {0.016f * size, 0.075f * size, 0.016f * size}, 10);
@@ -238,7 +292,8 @@ void hide_rug(Kit& k) {
     if (color && !cow) m.color_a = *color, m.color_b = *color * 0.6f;
     if (cow) {
         m.pattern = Pattern::camouflage, m.scale_m = 0.75f, m.seed = k.seed();
-        m.color_b = color.value_or(k.dice.chance(0.5f) ? Vec3f{0.19f, 0.085f, 0.04f} : Vec3f{0.035f, 0.03f, 0.027f}), m.color_c = m.color_a;
+        m.color_b = color.value_or(k.dice.chance(0.5f) ? Vec3f{0.19f, 0.085f, 0.04f} : Vec3f{0.035f, 0.03f, 0.027f}),
+        m.color_c = m.color_a;
     }
     const int fur = k.piece.main_material = k.material(m);
     // Half of it, from the neck (z < 0) to the tail: the rest is its mirror image.
@@ -280,14 +335,19 @@ void rug(Kit& k) {
     if (k.request.pattern == "cowhide" || k.request.pattern == "hide") return hide_rug(k);
     const Vec3f s = k.wanted({2.3f, 0.012f, 1.6f});
     Material m = k.style.rug;
-    // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). Formal rooms have medallions,
-    // northern ones zigzag; the fourth, large blots, looks like a hide and is left out.
+    // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). Formal rooms have
+    // medallions, northern ones zigzag; the fourth, large blots, looks like a hide and is left out.
     static constexpr std::array<std::uint32_t, 12> kWoven{8, 9, 19, 20, 4, 6, 7, 11, 2, 3, 5, 10};
-    const int first = k.style.mouldings == Mouldings::rich ? 4 : k.style.name == "scandinavian" ? 8 : 0, range = first == 0 ? 12 : 4;
+    const int first = k.style.mouldings == Mouldings::rich ? 4
+                      : k.style.name == "scandinavian"     ? 8
+                                                           : 0,
+              range = first == 0 ? 12 : 4;
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
     // Round as asked, or where nothing else is, in some rooms that like it.
-    const bool round =
-        k.request.pattern == "round" || (!k.request.size_m.x && (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") && k.dice.chance(0.4f));
+    const bool round = k.request.pattern == "round" ||
+                       (!k.request.size_m.x &&
+                        (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") &&
+                        k.dice.chance(0.4f));
     const float d = std::min(s.x, s.z) * (k.request.size_m.x ? 1.f : 1.15f);
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     // Who asks for wool or a fluffy rug means deep pile of one color.
@@ -298,14 +358,16 @@ void rug(Kit& k) {
         m.color_b = *color_named("linen");
         m.bump_m = 0.008f;
         if (k.request.color) m = tinted(m, *k.request.color);
-        else if (const auto color = color_named(k.request.color_name); color && !k.request.color_name.empty()) m = tinted(m, *color);
+        else if (const auto color = color_named(k.request.color_name); color && !k.request.color_name.empty())
+            m = tinted(m, *color);
     }
     const bool plain_pile = m.name == "deep pile";
     const int pile = plain_pile ? k.piece.main_material = k.material(m) : k.main(m);
     Mesh r = round ? shapes::prism(shapes::circle(0.5f * d, 48), 0.f, 0.012f, 0.004f)
                    : shapes::prism(shapes::rounded_rectangle(s.x, s.z, 0.03f, 3), 0.f, 0.012f, 0.004f);
     // Metres from the rug's middle; y carries half its depth (negative: it is round), which the border follows.
-    for (std::size_t i = 0; i < r.coords.size(); ++i) r.coords[i] = {r.positions[i].x, round ? -0.5f * d : 0.5f * s.z, r.positions[i].z};
+    for (std::size_t i = 0; i < r.coords.size(); ++i)
+        r.coords[i] = {r.positions[i].x, round ? -0.5f * d : 0.5f * s.z, r.positions[i].z};
     k.add(std::move(r), pile);
     if (!round && !plain_pile && (k.style.lamp == LampFamily::paper || k.style.mouldings == Mouldings::rich)) {
         Mesh fringe;
@@ -324,23 +386,30 @@ void curtain(Kit& k) {
     const Vec3f s = k.wanted({2.0f, 2.4f, 0.12f});
     const int cloth = k.main(k.style.curtain), metal = k.material(k.style.metal);
     // Deeply dyed cloth lets less through than a white veil: in the sun red would glow pink.
-    constexpr float kVeil = 0.5f, kLeast = 0.15f;   // luminance of a veil's albedo; share that the darkest dye leaves
+    constexpr float kVeil = 0.5f, kLeast = 0.15f;  // luminance of a veil's albedo; share that the darkest dye leaves
     Material& dyed = k.piece.materials[static_cast<std::size_t>(cloth)];
     dyed.transmission *= std::clamp(luminance(dyed.color_a) / kVeil, kLeast, 1.f);
     const float w = std::min(0.3f * s.x, 0.62f), h = s.y - 0.03f;
     for (const float sx : {-1.f, 1.f}) {
         const std::uint32_t seed = k.seed();
         const float folds = std::round(w / 0.085f);
-        k.add(shapes::sheet(96, 18, [=](float u, float v) {
-            const float drape = 1.f - v, wave = std::sin(kTau * folds * u + 0.9f * shapes::wobble({u * 4.f, v * 1.5f, 1.f}, seed));
-            const float spread = 0.92f + 0.08f * drape;
-            return Vec3f{sx * (0.5f * s.x - 0.02f) - sx * w * (sx > 0 ? 1.f - u : u) * spread, h * v + 0.006f,
-                         0.06f + (0.026f + 0.016f * drape) * wave + 0.006f * shapes::wobble({u * 9.f, v * 3.f, 4.f}, seed)};
-        }), cloth);
+        k.add(shapes::sheet(96, 18,
+                            [=](float u, float v) {
+                                const float drape = 1.f - v,
+                                            wave = std::sin(kTau * folds * u +
+                                                            0.9f * shapes::wobble({u * 4.f, v * 1.5f, 1.f}, seed));
+                                const float spread = 0.92f + 0.08f * drape;
+                                return Vec3f{sx * (0.5f * s.x - 0.02f) - sx * w * (sx > 0 ? 1.f - u : u) * spread,
+                                             h * v + 0.006f,
+                                             0.06f + (0.026f + 0.016f * drape) * wave +
+                                                 0.006f * shapes::wobble({u * 9.f, v * 3.f, 4.f}, seed)};
+                            }),
+              cloth);
     }
     k.rod(metal, {-0.5f * s.x, s.y - 0.015f, 0.06f}, {0.5f * s.x, s.y - 0.015f, 0.06f}, 0.012f, -1, 16);
     for (const float sx : {-1.f, 1.f}) {
-        k.rod(metal, {sx * (0.5f * s.x - 0.06f), s.y - 0.015f, 0.f}, {sx * (0.5f * s.x - 0.06f), s.y - 0.015f, 0.06f}, 0.008f);
+        k.rod(metal, {sx * (0.5f * s.x - 0.06f), s.y - 0.015f, 0.f}, {sx * (0.5f * s.x - 0.06f), s.y - 0.015f, 0.06f},
+              0.008f);
         k.add(shapes::ball({sx * (0.5f * s.x - 0.004f), s.y - 0.022f, 0.06f}, {0.022f, 0.022f, 0.022f}, 14), metal);
     }
     k.piece.mount = Mount::wall;
@@ -350,15 +419,16 @@ void basket(Kit& k) {
     const std::array<Vec2f, 5> p{Vec2f{0.15f, 0}, {0.17f, 0.02f}, {0.2f, 0.15f}, {0.19f, 0.28f}, {0.185f, 0.3f}};
     k.add(shapes::vessel(p, 0.012f, 32), straw);
     k.add(shapes::ring(0.185f, 0.02f, 32), straw, {0, 0.3f, 0});
-    k.soft(k.material(tinted(k.style.fabric2, k.accent())), {0, 0.1f, 0}, {0.24f, 0.24f, 0.24f}, {0.09f, 0.03f, 0.02f, 12});
+    k.soft(k.material(tinted(k.style.fabric2, k.accent())), {0, 0.1f, 0}, {0.24f, 0.24f, 0.24f},
+           {0.09f, 0.03f, 0.02f, 12});
 }
 void book_stack(Kit& k) {
     const int count = 2 + k.dice.index(3);
     float y = 0.f;
     const int paper = k.material(plain("paper", {0.72f, 0.68f, 0.58f}, 0.9f));
     for (int i = 0; i < count; ++i) {
-        const float t = k.dice.uniform(0.018f, 0.038f), w = 0.24f - 0.018f * static_cast<float>(i), d = 0.17f - 0.012f * static_cast<float>(i),
-                    yaw = k.dice.uniform(-14, 14);
+        const float t = k.dice.uniform(0.018f, 0.038f), w = 0.24f - 0.018f * static_cast<float>(i),
+                    d = 0.17f - 0.012f * static_cast<float>(i), yaw = k.dice.uniform(-14, 14);
         Material c = plain("book cover", k.accent(), 0.5f);
         const int cover = i == 0 ? k.main(c) : k.material(c);
         const auto put = [&](Vec3f size, Vec3f at, int mat) {
@@ -376,12 +446,15 @@ void book_stack(Kit& k) {
 }
 void bowl(Kit& k) {
     const int body = k.main(plain("bowl", k.accent(), 0.3f));
-    const std::array<Vec2f, 6> p{Vec2f{0.05f, 0}, {0.055f, 0.008f}, {0.09f, 0.025f}, {0.12f, 0.055f}, {0.13f, 0.08f}, {0.131f, 0.085f}};
+    const std::array<Vec2f, 6> p{Vec2f{0.05f, 0}, {0.055f, 0.008f}, {0.09f, 0.025f},
+                                 {0.12f, 0.055f}, {0.13f, 0.08f},   {0.131f, 0.085f}};
     k.add(shapes::vessel(p, 0.005f, 32), body);
     const Vec3f fruit[] = {{0.5f, 0.08f, 0.04f}, {0.65f, 0.3f, 0.05f}, {0.35f, 0.42f, 0.08f}};
     for (int i = 0; i < 5; ++i) {
         const float a = 1.2566f * static_cast<float>(i);
-        k.add(shapes::ball(i == 4 ? Vec3f{0, 0.085f, 0} : around(a) * 0.05f + Vec3f{0, 0.055f, 0}, {0.034f, 0.032f, 0.034f}, 14), k.material(plain("fruit", fruit[i % 3], 0.35f)));
+        k.add(shapes::ball(i == 4 ? Vec3f{0, 0.085f, 0} : around(a) * 0.05f + Vec3f{0, 0.055f, 0},
+                           {0.034f, 0.032f, 0.034f}, 14),
+              k.material(plain("fruit", fruit[i % 3], 0.35f)));
     }
     k.piece.mount = Mount::surface;
 }
@@ -402,7 +475,8 @@ class Wick {
             k_.add(shapes::lathe(shapes::curve(p, 2), 12, true), material, at + Vec3f{0, 0.12f * height, 0});
         };
         part({{0.f, 0.f}, {0.55f * r, 0.06f * height}, {0.88f * r, 0.16f * height}}, root_);
-        part({{0.88f * r, 0.16f * height}, {r, 0.3f * height}, {0.86f * r, 0.5f * height}, {0.62f * r, 0.64f * height}}, belly_);
+        part({{0.88f * r, 0.16f * height}, {r, 0.3f * height}, {0.86f * r, 0.5f * height}, {0.62f * r, 0.64f * height}},
+             belly_);
         part({{0.62f * r, 0.64f * height}, {0.3f * r, 0.84f * height}, {0.f, height}}, point_);
     }
 
@@ -437,8 +511,9 @@ void candle(Kit& k) {
 void candelabrum(Kit& k) {
     const int metal = k.main(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("brass")),
               wax = k.material(plain("wax", {0.75f, 0.71f, 0.62f}, 0.6f));
-    const std::array<Vec2f, 12> p{Vec2f{0.075f, 0}, {0.078f, 0.01f}, {0.05f, 0.022f},  {0.016f, 0.04f}, {0.024f, 0.06f}, {0.012f, 0.08f},
-                                  {0.011f, 0.15f},  {0.02f, 0.168f}, {0.011f, 0.186f}, {0.014f, 0.25f}, {0.008f, 0.27f}, {0.008f, 0.3f}};
+    const std::array<Vec2f, 12> p{Vec2f{0.075f, 0}, {0.078f, 0.01f}, {0.05f, 0.022f}, {0.016f, 0.04f},
+                                  {0.024f, 0.06f},  {0.012f, 0.08f}, {0.011f, 0.15f}, {0.02f, 0.168f},
+                                  {0.011f, 0.186f}, {0.014f, 0.25f}, {0.008f, 0.27f}, {0.008f, 0.3f}};
     k.add(shapes::lathe(p, 24, true), metal);
     Wick wick(k);
     const auto light = [&](Vec3f at) {
@@ -456,8 +531,9 @@ void candelabrum(Kit& k) {
         std::vector<Vec3f> arm;
         for (int j = 0; j <= 14; ++j) {
             const float t = static_cast<float>(j) / 14.f;
-            arm.push_back(out * (far * (0.06f + 0.94f * std::sin(0.5f * kPi * t))) +
-                          Vec3f{0, 0.18f - 0.05f * std::sin(kPi * std::min(1.f, 1.5f * t)) + (rise - 0.18f) * t * t, 0});
+            arm.push_back(
+                out * (far * (0.06f + 0.94f * std::sin(0.5f * kPi * t))) +
+                Vec3f{0, 0.18f - 0.05f * std::sin(kPi * std::min(1.f, 1.5f * t)) + (rise - 0.18f) * t * t, 0});
         }
         k.add(shapes::tube(arm, 0.006f, 8), metal);
         light(arm.back());
@@ -485,7 +561,10 @@ void clock_piece(Kit& k) {
     k.piece.hang_height_m = 1.7f;
 }
 void piano(Kit& k) {
-    const int body = k.main(plain("piano lacquer", {0.032f, 0.032f, 0.033f}, 0.1f)), ivory = k.material(plain("ivory keys", {0.75f, 0.73f, 0.66f}, 0.3f)), black = k.material(plain("black keys", {0.032f, 0.032f, 0.033f}, 0.3f)), gold = k.material(*material_named("brass"));
+    const int body = k.main(plain("piano lacquer", {0.032f, 0.032f, 0.033f}, 0.1f)),
+              ivory = k.material(plain("ivory keys", {0.75f, 0.73f, 0.66f}, 0.3f)),
+              black = k.material(plain("black keys", {0.032f, 0.032f, 0.033f}, 0.3f)),
+              gold = k.material(*material_named("brass"));
     k.board(body, {0, 0.0f, -0.12f}, {1.48f, 1.22f, 0.32f}, 0.008f);
     k.board(body, {0, 1.22f, -0.1f}, {1.52f, 0.03f, 0.38f}, 0.008f);
     k.board(body, {0, 0.6f, 0.16f}, {1.48f, 0.07f, 0.3f}, 0.008f);
@@ -497,7 +576,8 @@ void piano(Kit& k) {
         const float x = -0.6248f + 0.0245f * static_cast<float>(i);
         k.board(ivory, {x, 0.67f, 0.21f}, {0.0232f, 0.018f, 0.16f}, 0.002f);
         const int note = i % 7;
-        if (i < 51 && note != 2 && note != 6) k.board(black, {x + 0.0122f, 0.685f, 0.18f}, {0.012f, 0.014f, 0.1f}, 0.002f);
+        if (i < 51 && note != 2 && note != 6)
+            k.board(black, {x + 0.0122f, 0.685f, 0.18f}, {0.012f, 0.014f, 0.1f}, 0.002f);
     }
     Mesh desk_board = shapes::box({0.9f, 0.26f, 0.015f}, 0.004f);
     shapes::turn(desk_board, {1, 0, 0}, -12);
@@ -505,7 +585,8 @@ void piano(Kit& k) {
     Mesh sheet_music = shapes::box({0.4f, 0.28f, 0.002f}, 0.0005f);
     shapes::turn(sheet_music, {1, 0, 0}, -12);
     k.add(std::move(sheet_music), ivory, {0, 0.985f, 0.098f});
-    for (int i = -1; i <= 1; ++i) k.board(gold, {0.08f * static_cast<float>(i), 0.05f, 0.07f}, {0.03f, 0.015f, 0.1f}, 0.005f);
+    for (int i = -1; i <= 1; ++i)
+        k.board(gold, {0.08f * static_cast<float>(i), 0.05f, 0.07f}, {0.03f, 0.015f, 0.1f}, 0.005f);
     k.top(1.25f, 0, -0.1f, 0.7f, 0.15f);
     k.piece.clearance_front_m = 0.9f;
     k.piece.against_wall = true;
@@ -547,7 +628,8 @@ void guitar(Kit& k) {
         Mesh s = shapes::rod({x, 0.13f, 0.062f}, {x, 0.92f, 0.062f}, 0.0007f, 0.0007f, 4);
         shapes::turn(s, {1, 0, 0}, -14);
         k.add(std::move(s), chrome, {0, 0.14f, 0.08f});
-        piece_at({0.02f, 0.012f, 0.012f}, {(i % 2 ? 1.f : -1.f) * 0.046f, 0.92f + 0.04f * static_cast<float>(i / 2), 0.04f}, chrome);
+        piece_at({0.02f, 0.012f, 0.012f},
+                 {(i % 2 ? 1.f : -1.f) * 0.046f, 0.92f + 0.04f * static_cast<float>(i / 2), 0.04f}, chrome);
     }
     for (const float sx : {-1.f, 1.f}) {
         k.rod(black, {sx * 0.16f, 0.f, 0.2f}, {sx * 0.07f, 0.14f, 0.0f}, 0.008f);
@@ -558,7 +640,8 @@ void guitar(Kit& k) {
     k.rod(black, {0, 0.14f, 0}, {0, 0.4f, -0.06f}, 0.008f);
 }
 void aquarium(Kit& k) {
-    const int wood = k.main(k.style.wood), metal = k.material(k.style.metal), sand = k.material(plain("sand", {0.5f, 0.42f, 0.28f}, 0.95f));
+    const int wood = k.main(k.style.wood), metal = k.material(k.style.metal),
+              sand = k.material(plain("sand", {0.5f, 0.42f, 0.28f}, 0.95f));
     Material water = glass();
     water.color_a = water.color_b = {0.55f, 0.75f, 0.78f};
     const int tank = k.material(water), light = k.material(glow("aquarium light", {4.f, 5.5f, 6.5f})),
@@ -570,10 +653,13 @@ void aquarium(Kit& k) {
     k.board(wood, {0, 1.23f, 0}, {1.0f, 0.06f, 0.42f}, 0.006f);
     k.board(light, {0, 1.21f, 0}, {0.8f, 0.012f, 0.1f}, 0.002f);
     for (int i = 0; i < 14; ++i)
-        k.add(blade({k.dice.uniform(-0.4f, 0.4f), 0.78f, k.dice.uniform(-0.12f, 0.12f)}, around(k.dice.uniform(0, kTau)), 0.08f, 0.02f,
-                    k.dice.uniform(2.f, 4.f), 0.3f, 1.1f),
+        k.add(blade({k.dice.uniform(-0.4f, 0.4f), 0.78f, k.dice.uniform(-0.12f, 0.12f)},
+                    around(k.dice.uniform(0, kTau)), 0.08f, 0.02f, k.dice.uniform(2.f, 4.f), 0.3f, 1.1f),
               green);
-    for (int i = 0; i < 6; ++i) k.add(shapes::ball({k.dice.uniform(-0.36f, 0.36f), k.dice.uniform(0.86f, 1.12f), k.dice.uniform(-0.1f, 0.12f)}, {0.035f, 0.016f, 0.008f}, 12), k.material(plain("fish", i % 2 ? Vec3f{0.7f, 0.25f, 0.04f} : k.accent(), 0.3f)));
+    for (int i = 0; i < 6; ++i)
+        k.add(shapes::ball({k.dice.uniform(-0.36f, 0.36f), k.dice.uniform(0.86f, 1.12f), k.dice.uniform(-0.1f, 0.12f)},
+                           {0.035f, 0.016f, 0.008f}, 12),
+              k.material(plain("fish", i % 2 ? Vec3f{0.7f, 0.25f, 0.04f} : k.accent(), 0.3f)));
     k.piece.against_wall = true;
     k.piece.clearance_front_m = 0.6f;
 }
@@ -587,14 +673,18 @@ void rocking_horse(Kit& k) {
             rocker.push_back({0.48f * t, 0.018f + 0.13f * t * t, sz * 0.14f});
         }
         k.add(shapes::tube(rocker, 0.018f, 10), wood);
-        for (const float sx : {-1.f, 1.f}) k.rod(wood, {sx * 0.26f, 0.05f, sz * 0.14f}, {sx * 0.18f, 0.42f, sz * 0.07f}, 0.02f, 0.03f);
+        for (const float sx : {-1.f, 1.f})
+            k.rod(wood, {sx * 0.26f, 0.05f, sz * 0.14f}, {sx * 0.18f, 0.42f, sz * 0.07f}, 0.02f, 0.03f);
     }
     k.add(shapes::ball({0, 0.46f, 0}, {0.3f, 0.13f, 0.12f}, 24), wood);
     k.rod(wood, {0.2f, 0.48f, 0}, {0.36f, 0.76f, 0}, 0.085f, 0.055f, 18);
     k.rod(wood, {0.33f, 0.76f, 0}, {0.5f, 0.66f, 0}, 0.065f, 0.04f, 18);
-    for (const float sz : {-1.f, 1.f}) k.rod(wood, {0.33f, 0.8f, sz * 0.035f}, {0.32f, 0.86f, sz * 0.04f}, 0.018f, 0.006f, 8);
+    for (const float sz : {-1.f, 1.f})
+        k.rod(wood, {0.33f, 0.8f, sz * 0.035f}, {0.32f, 0.86f, sz * 0.04f}, 0.018f, 0.006f, 8);
     for (int i = 0; i < 6; ++i)
-        k.add(shapes::ball({0.17f + 0.028f * static_cast<float>(i), 0.57f + 0.045f * static_cast<float>(i), 0}, {0.04f, 0.05f, 0.03f}, 10), hair);
+        k.add(shapes::ball({0.17f + 0.028f * static_cast<float>(i), 0.57f + 0.045f * static_cast<float>(i), 0},
+                           {0.04f, 0.05f, 0.03f}, 10),
+              hair);
     k.rod(hair, {-0.28f, 0.5f, 0}, {-0.4f, 0.28f, 0}, 0.035f, 0.015f);
     k.add(shapes::ball({-0.02f, 0.56f, 0}, {0.13f, 0.06f, 0.11f}, 18), saddle);
     k.rod(wood, {0.33f, 0.72f, -0.13f}, {0.33f, 0.72f, 0.13f}, 0.012f);
@@ -607,14 +697,16 @@ void coat_rack(Kit& k) {
     k.rod(wood, {0, 0.04f, 0}, {0, 1.75f, 0}, 0.02f, 0.016f);
     for (int i = 0; i < 6; ++i)
         k.rod(wood, {0, 1.5f + 0.03f * static_cast<float>(i), 0},
-              around(1.0472f * static_cast<float>(i)) * 0.19f + Vec3f{0, 1.62f + 0.03f * static_cast<float>(i), 0}, 0.01f, 0.012f);
+              around(1.0472f * static_cast<float>(i)) * 0.19f + Vec3f{0, 1.62f + 0.03f * static_cast<float>(i), 0},
+              0.01f, 0.012f);
     const int coat = k.material(tinted(k.style.fabric2, k.accent()));
     const std::uint32_t seed = k.seed();
     k.add(shapes::slab(32, 16, 0.02f,
                        [=](float u, float v) {
                            const float a = (u - 0.5f) * 4.4f, h = 1.6f - 0.95f * (1.f - v),
                                        r = (0.05f + 0.13f * std::sqrt(1.f - v)) *
-                                           (1.f + 0.12f * std::sin(a * 7.f) * (1.f - v) + 0.08f * shapes::wobble({a * 2, v * 4, 0}, seed));
+                                           (1.f + 0.12f * std::sin(a * 7.f) * (1.f - v) +
+                                            0.08f * shapes::wobble({a * 2, v * 4, 0}, seed));
                            return Vec3f{0.1f - r * std::sin(a) * 0.9f, h, 0.06f + r * std::cos(a)};
                        }),
           coat);

@@ -34,13 +34,16 @@ void frame_sofa(Kit& k, float width, int seats) {
     for (const float sx : {-1.f, 1.f}) {
         const float x = sx * (0.5f * width - 0.03f);
         if (woven) k.board(main, {x, 0.06f, 0}, {0.03f, arm - 0.06f, depth - 0.18f}, 0.01f);
-        for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f}) k.board(wood, {x, 0, z}, {0.045f, arm, 0.06f}, 0.008f);
+        for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f})
+            k.board(wood, {x, 0, z}, {0.045f, arm, 0.06f}, 0.008f);
         k.board(wood, {x, arm - 0.001f, 0}, {0.085f, 0.03f, depth}, 0.01f);
         k.board(wood, {x, seat - 0.07f, 0}, {0.035f, 0.07f, depth - 0.16f}, 0.006f);
     }
-    for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f}) k.board(wood, {0, seat - 0.07f, z}, {width - 0.1f, 0.07f, 0.035f}, 0.006f);
+    for (const float z : {-0.5f * depth + 0.06f, 0.5f * depth - 0.06f})
+        k.board(wood, {0, seat - 0.07f, z}, {width - 0.1f, 0.07f, 0.035f}, 0.006f);
     for (int i = 0; i < 3; ++i)
-        k.board(wood, {0, seat + 0.1f + 0.14f * static_cast<float>(i), -0.5f * depth + 0.05f}, {width - 0.1f, 0.05f, 0.02f}, 0.005f);
+        k.board(wood, {0, seat + 0.1f + 0.14f * static_cast<float>(i), -0.5f * depth + 0.05f},
+                {width - 0.1f, 0.05f, 0.02f}, 0.005f);
     k.board(wood, {0, seat - 0.02f, 0}, {width - 0.12f, 0.02f, depth - 0.14f}, 0.004f);
     if (woven) {
         k.board(main, {0, seat + 0.05f, -0.5f * depth + 0.048f}, {width - 0.1f, 0.42f, 0.014f}, 0.004f);
@@ -58,7 +61,8 @@ void frame_sofa(Kit& k, float width, int seats) {
         Mesh m = shapes::pillow({0.42f, 0.42f, 0.15f}, k.seed());
         shapes::turn(m, {1, 0, 0}, -24);
         shapes::turn(m, {0, 1, 0}, -sx * 20.f);
-        k.add(std::move(m), sx > 0 ? second : cloth, {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
+        k.add(std::move(m), sx > 0 ? second : cloth,
+              {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
     }
     k.piece.clearance_front_m = 0.5f;
     k.piece.against_wall = true;
@@ -77,14 +81,16 @@ void chesterfield(Kit& k, float width, int seats) {
     roll({-0.5f * width + 0.1f, top - 0.03f, z0 + 0.1f}, {0.5f * width - 0.1f, top - 0.03f, z0 + 0.1f});
     for (const float sx : {-1.f, 1.f}) {
         const float x = sx * (0.5f * width - 0.1f);
-        k.soft(cloth, {x + sx * 0.01f, 0.1f, 0}, {arm - 0.05f, top - 0.14f, depth - 0.05f}, {0.04f, 0.015f, 0.001f, 10});
+        k.soft(cloth, {x + sx * 0.01f, 0.1f, 0}, {arm - 0.05f, top - 0.14f, depth - 0.05f},
+               {0.04f, 0.015f, 0.001f, 10});
         roll({x, top - 0.03f, z0 + 0.1f}, {x, top - 0.03f, -z0 - 0.08f});
         k.add(shapes::ball({x, top - 0.03f, -z0 - 0.04f}, {0.06f, 0.06f, 0.02f}, 14), cloth);
     }
     buttons(k, cloth, -0.5f * inside + 0.1f, 0.5f * inside - 0.1f, seat + 0.08f, top - 0.06f, z0 + 0.215f, 0.17f);
     const float w = inside / static_cast<float>(seats);
     for (int i = 0; i < seats; ++i)
-        k.soft(cloth, {-0.5f * inside + (static_cast<float>(i) + 0.5f) * w, seat - 0.15f, 0.09f}, {w - 0.004f, 0.17f, depth - 0.22f}, {0.05f, 0.03f, 0.002f, 9});
+        k.soft(cloth, {-0.5f * inside + (static_cast<float>(i) + 0.5f) * w, seat - 0.15f, 0.09f},
+               {w - 0.004f, 0.17f, depth - 0.22f}, {0.05f, 0.03f, 0.002f, 9});
     k.piece.clearance_front_m = 0.5f;
     k.piece.against_wall = true;
     k.top(seat + 0.02f, 0, 0.12f, 0.4f * inside, 0.2f);
@@ -93,8 +99,8 @@ void chesterfield(Kit& k, float width, int seats) {
 // A back of upright padded channels that bends round into the arms.
 void channel_seat(Kit& k, float width, int channels) {
     const int cloth = k.main(k.style.fabric), foot = k.material(k.style.metal);
-    const float depth = width > 1.3f ? 0.9f : 0.8f, seat = 0.43f, top = width > 1.3f ? 0.8f : 0.78f, rx = 0.5f * width - 0.08f, rz = depth - 0.2f,
-                z0 = -0.5f * depth + 0.1f;
+    const float depth = width > 1.3f ? 0.9f : 0.8f, seat = 0.43f, top = width > 1.3f ? 0.8f : 0.78f,
+                rx = 0.5f * width - 0.08f, rz = depth - 0.2f, z0 = -0.5f * depth + 0.1f;
     // A plinth and the seat on it.
     k.soft(cloth, {0, 0.06f, 0.02f}, {width - 0.14f, seat - 0.2f, depth - 0.12f}, {0.05f, 0.006f, 0.001f, 10});
     k.board(foot, {0, 0, 0.02f}, {width - 0.3f, 0.07f, depth - 0.28f}, 0.01f);
@@ -102,7 +108,8 @@ void channel_seat(Kit& k, float width, int channels) {
     for (int i = 0; i < channels; ++i) {
         // Along half an ellipse, open to the front.
         const float a = kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(channels);
-        const float sx = std::copysign(std::pow(std::fabs(std::cos(a)), 0.6f), -std::cos(a)), sz = std::pow(std::sin(a), 0.6f);
+        const float sx = std::copysign(std::pow(std::fabs(std::cos(a)), 0.6f), -std::cos(a)),
+                    sz = std::pow(std::sin(a), 0.6f);
         const Vec3f at{rx * sx, 0, z0 + rz * (1.f - sz)};
         const float high = top - 0.14f * (1.f - sz);
         const float r = 0.075f + 0.012f * (width > 1.3f ? 1.f : 0.f);
@@ -144,24 +151,31 @@ void sling_chair(Kit& k) {
     const int hide = k.main(k.style.leather), metal = k.material(k.style.metal);
     for (const float sx : {-1.f, 1.f}) {
         const float x = sx * 0.33f;
-        const std::array<Vec3f, 7> side{Vec3f{x, 0.02f, 0.36f}, {x, 0.56f, 0.34f}, {x, 0.57f, 0.3f}, {x, 0.57f, -0.2f}, {x, 0.56f, -0.3f}, {x, 0.02f, -0.34f}, {x, 0.02f, 0.36f}};
+        const std::array<Vec3f, 7> side{Vec3f{x, 0.02f, 0.36f}, {x, 0.56f, 0.34f},  {x, 0.57f, 0.3f}, {x, 0.57f, -0.2f},
+                                        {x, 0.56f, -0.3f},      {x, 0.02f, -0.34f}, {x, 0.02f, 0.36f}};
         k.add(shapes::tube(side, 0.013f, 8), metal);
         k.board(hide, {x, 0.575f, 0.04f}, {0.055f, 0.012f, 0.44f}, 0.004f);
         k.rod(metal, {x, 0.4f, 0.33f}, {x, 0.28f, -0.26f}, 0.012f);
         k.rod(metal, {x, 0.28f, -0.26f}, {x, 0.84f, -0.4f}, 0.012f);
     }
-    for (const Vec3f at : {Vec3f{0, 0.4f, 0.33f}, Vec3f{0, 0.28f, -0.26f}, Vec3f{0, 0.84f, -0.4f}}) k.rod(metal, {-0.33f, at.y, at.z}, {0.33f, at.y, at.z}, 0.012f);
-    k.add(shapes::slab(8, 14, 0.03f, [](float u, float v) {
-        const float x = (u - 0.5f) * 0.6f, t = v * 2.f;
-        if (t < 1.f) return Vec3f{x, 0.415f - 0.13f * t - 0.035f * std::sin(kPi * t), 0.34f - 0.58f * t};
-        return Vec3f{x, 0.285f + 0.56f * (t - 1.f), -0.24f - 0.15f * (t - 1.f) - 0.03f * std::sin(kPi * (t - 1.f))};
-    }), hide);
+    for (const Vec3f at : {Vec3f{0, 0.4f, 0.33f}, Vec3f{0, 0.28f, -0.26f}, Vec3f{0, 0.84f, -0.4f}})
+        k.rod(metal, {-0.33f, at.y, at.z}, {0.33f, at.y, at.z}, 0.012f);
+    k.add(shapes::slab(8, 14, 0.03f,
+                       [](float u, float v) {
+                           const float x = (u - 0.5f) * 0.6f, t = v * 2.f;
+                           if (t < 1.f)
+                               return Vec3f{x, 0.415f - 0.13f * t - 0.035f * std::sin(kPi * t), 0.34f - 0.58f * t};
+                           return Vec3f{x, 0.285f + 0.56f * (t - 1.f),
+                                        -0.24f - 0.15f * (t - 1.f) - 0.03f * std::sin(kPi * (t - 1.f))};
+                       }),
+          hide);
     k.top(0.36f, 0, 0.1f, 0.24f, 0.16f);
     k.piece.clearance_front_m = 0.5f;
 }
 
 bool is_woven(const Kit& k) {
-    return k.request.pattern == "wicker" || k.request.material == "rattan" || k.request.material == "wicker" || k.request.material == "cane";
+    return k.request.pattern == "wicker" || k.request.material == "rattan" || k.request.material == "wicker" ||
+           k.request.material == "cane";
 }
 int woven_main(Kit& k) {
     const int cane = k.main(*material_named("wicker"));
@@ -183,14 +197,15 @@ void rattan_chair(Kit& k) {
     k.add(shapes::tube(arc(0.02f, 0.28f, 0.f), 0.015f, 8), cane);
     for (int i = 0; i < 10; ++i) {
         const float a = 2 * kPi * (static_cast<float>(i) + 0.5f) / 10.f;
-        k.rod(cane, {0.28f * std::sin(a), 0.02f, 0.28f * std::cos(a)}, {0.34f * std::sin(a), 0.37f, 0.34f * std::cos(a)}, 0.012f);
+        k.rod(cane, {0.28f * std::sin(a), 0.02f, 0.28f * std::cos(a)},
+              {0.34f * std::sin(a), 0.37f, 0.34f * std::cos(a)}, 0.012f);
     }
     k.add(shapes::prism(shapes::circle(0.36f, 36), 0.35f, 0.39f, 0.01f), cane);
     // The back rises from the arms to the middle.
     k.add(shapes::slab(24, 8, 0.02f,
                        [](float u, float v) {
-                           const float a = 0.62f + (2 * kPi - 1.24f) * u, back = 0.5f - 0.5f * std::cos(a), high = 0.2f + 0.42f * back * back,
-                                       r = 0.36f + 0.07f * v * (0.4f + back);
+                           const float a = 0.62f + (2 * kPi - 1.24f) * u, back = 0.5f - 0.5f * std::cos(a),
+                                       high = 0.2f + 0.42f * back * back, r = 0.36f + 0.07f * v * (0.4f + back);
                            return Vec3f{r * std::sin(a), 0.38f + high * v, r * std::cos(a)};
                        }),
           cane);
@@ -210,7 +225,9 @@ void headboard(Kit& k, BedForm form, float width, float length, int wood, int he
         case BedForm::panels: {
             const int panels = width > 1.2f ? 4 : 2;
             const float w = (width + 0.1f) / static_cast<float>(panels);
-            for (int i = 0; i < panels; ++i) k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz}, {w - 0.002f, high - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 8});
+            for (int i = 0; i < panels; ++i)
+                k.soft(head, {-0.5f * (width + 0.1f) + (static_cast<float>(i) + 0.5f) * w, 0.12f, hz},
+                       {w - 0.002f, high - 0.12f, 0.1f}, {0.03f, 0.02f, 0.001f, 8});
             break;
         }
         case BedForm::tufted:
@@ -222,11 +239,10 @@ void headboard(Kit& k, BedForm form, float width, float length, int wood, int he
                 k.board(wood, {sx * 0.5f * width, 0, hz}, {0.07f, high + 0.05f, 0.07f}, 0.01f);
                 k.add(shapes::ball({sx * 0.5f * width, high + 0.085f, hz}, {0.045f, 0.045f, 0.045f}), wood);
             }
-            for (int i = 0; i < 3; ++i) k.board(wood, {0, 0.5f + 0.19f * static_cast<float>(i), hz}, {width, 0.15f, 0.03f}, 0.006f);
+            for (int i = 0; i < 3; ++i)
+                k.board(wood, {0, 0.5f + 0.19f * static_cast<float>(i), hz}, {width, 0.15f, 0.03f}, 0.006f);
             break;
-        case BedForm::board:
-            k.board(wood, {0, 0.15f, hz}, {width + 0.1f, high - 0.17f, 0.04f}, 0.012f);
-            break;
+        case BedForm::board: k.board(wood, {0, 0.15f, hz}, {width + 0.1f, high - 0.17f, 0.04f}, 0.012f); break;
         case BedForm::low:
             // A platform that is wider than the mattress, with a low leaning board.
             k.board(wood, {0, 0.12f, 0.04f}, {width + 0.36f, 0.06f, length + 0.2f}, 0.008f);
@@ -240,7 +256,9 @@ void headboard(Kit& k, BedForm form, float width, float length, int wood, int he
                     k.rod(metal, {sx * 0.5f * width, 0, z}, {sx * 0.5f * width, y, z}, 0.018f, -1, 12);
                     k.add(shapes::ball({sx * 0.5f * width, y + 0.025f, z}, {0.03f, 0.03f, 0.03f}, 12), metal);
                 }
-                for (const float t : {0.5f, 1.f}) k.rod(metal, {-0.5f * width, 0.35f + (y - 0.4f) * t, z}, {0.5f * width, 0.35f + (y - 0.4f) * t, z}, 0.012f);
+                for (const float t : {0.5f, 1.f})
+                    k.rod(metal, {-0.5f * width, 0.35f + (y - 0.4f) * t, z}, {0.5f * width, 0.35f + (y - 0.4f) * t, z},
+                          0.012f);
                 const int bars = width > 1.2f ? 9 : 5;
                 for (int i = 1; i < bars; ++i) {
                     const float x = width * (static_cast<float>(i) / static_cast<float>(bars) - 0.5f);
@@ -252,18 +270,24 @@ void headboard(Kit& k, BedForm form, float width, float length, int wood, int he
         case BedForm::posts: {
             const float top = 2.02f, fz = 0.5f * length + 0.02f;
             for (const float sx : {-1.f, 1.f})
-                for (const float z : {hz, fz}) k.board(wood, {sx * (0.5f * width + 0.02f), 0, z}, {0.06f, top, 0.06f}, 0.008f);
-            for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * width + 0.02f), top - 0.05f, 0.5f * (hz + fz)}, {0.045f, 0.045f, fz - hz}, 0.006f);
+                for (const float z : {hz, fz})
+                    k.board(wood, {sx * (0.5f * width + 0.02f), 0, z}, {0.06f, top, 0.06f}, 0.008f);
+            for (const float sx : {-1.f, 1.f})
+                k.board(wood, {sx * (0.5f * width + 0.02f), top - 0.05f, 0.5f * (hz + fz)}, {0.045f, 0.045f, fz - hz},
+                        0.006f);
             for (const float z : {hz, fz}) k.board(wood, {0, top - 0.05f, z}, {width, 0.045f, 0.045f}, 0.006f);
             k.board(wood, {0, 0.15f, hz}, {width, 0.85f, 0.03f}, 0.01f);
             // Cloth gathered at the two posts of the head.
             Material cloth = k.style.curtain;
             const int veil = k.material(cloth);
             for (const float sx : {-1.f, 1.f})
-                k.add(shapes::sheet(24, 10, [=](float u, float v) {
-                    const float a = 2 * kPi * u * 3.f, y = 0.1f + (top - 0.16f) * v;
-                    return Vec3f{sx * (0.5f * width + 0.015f) + 0.02f * std::sin(a), y, hz + 0.05f + 0.2f * u + 0.012f * std::cos(a)};
-                }), veil);
+                k.add(shapes::sheet(24, 10,
+                                    [=](float u, float v) {
+                                        const float a = 2 * kPi * u * 3.f, y = 0.1f + (top - 0.16f) * v;
+                                        return Vec3f{sx * (0.5f * width + 0.015f) + 0.02f * std::sin(a), y,
+                                                     hz + 0.05f + 0.2f * u + 0.012f * std::cos(a)};
+                                    }),
+                      veil);
             break;
         }
     }

@@ -10,7 +10,7 @@ namespace fastscene::furniture {
 
 void frame_sofa(Kit& k, float width, int seats);
 void chesterfield(Kit& k, float width, int seats);
-void channel_seat(Kit& k, float width, int channels);   // a sofa, or a tub chair when narrow
+void channel_seat(Kit& k, float width, int channels);  // a sofa, or a tub chair when narrow
 
 void wing_chair(Kit& k);
 void sling_chair(Kit& k);
@@ -19,8 +19,10 @@ void rattan_chair(Kit& k);
 enum class BedForm { panels, tufted, slats, board, low, iron, posts };
 void headboard(Kit& k, BedForm form, float width, float length, int wood, int head);
 
-// Cloth over a mattress: flat on top, hanging at the sides, with folds. `mattress`: its width, its top above the floor, its length.
-Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed, float fold);
+// Cloth over a mattress: flat on top, hanging at the sides, with folds. `mattress`: its width, its top above the floor,
+// its length.
+Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed,
+             float fold);
 // Cloth in one of the style's accents: plain, striped or knitted.
 int accent_cloth(Kit& k);
 // A cushion on its lower edge at `at`, leaning back, then turned.

@@ -1,5 +1,5 @@
-// What people love and hang up: a dog, a cat asleep, a typewriter, a record player, a crystal ball; bunting, garlands, stockings, a rail of hooks
-// with coats, a rack with pans over an island.
+// What people love and hang up: a dog, a cat asleep, a typewriter, a record player, a crystal ball; bunting, garlands,
+// stockings, a rail of hooks with coats, a rack with pans over an island.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -23,37 +23,40 @@ Material coat_of(Vec3f color) {
 // It lies with its head on its paws, eyes closed, the tail around it. The skin is the same for all dogs: made once.
 void dog(Kit& k) {
     static const Mesh body = [] {
-        const std::array<Limb, 18> limbs{{{{0, 0.1f, -0.22f}, {0, 0.108f, -0.06f}, 0.082f, 0.082f},  // loins, then the deeper chest
-                                          {{0, 0.108f, -0.06f}, {0, 0.125f, 0.1f}, 0.084f, 0.108f},
-                                          {{0, 0.15f, 0.1f}, {0.01f, 0.165f, 0.25f}, 0.095f, 0.068f},         // shoulders and neck
-                                          {{0.075f, 0.09f, -0.22f}, {0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},  // haunches
-                                          {{-0.075f, 0.09f, -0.22f}, {-0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},
-                                          {{0.15f, 0.034f, -0.14f}, {0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},  // hind paws
-                                          {{-0.15f, 0.034f, -0.14f}, {-0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},
-                                          {{0.085f, 0.1f, 0.1f}, {0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},  // forelegs
-                                          {{-0.085f, 0.1f, 0.1f}, {-0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},
-                                          {{0.1f, 0.038f, 0.2f}, {0.07f, 0.03f, 0.42f}, 0.034f, 0.028f},
-                                          {{-0.1f, 0.038f, 0.2f}, {-0.07f, 0.03f, 0.42f}, 0.034f, 0.028f},
-                                          {{0.02f, 0.16f, 0.28f}, {0.02f, 0.145f, 0.34f}, 0.072f, 0.062f},  // head
-                                          {{0.02f, 0.118f, 0.38f}, {0.02f, 0.1f, 0.455f}, 0.042f, 0.03f},   // snout, on the paws
-                                          {{0.02f, 0.085f, 0.38f}, {0.02f, 0.078f, 0.43f}, 0.028f, 0.022f},
-                                          {{0.02f, 0.2f, 0.27f}, {0.02f, 0.19f, 0.31f}, 0.03f, 0.03f},
-                                          {{0.0f, 0.08f, -0.3f}, {0.1f, 0.035f, -0.36f}, 0.03f, 0.026f},  // tail
-                                          {{0.1f, 0.035f, -0.36f}, {0.2f, 0.028f, -0.28f}, 0.026f, 0.022f},
-                                          {{0.2f, 0.028f, -0.28f}, {0.235f, 0.022f, -0.16f}, 0.022f, 0.012f}}};
+        const std::array<Limb, 18> limbs{
+            {{{0, 0.1f, -0.22f}, {0, 0.108f, -0.06f}, 0.082f, 0.082f},  // loins, then the deeper chest
+             {{0, 0.108f, -0.06f}, {0, 0.125f, 0.1f}, 0.084f, 0.108f},
+             {{0, 0.15f, 0.1f}, {0.01f, 0.165f, 0.25f}, 0.095f, 0.068f},         // shoulders and neck
+             {{0.075f, 0.09f, -0.22f}, {0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},  // haunches
+             {{-0.075f, 0.09f, -0.22f}, {-0.13f, 0.062f, -0.1f}, 0.078f, 0.048f},
+             {{0.15f, 0.034f, -0.14f}, {0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},  // hind paws
+             {{-0.15f, 0.034f, -0.14f}, {-0.155f, 0.026f, 0.03f}, 0.03f, 0.024f},
+             {{0.085f, 0.1f, 0.1f}, {0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},  // forelegs
+             {{-0.085f, 0.1f, 0.1f}, {-0.1f, 0.045f, 0.2f}, 0.062f, 0.036f},
+             {{0.1f, 0.038f, 0.2f}, {0.07f, 0.03f, 0.42f}, 0.034f, 0.028f},
+             {{-0.1f, 0.038f, 0.2f}, {-0.07f, 0.03f, 0.42f}, 0.034f, 0.028f},
+             {{0.02f, 0.16f, 0.28f}, {0.02f, 0.145f, 0.34f}, 0.072f, 0.062f},  // head
+             {{0.02f, 0.118f, 0.38f}, {0.02f, 0.1f, 0.455f}, 0.042f, 0.03f},   // snout, on the paws
+             {{0.02f, 0.085f, 0.38f}, {0.02f, 0.078f, 0.43f}, 0.028f, 0.022f},
+             {{0.02f, 0.2f, 0.27f}, {0.02f, 0.19f, 0.31f}, 0.03f, 0.03f},
+             {{0.0f, 0.08f, -0.3f}, {0.1f, 0.035f, -0.36f}, 0.03f, 0.026f},  // tail
+             {{0.1f, 0.035f, -0.36f}, {0.2f, 0.028f, -0.28f}, 0.026f, 0.022f},
+             {{0.2f, 0.028f, -0.28f}, {0.235f, 0.022f, -0.16f}, 0.022f, 0.012f}}};
         return shapes::skin(limbs, 0.03f, 0.0175f);
     }();
     static const Mesh ears = [] {
         Mesh both;
         for (const float s : {-1.f, 1.f}) {
             const float x = 0.02f + s * 0.058f;
-            const std::array<Limb, 2> flap{{{{x, 0.205f, 0.285f}, {x + s * 0.028f, 0.15f, 0.3f}, 0.017f, 0.026f},
-                                            {{x + s * 0.028f, 0.15f, 0.3f}, {x + s * 0.024f, 0.105f, 0.315f}, 0.026f, 0.014f}}};
+            const std::array<Limb, 2> flap{
+                {{{x, 0.205f, 0.285f}, {x + s * 0.028f, 0.15f, 0.3f}, 0.017f, 0.026f},
+                 {{x + s * 0.028f, 0.15f, 0.3f}, {x + s * 0.024f, 0.105f, 0.315f}, 0.026f, 0.014f}}};
             shapes::append(both, shapes::skin(flap, 0.02f, 0.013f));
         }
         return both;
     }();
-    static constexpr std::array<Vec3f, 4> kCoats{{{0.5f, 0.3f, 0.12f}, {0.2f, 0.1f, 0.045f}, {0.62f, 0.52f, 0.38f}, {0.075f, 0.065f, 0.06f}}};
+    static constexpr std::array<Vec3f, 4> kCoats{
+        {{0.5f, 0.3f, 0.12f}, {0.2f, 0.1f, 0.045f}, {0.62f, 0.52f, 0.38f}, {0.075f, 0.065f, 0.06f}}};
     const Vec3f tone = kCoats[static_cast<std::size_t>(k.dice.index(4))];
     const int fur = k.main(coat_of(tone));
     const Vec3f shown = k.piece.materials[static_cast<std::size_t>(fur)].color_a;
@@ -71,7 +74,8 @@ void dog(Kit& k) {
         k.add(shapes::tube(line, 0.0035f, 6), lid);
     }
     // A collar with a tag.
-    const int strap = k.material(plain("collar", {0.42f, 0.04f, 0.035f}, 0.5f)), metal = k.material(*material_named("brass"));
+    const int strap = k.material(plain("collar", {0.42f, 0.04f, 0.035f}, 0.5f)),
+              metal = k.material(*material_named("brass"));
     Mesh ring = shapes::ring(0.085f, 0.013f, 28);
     shapes::turn(ring, {1, 0, 0}, 78);
     k.add(std::move(ring), strap, {0.008f, 0.163f, 0.215f});
@@ -87,16 +91,19 @@ void cat_asleep(Kit& k) {
         // The back in an arc, thickest at the haunches; then the tail around the front.
         const auto arc = [](float turn, float r) { return Vec3f{r * std::sin(turn), 0.f, -r * std::cos(turn)}; };
         for (int i = 0; i < 7; ++i) {
-            const float a = -1.9f + 0.55f * static_cast<float>(i), b = a + 0.55f, ra = 0.062f + 0.018f * std::sin(0.5f * static_cast<float>(i)),
+            const float a = -1.9f + 0.55f * static_cast<float>(i), b = a + 0.55f,
+                        ra = 0.062f + 0.018f * std::sin(0.5f * static_cast<float>(i)),
                         rb = 0.062f + 0.018f * std::sin(0.5f * static_cast<float>(i + 1));
             limbs.push_back({arc(a, 0.105f) + Vec3f{0, ra, 0}, arc(b, 0.105f) + Vec3f{0, rb, 0}, ra, rb});
         }
         for (int i = 0; i < 6; ++i) {
             const float a = 2.1f + 0.42f * static_cast<float>(i);
-            limbs.push_back(
-                {arc(a, 0.165f) + Vec3f{0, 0.024f, 0}, arc(a + 0.42f, 0.168f - 0.004f * static_cast<float>(i)) + Vec3f{0, 0.023f, 0}, 0.021f, 0.02f});
+            limbs.push_back({arc(a, 0.165f) + Vec3f{0, 0.024f, 0},
+                             arc(a + 0.42f, 0.168f - 0.004f * static_cast<float>(i)) + Vec3f{0, 0.023f, 0}, 0.021f,
+                             0.02f});
         }
-        limbs.push_back({{0.02f, 0.04f, 0.03f}, {0, 0.052f, -0.03f}, 0.062f, 0.068f});  // what it lies around: its belly
+        limbs.push_back(
+            {{0.02f, 0.04f, 0.03f}, {0, 0.052f, -0.03f}, 0.062f, 0.068f});  // what it lies around: its belly
         const Vec3f head{-0.085f, 0.1f, 0.085f};
         limbs.push_back({arc(-1.9f, 0.105f) + Vec3f{0, 0.075f, 0}, head, 0.055f, 0.05f});
         limbs.push_back({head, head + Vec3f{0.012f, 0, 0.012f}, 0.053f, 0.05f});
@@ -104,7 +111,8 @@ void cat_asleep(Kit& k) {
         limbs.push_back({{0.03f, 0.03f, 0.1f}, {-0.05f, 0.026f, 0.125f}, 0.028f, 0.022f});  // a paw
         return shapes::skin(limbs, 0.024f, 0.0105f);
     }();
-    static constexpr std::array<Vec3f, 4> kCoats{{{0.42f, 0.21f, 0.08f}, {0.07f, 0.065f, 0.06f}, {0.5f, 0.48f, 0.44f}, {0.26f, 0.22f, 0.18f}}};
+    static constexpr std::array<Vec3f, 4> kCoats{
+        {{0.42f, 0.21f, 0.08f}, {0.07f, 0.065f, 0.06f}, {0.5f, 0.48f, 0.44f}, {0.26f, 0.22f, 0.18f}}};
     const int fur = k.main(coat_of(kCoats[static_cast<std::size_t>(k.dice.index(4))]));
     const int lid = k.material(plain("eyelid", k.piece.materials[static_cast<std::size_t>(fur)].color_a * 0.15f, 0.8f)),
               nose = k.material(plain("nose", {0.3f, 0.12f, 0.1f}, 0.4f));
@@ -116,7 +124,8 @@ void cat_asleep(Kit& k) {
     }
     for (const float s : {-1.f, 1.f}) {
         const Vec3f side = normalize(Vec3f{s, 0, -s}) * 0.022f, out = normalize(Vec3f{1, 0, 1});
-        const std::array<Vec3f, 3> line{head + side * 0.6f + out * 0.057f + Vec3f{0, 0.006f, 0}, head + side + out * 0.056f + Vec3f{0, 0.001f, 0},
+        const std::array<Vec3f, 3> line{head + side * 0.6f + out * 0.057f + Vec3f{0, 0.006f, 0},
+                                        head + side + out * 0.056f + Vec3f{0, 0.001f, 0},
                                         head + side * 1.5f + out * 0.05f + Vec3f{0, 0.006f, 0}};
         k.add(shapes::tube(line, 0.0022f, 5), lid);
     }
@@ -127,14 +136,18 @@ namespace {
 
 // An old office machine: enamelled body, four rows of round keys, the basket of types, a carriage with a sheet in it.
 void typewriter(Kit& k) {
-    static constexpr std::array<Vec3f, 4> kEnamels{{{0.018f, 0.018f, 0.019f}, {0.05f, 0.11f, 0.09f}, {0.28f, 0.36f, 0.32f}, {0.3f, 0.045f, 0.04f}}};
+    static constexpr std::array<Vec3f, 4> kEnamels{
+        {{0.018f, 0.018f, 0.019f}, {0.05f, 0.11f, 0.09f}, {0.28f, 0.36f, 0.32f}, {0.3f, 0.045f, 0.04f}}};
     const int body = k.main(plain("enamel", kEnamels[static_cast<std::size_t>(k.dice.index(4))], 0.25f)),
               dark = k.material(plain("cast iron", {0.025f, 0.024f, 0.023f}, 0.45f)),
-              bright = k.material(plain("key ring", {0.5f, 0.5f, 0.49f}, 0.25f)), ivory = k.material(plain("key", {0.62f, 0.58f, 0.48f}, 0.4f)),
-              rubber = k.material(plain("platen", {0.02f, 0.02f, 0.02f}, 0.6f)), paper = k.material(plain("paper", {0.76f, 0.74f, 0.68f}, 0.9f));
+              bright = k.material(plain("key ring", {0.5f, 0.5f, 0.49f}, 0.25f)),
+              ivory = k.material(plain("key", {0.62f, 0.58f, 0.48f}, 0.4f)),
+              rubber = k.material(plain("platen", {0.02f, 0.02f, 0.02f}, 0.6f)),
+              paper = k.material(plain("paper", {0.76f, 0.74f, 0.68f}, 0.9f));
     k.piece.materials[static_cast<std::size_t>(bright)].metal = 1.f;
     // The profile from the side, extruded: a low front for the keys, a hood over the types.
-    const std::vector<Vec2f> hood{{-0.15f, 0.f}, {-0.15f, 0.125f}, {-0.06f, 0.14f}, {-0.005f, 0.12f}, {0.02f, 0.075f}, {0.02f, 0.f}};
+    const std::vector<Vec2f> hood{{-0.15f, 0.f},    {-0.15f, 0.125f}, {-0.06f, 0.14f},
+                                  {-0.005f, 0.12f}, {0.02f, 0.075f},  {0.02f, 0.f}};
     std::vector<Vec2f> outline;
     for (const Vec2f& p : hood) outline.push_back({-p.x, p.y});
     for (const float sx : {-1.f, 1.f}) {
@@ -149,8 +162,8 @@ void typewriter(Kit& k) {
     // The basket: types in a fan.
     for (int i = 0; i < 21; ++i) {
         const float a = -1.1f + 0.11f * static_cast<float>(i);
-        k.rod(bright, {0.012f * std::sin(a), 0.082f, -0.062f}, {0.1f * std::sin(a), 0.096f - 0.012f * std::abs(a), -0.062f + 0.085f * std::cos(a)},
-              0.0016f, -1, 5);
+        k.rod(bright, {0.012f * std::sin(a), 0.082f, -0.062f},
+              {0.1f * std::sin(a), 0.096f - 0.012f * std::abs(a), -0.062f + 0.085f * std::cos(a)}, 0.0016f, -1, 5);
     }
     k.board(body, {0, 0.035f, 0.026f}, {0.25f, 0.042f, 0.012f}, 0.005f);
     // Keys on levers, each row lower than the one behind it.
@@ -158,10 +171,12 @@ void typewriter(Kit& k) {
         const float y = 0.088f - 0.0145f * static_cast<float>(row), z = 0.05f + 0.027f * static_cast<float>(row);
         const int keys = row == 0 ? 11 : row == 3 ? 9 : 10;
         for (int i = 0; i < keys; ++i) {
-            const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(keys - 1)) * 0.0245f + (row % 2 ? 0.004f : -0.003f);
+            const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(keys - 1)) * 0.0245f +
+                            (row % 2 ? 0.004f : -0.003f);
             const std::array<Vec2f, 3> rim{Vec2f{0.0082f, 0}, {0.0095f, 0.0015f}, {0.0095f, 0.0045f}};
             k.add(shapes::lathe(rim, 14), bright, {x, y, z});
-            k.add(shapes::prism(shapes::circle(0.0078f, 14), 0.0042f, 0.0056f, 0.0004f), (i + row) % 9 == 8 ? dark : ivory, {x, y, z});
+            k.add(shapes::prism(shapes::circle(0.0078f, 14), 0.0042f, 0.0056f, 0.0004f),
+                  (i + row) % 9 == 8 ? dark : ivory, {x, y, z});
             k.rod(dark, {x, 0.042f, z - 0.004f}, {x, y + 0.001f, z}, 0.0016f, -1, 5);
         }
     }
@@ -175,7 +190,8 @@ void typewriter(Kit& k) {
         k.rod(dark, {sx * 0.192f, 0.158f, -0.11f}, {sx * 0.212f, 0.158f, -0.11f}, 0.018f, -1, 18);
         k.board(bright, {sx * 0.17f, 0.138f, -0.115f}, {0.006f, 0.035f, 0.05f}, 0.002f);
     }
-    const std::array<Vec3f, 4> lever{{{-0.17f, 0.165f, -0.09f}, {-0.195f, 0.172f, -0.06f}, {-0.2f, 0.175f, -0.02f}, {-0.197f, 0.172f, -0.005f}}};
+    const std::array<Vec3f, 4> lever{
+        {{-0.17f, 0.165f, -0.09f}, {-0.195f, 0.172f, -0.06f}, {-0.2f, 0.175f, -0.02f}, {-0.197f, 0.172f, -0.005f}}};
     k.add(shapes::tube(lever, 0.004f, 8), bright);
     // The sheet comes up behind the platen and bends back a little.
     k.add(shapes::slab(4, 14, 0.0012f,
@@ -186,16 +202,19 @@ void typewriter(Kit& k) {
           paper);
     const int ink = k.material(plain("ink", {0.05f, 0.05f, 0.055f}, 0.9f));
     for (int i = 0; i < 5; ++i) {
-        const float up = 0.16f - 0.02f * static_cast<float>(i), wide = i == 4 ? 0.06f : 0.15f + 0.01f * static_cast<float>(i % 3);
-        k.board(ink, {-0.08f + 0.5f * wide, 0.163f + up, -0.1335f - 0.5f * up * up - 0.12f * up + 0.0016f}, {wide, 0.003f, 0.0006f}, 0.0001f);
+        const float up = 0.16f - 0.02f * static_cast<float>(i),
+                    wide = i == 4 ? 0.06f : 0.15f + 0.01f * static_cast<float>(i % 3);
+        k.board(ink, {-0.08f + 0.5f * wide, 0.163f + up, -0.1335f - 0.5f * up * up - 0.12f * up + 0.0016f},
+                {wide, 0.003f, 0.0006f}, 0.0001f);
     }
     k.piece.mount = Mount::surface;
 }
 
 // A wooden case, a platter with a record on it, an arm.
 void record_player(Kit& k) {
-    const int wood = k.main(k.style.wood), black = k.material(plain("vinyl record", {0.012f, 0.012f, 0.013f}, 0.22f)), metal = k.material(steel()),
-              dark = k.material(plain("mat", {0.03f, 0.03f, 0.03f}, 0.9f)), label = k.material(plain("label", k.accent(), 0.7f)),
+    const int wood = k.main(k.style.wood), black = k.material(plain("vinyl record", {0.012f, 0.012f, 0.013f}, 0.22f)),
+              metal = k.material(steel()), dark = k.material(plain("mat", {0.03f, 0.03f, 0.03f}, 0.9f)),
+              label = k.material(plain("label", k.accent(), 0.7f)),
               top = k.material(plain("deck", {0.05f, 0.05f, 0.052f}, 0.45f));
     k.board(wood, {0, 0.012f, 0}, {0.44f, 0.09f, 0.35f}, 0.008f);
     for (const float sx : {-0.17f, 0.17f})
@@ -213,8 +232,10 @@ void record_player(Kit& k) {
     // The arm on its post, its needle on the record.
     const Vec3f post{0.16f, 0.105f, -0.1f};
     k.rod(metal, post, post + Vec3f{0, 0.035f, 0}, 0.018f, 0.014f, 18);
-    const std::array<Vec3f, 4> arm{
-        {post + Vec3f{0, 0.036f, -0.035f}, post + Vec3f{0, 0.036f, 0.04f}, {0.145f, 0.138f, 0.05f}, {0.06f, 0.132f, 0.09f}}};
+    const std::array<Vec3f, 4> arm{{post + Vec3f{0, 0.036f, -0.035f},
+                                    post + Vec3f{0, 0.036f, 0.04f},
+                                    {0.145f, 0.138f, 0.05f},
+                                    {0.06f, 0.132f, 0.09f}}};
     k.add(shapes::tube(arm, 0.0045f, 8), metal);
     k.board(dark, {0.055f, 0.125f, 0.094f}, {0.022f, 0.009f, 0.03f}, 0.002f);
     k.rod(metal, post + Vec3f{0, 0.036f, -0.055f}, post + Vec3f{0, 0.036f, -0.03f}, 0.014f, -1, 14);
@@ -248,8 +269,11 @@ Vec3f on_bows(float t, int bows, float width, float top, float sag) {
 void bunting(Kit& k) {
     const Vec3f s = k.wanted({2.4f, 0.42f, 0.02f});
     const bool said = k.request.color || !k.request.color_name.empty();
-    static constexpr std::array<Vec3f, 5> kMerry{
-        {{0.5f, 0.05f, 0.045f}, {0.62f, 0.42f, 0.06f}, {0.06f, 0.26f, 0.34f}, {0.2f, 0.36f, 0.12f}, {0.58f, 0.24f, 0.2f}}};
+    static constexpr std::array<Vec3f, 5> kMerry{{{0.5f, 0.05f, 0.045f},
+                                                  {0.62f, 0.42f, 0.06f},
+                                                  {0.06f, 0.26f, 0.34f},
+                                                  {0.2f, 0.36f, 0.12f},
+                                                  {0.58f, 0.24f, 0.2f}}};
     Material first = k.style.fabric;
     first.color_a = kMerry[0], first.color_b = kMerry[0] * 0.8f, first.color_c = kMerry[0];
     std::vector<int> cloth{k.main(first)};
@@ -267,7 +291,8 @@ void bunting(Kit& k) {
     const int flags = 2 * std::max(3, static_cast<int>(s.x / 0.36f));
     const float sag = 0.5f * s.y, high = 0.48f * s.y, wide = 0.82f * s.x / static_cast<float>(flags);
     std::vector<Vec3f> path;
-    for (int i = 0; i <= 40; ++i) path.push_back(on_bows(static_cast<float>(i) / 40.f, kBows, s.x, s.y, sag) + Vec3f{0, 0, 0.008f});
+    for (int i = 0; i <= 40; ++i)
+        path.push_back(on_bows(static_cast<float>(i) / 40.f, kBows, s.x, s.y, sag) + Vec3f{0, 0, 0.008f});
     k.add(shapes::tube(path, 0.004f, 6), cord);
     for (int i = 0; i < flags; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(flags), half = 0.5f * wide / s.x,
@@ -276,7 +301,8 @@ void bunting(Kit& k) {
                     tip = (a + b) * 0.5f - Vec3f{0, high, 0};
         k.add(shapes::slab(6, 6, 0.002f,
                            [=](float u, float v) {
-                               return lerp(lerp(a, b, u), tip, 0.985f * v) + Vec3f{0, 0, 0.012f + flutter * v * std::sin(3.f * u + 1.f)};
+                               return lerp(lerp(a, b, u), tip, 0.985f * v) +
+                                      Vec3f{0, 0, 0.012f + flutter * v * std::sin(3.f * u + 1.f)};
                            }),
               cloth[static_cast<std::size_t>(i) % cloth.size()]);
     }
@@ -287,12 +313,15 @@ void bunting(Kit& k) {
 // Twigs along a cord in two bows, the ends hanging down; red berries among them.
 void garland(Kit& k) {
     const Vec3f s = k.wanted({1.7f, 0.5f, 0.12f});
-    const int leaf = k.main(foliage(k, {0.07f, 0.16f, 0.06f}, 0.03f)), pale = k.material(foliage(k, {0.13f, 0.2f, 0.11f}, 0.03f)),
-              cord = k.material(plain("twig", {0.16f, 0.1f, 0.055f}, 0.9f)), berry = k.material(plain("berry", {0.42f, 0.025f, 0.02f}, 0.25f));
+    const int leaf = k.main(foliage(k, {0.07f, 0.16f, 0.06f}, 0.03f)),
+              pale = k.material(foliage(k, {0.13f, 0.2f, 0.11f}, 0.03f)),
+              cord = k.material(plain("twig", {0.16f, 0.1f, 0.055f}, 0.9f)),
+              berry = k.material(plain("berry", {0.42f, 0.025f, 0.02f}, 0.25f));
     std::vector<Vec3f> path;
     const float top = s.y - 0.06f, half = 0.5f * s.x - 0.05f;
     for (int i = 0; i <= 5; ++i) path.push_back({-half, 0.06f + (top - 0.06f) * static_cast<float>(i) / 6.f, 0.05f});
-    for (int i = 0; i <= 32; ++i) path.push_back(on_bows(static_cast<float>(i) / 32.f, 2, 2 * half, top, 0.34f * s.y) + Vec3f{0, 0, 0.05f});
+    for (int i = 0; i <= 32; ++i)
+        path.push_back(on_bows(static_cast<float>(i) / 32.f, 2, 2 * half, top, 0.34f * s.y) + Vec3f{0, 0, 0.05f});
     for (int i = 5; i >= 0; --i) path.push_back({half, 0.06f + (top - 0.06f) * static_cast<float>(i) / 6.f, 0.05f});
     k.add(shapes::tube(path, 0.006f, 6), cord);
     std::array<Mesh, 2> leaves;
@@ -305,8 +334,10 @@ void garland(Kit& k) {
             // A leaf is made lying along +x and put where it grows: out and along the cord.
             const float spin = k.dice.uniform(-1.75f, 1.75f), size = k.dice.uniform(0.05f, 0.085f);
             const Vec3f side = std::abs(along.y) < 0.9f ? normalize(cross(along, Vec3f{0, 0, 1})) : Vec3f{1, 0, 0};
-            const Vec3f out = normalize(side * std::sin(spin) + Vec3f{0, 0, 1} * std::cos(spin) + along * k.dice.uniform(0.4f, 1.1f));
-            const Vec3f wide = normalize(cross(out, std::abs(out.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{0, 1, 0})), up = cross(wide, out);
+            const Vec3f out = normalize(side * std::sin(spin) + Vec3f{0, 0, 1} * std::cos(spin) +
+                                        along * k.dice.uniform(0.4f, 1.1f));
+            const Vec3f wide = normalize(cross(out, std::abs(out.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{0, 1, 0})),
+                        up = cross(wide, out);
             Mesh m = blade({0, 0, 0}, {1, 0, 0}, size, 0.3f * size, 0.1f, 0.25f, 0.8f);
             for (Vec3f& p : m.positions) {
                 const Vec3f q = p;
@@ -318,9 +349,10 @@ void garland(Kit& k) {
         }
         if (i % 2 == 0)
             for (int j = 0; j < 2; ++j)
-                shapes::append(berries, shapes::ball(path[i] + Vec3f{k.dice.uniform(-0.02f, 0.02f), k.dice.uniform(-0.025f, 0.02f),
-                                                                     0.025f + k.dice.uniform(0.f, 0.015f)},
-                                                     {0.009f, 0.009f, 0.009f}, 6));
+                shapes::append(
+                    berries, shapes::ball(path[i] + Vec3f{k.dice.uniform(-0.02f, 0.02f), k.dice.uniform(-0.025f, 0.02f),
+                                                          0.025f + k.dice.uniform(0.f, 0.015f)},
+                                          {0.009f, 0.009f, 0.009f}, 6));
     }
     k.add(std::move(leaves[0]), leaf);
     k.add(std::move(leaves[1]), pale);
@@ -338,7 +370,8 @@ void christmas_stocking(Kit& k) {
         return m;
     };
     const int red = k.main(dyed({0.45f, 0.035f, 0.035f})), green = k.material(dyed({0.06f, 0.17f, 0.075f})),
-              white = k.material(dyed({0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood), metal = k.material(k.style.metal);
+              white = k.material(dyed({0.74f, 0.72f, 0.68f})), wood = k.material(k.style.wood),
+              metal = k.material(k.style.metal);
     const bool said = k.request.color || !k.request.color_name.empty();
     k.board(wood, {0, 0.5f, 0.012f}, {0.9f, 0.05f, 0.024f}, 0.005f);
     for (int i = 0; i < 3; ++i) {
@@ -378,8 +411,11 @@ void coat_hooks(Kit& k) {
     const auto hook_x = [&](int i) { return (static_cast<float>(i) - 2.f) * 0.205f * s.x; };
     for (int i = 0; i < 5; ++i) {
         const float x = hook_x(i), y = board + 0.055f;
-        const std::array<Vec3f, 5> bow{
-            {{x, y, 0.02f}, {x, y - 0.022f, 0.045f}, {x, y - 0.02f, reach}, {x, y + 0.008f, reach + 0.012f}, {x, y + 0.02f, reach + 0.012f}}};
+        const std::array<Vec3f, 5> bow{{{x, y, 0.02f},
+                                        {x, y - 0.022f, 0.045f},
+                                        {x, y - 0.02f, reach},
+                                        {x, y + 0.008f, reach + 0.012f},
+                                        {x, y + 0.02f, reach + 0.012f}}};
         k.add(shapes::tube(bow, 0.006f, 8), metal);
         k.add(shapes::ball({x, y + 0.022f, reach + 0.012f}, {0.01f, 0.01f, 0.01f}, 10), metal);
         k.board(metal, {x, y - 0.03f, 0.024f}, {0.026f, 0.06f, 0.006f}, 0.002f);
@@ -388,18 +424,20 @@ void coat_hooks(Kit& k) {
     const auto coat = [&](int hook, float down, float width, int cloth) {
         const float x = hook_x(hook), top = board + 0.05f;
         const std::uint32_t seed = k.seed();
-        k.add(
-            shapes::slab(
-                36, 18, 0.016f,
-                [=](float u, float v) {
-                    const float open = 0.16f + 0.84f * std::min(1.f, 2.6f * v) + 0.06f * v, a = (u - 0.5f) * 3.f;
-                    const float fold = 1.f + 0.16f * v * std::sin(9.f * a) + 0.1f * shapes::wobble({3 * a, 4 * v, 0}, seed);
-                    return Vec3f{x + 0.5f * width * open * std::sin(a) / std::sin(1.5f), top - down * v, 0.028f + 0.085f * open * std::cos(a) * fold};
-                }),
-            cloth);
+        k.add(shapes::slab(36, 18, 0.016f,
+                           [=](float u, float v) {
+                               const float open = 0.16f + 0.84f * std::min(1.f, 2.6f * v) + 0.06f * v,
+                                           a = (u - 0.5f) * 3.f;
+                               const float fold = 1.f + 0.16f * v * std::sin(9.f * a) +
+                                                  0.1f * shapes::wobble({3 * a, 4 * v, 0}, seed);
+                               return Vec3f{x + 0.5f * width * open * std::sin(a) / std::sin(1.5f), top - down * v,
+                                            0.028f + 0.085f * open * std::cos(a) * fold};
+                           }),
+              cloth);
     };
     coat(0, std::min(0.9f, board + 0.02f), 0.3f, k.material(tinted(k.style.fabric2, k.accent())));
-    coat(3, std::min(0.62f, board), 0.26f, k.material(tinted(k.style.fabric, lerp(k.accent(), {0.12f, 0.1f, 0.08f}, 0.45f))));
+    coat(3, std::min(0.62f, board), 0.26f,
+         k.material(tinted(k.style.fabric, lerp(k.accent(), {0.12f, 0.1f, 0.08f}, 0.45f))));
     // A scarf over one hook, a straw hat on another.
     const int scarf = k.material(tinted(*material_named("wool"), k.accent()));
     for (const float side : {-1.f, 1.f})
@@ -411,7 +449,8 @@ void coat_hooks(Kit& k) {
                            }),
               scarf);
     const int straw = k.material(*material_named("rattan"));
-    const std::array<Vec2f, 6> brim{Vec2f{0.15f, 0.f}, {0.085f, 0.012f}, {0.08f, 0.03f}, {0.076f, 0.075f}, {0.06f, 0.088f}, {0.f, 0.09f}};
+    const std::array<Vec2f, 6> brim{Vec2f{0.15f, 0.f}, {0.085f, 0.012f}, {0.08f, 0.03f},
+                                    {0.076f, 0.075f},  {0.06f, 0.088f},  {0.f, 0.09f}};
     Mesh hat = shapes::shade(brim, 36);
     shapes::turn(hat, {1, 0, 0}, 78);
     k.add(std::move(hat), straw, {hook_x(4), board + 0.03f, 0.05f});
@@ -421,7 +460,8 @@ void coat_hooks(Kit& k) {
 
 // A frame on four chains with pots and pans around it.
 void pot_rack(Kit& k) {
-    const int metal = k.main(*material_named("copper")), iron = k.material(plain("wrought iron", {0.035f, 0.034f, 0.033f}, 0.5f));
+    const int metal = k.main(*material_named("copper")),
+              iron = k.material(plain("wrought iron", {0.035f, 0.034f, 0.033f}, 0.5f));
     const float hx = 0.45f, hz = 0.2f, rail = -0.62f;
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) {
@@ -430,18 +470,20 @@ void pot_rack(Kit& k) {
         }
     for (const float sz : {-1.f, 1.f}) k.rod(iron, {-hx, rail, sz * hz}, {hx, rail, sz * hz}, 0.01f, -1, 12);
     for (int i = -2; i <= 2; ++i)
-        k.rod(iron, {0.5f * hx * static_cast<float>(i), rail, -hz}, {0.5f * hx * static_cast<float>(i), rail, hz}, i == -2 || i == 2 ? 0.01f : 0.005f,
-              -1, 10);
+        k.rod(iron, {0.5f * hx * static_cast<float>(i), rail, -hz}, {0.5f * hx * static_cast<float>(i), rail, hz},
+              i == -2 || i == 2 ? 0.01f : 0.005f, -1, 10);
     for (const float sz : {-1.f, 1.f})
         for (int i = 0; i < 4; ++i) {
             const float x = (static_cast<float>(i) - 1.5f) * 0.225f + 0.02f * sz,
-                        r = std::array{0.082f, 0.07f, 0.092f, 0.064f}[static_cast<std::size_t>(sz > 0 ? i : 3 - i)] * k.dice.uniform(0.94f, 1.05f),
+                        r = std::array{0.082f, 0.07f, 0.092f, 0.064f}[static_cast<std::size_t>(sz > 0 ? i : 3 - i)] *
+                            k.dice.uniform(0.94f, 1.05f),
                         deep = i % 2 == 0 ? 0.045f : 0.08f;
             const float handle = 0.13f + 0.05f * k.dice.uniform(), middle = rail - 0.05f - handle - r;
             k.rod(iron, {x, rail - 0.004f, sz * hz}, {x, rail - 0.05f, sz * hz}, 0.004f, -1, 6);
             k.rod(metal, {x, rail - 0.045f, sz * hz}, {x, middle + 0.95f * r, sz * hz}, 0.008f, 0.01f, 8);
             // Its polished bottom to the outside.
-            const std::array<Vec2f, 5> bowl{Vec2f{0.78f * r, 0.f}, {0.9f * r, 0.006f}, {0.97f * r, 0.02f}, {r, deep}, {r + 0.004f, deep + 0.004f}};
+            const std::array<Vec2f, 5> bowl{
+                Vec2f{0.78f * r, 0.f}, {0.9f * r, 0.006f}, {0.97f * r, 0.02f}, {r, deep}, {r + 0.004f, deep + 0.004f}};
             Mesh pan = shapes::vessel(bowl, 0.004f, 28);
             shapes::turn(pan, {1, 0, 0}, sz > 0 ? -90.f : 90.f);
             k.add(std::move(pan), metal, {x, middle, sz * (hz + 0.5f * deep)});
@@ -449,10 +491,15 @@ void pot_rack(Kit& k) {
     k.piece.mount = Mount::ceiling;
 }
 
-constexpr Entry kKeepsakes[] = {
-    {"dog", dog},          {"typewriter", typewriter}, {"record_player", record_player},           {"crystal_ball", crystal_ball},
-    {"bunting", bunting},  {"garland", garland},       {"christmas_stocking", christmas_stocking}, {"coat_hooks", coat_hooks},
-    {"pot_rack", pot_rack}};
+constexpr Entry kKeepsakes[] = {{"dog", dog},
+                                {"typewriter", typewriter},
+                                {"record_player", record_player},
+                                {"crystal_ball", crystal_ball},
+                                {"bunting", bunting},
+                                {"garland", garland},
+                                {"christmas_stocking", christmas_stocking},
+                                {"coat_hooks", coat_hooks},
+                                {"pot_rack", pot_rack}};
 
 }  // namespace
 

@@ -56,7 +56,10 @@ int Kit::main(Material m, bool printed) {
             if (request.material == "leather" && !color) m = style.leather;
         }
     // A weave is a material of one yarn; a print has colors of its own.
-    static constexpr std::array<std::pair<std::string_view, Pattern>, 4> kWeaves{{{"knitted", Pattern::knit}, {"tiled", Pattern::tile}, {"marble", Pattern::marble}, {"wicker", Pattern::wicker}}};
+    static constexpr std::array<std::pair<std::string_view, Pattern>, 4> kWeaves{{{"knitted", Pattern::knit},
+                                                                                  {"tiled", Pattern::tile},
+                                                                                  {"marble", Pattern::marble},
+                                                                                  {"wicker", Pattern::wicker}}};
     for (const auto& [name, pattern] : kWeaves)
         if (request.pattern == name) {
             m.pattern = pattern;
@@ -87,8 +90,13 @@ void Kit::print(Material& m, std::optional<Vec3f> said) const {
     if (!second && is_one_of(request.pattern, {"leopard", "zebra"})) second = kInk;
     if (!second && request.pattern == "camouflage" && !said) second = Vec3f{0.07f, 0.1f, 0.04f};
     // Of a color that was said the other is white, or a dark shade: the room's colors would take it over.
-    if (!second && said) second = luminance(*said) < 0.45f ? lerp(*said, Vec3f{0.8f, 0.78f, 0.72f}, 0.8f) : *said * 0.4f;
-    print_on(m, request.pattern, piece.klass == "rug" ? PrintGround::rug : piece.klass == "curtain" ? PrintGround::curtain : PrintGround::cloth, second, style.palette);
+    if (!second && said)
+        second = luminance(*said) < 0.45f ? lerp(*said, Vec3f{0.8f, 0.78f, 0.72f}, 0.8f) : *said * 0.4f;
+    print_on(m, request.pattern,
+             piece.klass == "rug"       ? PrintGround::rug
+             : piece.klass == "curtain" ? PrintGround::curtain
+                                        : PrintGround::cloth,
+             second, style.palette);
     if (!said && request.pattern == "leopard") m.color_c = {0.33f, 0.17f, 0.055f};
     if (!said && request.pattern == "camouflage") m.color_c = {0.28f, 0.24f, 0.15f};
 }
@@ -118,14 +126,19 @@ void legs(Kit& k, int mat, float hx, float hz, float y, float t) {
             const Vec3f top{sx * hx, y, sz * hz}, foot{sx * hx, 0, sz * hz};
             switch (type) {
                 case LegType::tapered: k.rod(mat, foot, top, 0.28f * t, 0.5f * t, 12); break;
-                case LegType::splayed: k.rod(mat, {sx * (hx + 0.1f * y), 0, sz * (hz + 0.06f * y)}, top, 0.26f * t, 0.48f * t, 12); break;
+                case LegType::splayed:
+                    k.rod(mat, {sx * (hx + 0.1f * y), 0, sz * (hz + 0.06f * y)}, top, 0.26f * t, 0.48f * t, 12);
+                    break;
                 case LegType::hairpin: k.rod(mat, foot, top, 0.2f * t); break;
                 case LegType::metal_frame: k.board(mat, foot, {0.7f * t, y, 0.7f * t}, 0.003f); break;
                 case LegType::square: k.board(mat, foot, {t, y, t}, 0.005f); break;
                 case LegType::turned: {
                     const float r = 0.5f * t;
-                    const std::array<Vec2f, 10> p{Vec2f{0.45f * r, 0}, {0.75f * r, 0.03f * y}, {0.5f * r, 0.09f * y}, {0.55f * r, 0.2f * y}, {0.95f * r, 0.55f * y},
-                                                  {0.7f * r, 0.68f * y}, {1.05f * r, 0.72f * y}, {0.7f * r, 0.76f * y}, {r, 0.8f * y}, {r, y}};
+                    const std::array<Vec2f, 10> p{Vec2f{0.45f * r, 0},    {0.75f * r, 0.03f * y},
+                                                  {0.5f * r, 0.09f * y},  {0.55f * r, 0.2f * y},
+                                                  {0.95f * r, 0.55f * y}, {0.7f * r, 0.68f * y},
+                                                  {1.05f * r, 0.72f * y}, {0.7f * r, 0.76f * y},
+                                                  {r, 0.8f * y},          {r, y}};
                     k.add(shapes::lathe(p, 16, true), mat, foot);
                     break;
                 }
@@ -152,7 +165,8 @@ void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
     while (true) {
         const float t = k.dice.uniform(0.016f, 0.045f);
         if (x + t > length) break;
-        const float h = std::min(max_height, k.dice.uniform(0.17f, 0.29f)), d = std::min(depth, k.dice.uniform(0.14f, 0.2f));
+        const float h = std::min(max_height, k.dice.uniform(0.17f, 0.29f)),
+                    d = std::min(depth, k.dice.uniform(0.14f, 0.2f));
         Mesh cover = shapes::box({t, h, d}, 0.003f);
         cover.coords = cover.positions;
         for (Vec3f& c : cover.coords) c.y = (c.y + 0.5f * h) * 0.24f / h;
@@ -193,14 +207,19 @@ void fronts(Kit& k, int mat, int metal, float x0, float x1, float y0, float y1, 
                 else {
                     const float l = std::min(0.3f, 0.3f * fh);
                     k.rod(metal, {hx, cy - 0.5f * l, zh + 0.02f}, {hx, cy + 0.5f * l, zh + 0.02f}, 0.005f, -1, 8);
-                    for (const float s : {-0.4f, 0.4f}) k.rod(metal, {hx, cy + s * l, zh - 0.002f}, {hx, cy + s * l, zh + 0.02f}, 0.004f, -1, 8);
+                    for (const float s : {-0.4f, 0.4f})
+                        k.rod(metal, {hx, cy + s * l, zh - 0.002f}, {hx, cy + s * l, zh + 0.02f}, 0.004f, -1, 8);
                 }
             } else if (knobs) {
-                for (const float s : {-0.25f, 0.25f}) k.add(shapes::ball({cx + s * (fw > 0.5f ? fw : 0.f), cy, zh + 0.014f}, {0.013f, 0.013f, 0.014f}, 10), metal);
+                for (const float s : {-0.25f, 0.25f})
+                    k.add(
+                        shapes::ball({cx + s * (fw > 0.5f ? fw : 0.f), cy, zh + 0.014f}, {0.013f, 0.013f, 0.014f}, 10),
+                        metal);
             } else {
                 const float l = std::min(0.22f, 0.4f * fw);
                 k.rod(metal, {cx - 0.5f * l, cy, zh + 0.018f}, {cx + 0.5f * l, cy, zh + 0.018f}, 0.005f, -1, 8);
-                for (const float s : {-0.4f, 0.4f}) k.rod(metal, {cx + s * l, cy, zh - 0.002f}, {cx + s * l, cy, zh + 0.018f}, 0.004f, -1, 8);
+                for (const float s : {-0.4f, 0.4f})
+                    k.rod(metal, {cx + s * l, cy, zh - 0.002f}, {cx + s * l, cy, zh + 0.018f}, 0.004f, -1, 8);
             }
         }
 }
@@ -253,8 +272,8 @@ void merge_by_material(Piece& p) {
 
 std::vector<Entry> all_entries() {
     std::vector<Entry> all;
-    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(), themed(), on_walls(),
-                             window_covers(), extras(), upheaval(), wished(), keepsakes()})
+    for (const auto group : {seats(), beds(), bunks(), lounges(), tables(), fixtures(), lamps(), decor(), clutter(),
+                             themed(), on_walls(), window_covers(), extras(), upheaval(), wished(), keepsakes()})
         all.insert(all.end(), group.begin(), group.end());
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.klass < b.klass; });
     return all;
@@ -286,15 +305,21 @@ Piece make_piece(const PieceRequest& request) {
     throw Error("piece: expected a known class of furniture, found '{}'", request.klass);
 }
 
-bool lies_along_wall(std::string_view klass) { return is_one_of(klass, {"bunk_bed", "loft_bed", "cabin_bed", "daybed"}); }
+bool lies_along_wall(std::string_view klass) {
+    return is_one_of(klass, {"bunk_bed", "loft_bed", "cabin_bed", "daybed"});
+}
 bool is_bed(std::string_view klass) {
-    return lies_along_wall(klass) || is_one_of(klass, {"bed", "bed_single", "four_poster_bed", "canopy_bed", "floor_bed", "crib"});
+    return lies_along_wall(klass) ||
+           is_one_of(klass, {"bed", "bed_single", "four_poster_bed", "canopy_bed", "floor_bed", "crib"});
 }
 const std::vector<std::string>& easy_chairs() {
-    static const std::vector<std::string> names{"rocking_chair", "lounge_chair", "hanging_chair", "butterfly_chair", "bean_bag", "adirondack_chair"};
+    static const std::vector<std::string> names{"rocking_chair",   "lounge_chair", "hanging_chair",
+                                                "butterfly_chair", "bean_bag",     "adirondack_chair"};
     return names;
 }
-bool is_easy_chair(std::string_view klass) { return std::find(easy_chairs().begin(), easy_chairs().end(), klass) != easy_chairs().end(); }
+bool is_easy_chair(std::string_view klass) {
+    return std::find(easy_chairs().begin(), easy_chairs().end(), klass) != easy_chairs().end();
+}
 
 const std::vector<std::string>& piece_classes() {
     static const std::vector<std::string> names = [] {

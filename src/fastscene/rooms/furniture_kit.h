@@ -20,7 +20,7 @@ struct Kit {
     const Style& style;
     Random dice;
     Piece piece;
-    bool sized = false;                     // the builder has heeded the wished size itself
+    bool sized = false;  // the builder has heeded the wished size itself
 
     // Registers a material and returns its index.
     int material(Material m) {
@@ -52,9 +52,13 @@ struct Kit {
     void rod(int material_index, Vec3f a, Vec3f b, float ra, float rb = -1.f, int sides = 10) {
         add(shapes::rod(a, b, ra, rb < 0 ? ra : rb, sides), material_index);
     }
-    void top(float y, float cx, float cz, float half_x, float half_z) { piece.surfaces.push_back({{cx, y, cz}, {half_x, half_z}}); }
+    void top(float y, float cx, float cz, float half_x, float half_z) {
+        piece.surfaces.push_back({{cx, y, cz}, {half_x, half_z}});
+    }
     // Small things of the style on a top.
-    Vec3f accent() { return style.palette[static_cast<std::size_t>(dice.index(static_cast<int>(style.palette.size())))]; }
+    Vec3f accent() {
+        return style.palette[static_cast<std::size_t>(dice.index(static_cast<int>(style.palette.size())))];
+    }
     void merge(const Piece& other, Vec3f at, float turn_deg = 0.f);
     Piece small(std::string klass);
     // Wished extents in place of the usual ones.
@@ -70,14 +74,14 @@ struct Kit {
 Material plain(std::string name, Vec3f color, float roughness);
 Material glow(std::string name, Vec3f radiance);
 Material flame(std::string name, Vec3f radiance);  // glows at any hour
-Material tinted(Material m, Vec3f color);   // recolored, keeping the ratio of its second color
+Material tinted(Material m, Vec3f color);          // recolored, keeping the ratio of its second color
 Material glass();
 Material porcelain();
 // "velvet chairs", "leather stools": what was asked for covers a seat, and never its legs.
 bool is_upholstery(const std::string& material);
 Material steel();
-// What grows (furniture_decor.cc): a leaf's green, a little other each time; a leaf from `base` in direction `out` (unit, horizontal), rising by
-// `lift`, bending down by `droop`; the unit vector at this angle about y.
+// What grows (furniture_decor.cc): a leaf's green, a little other each time; a leaf from `base` in direction `out`
+// (unit, horizontal), rising by `lift`, bending down by `droop`; the unit vector at this angle about y.
 Material foliage(Kit& k, Vec3f tone, float scale);
 Mesh blade(Vec3f base, Vec3f out, float length, float width, float lift, float droop, float point);
 Vec3f around(float angle);
@@ -89,7 +93,8 @@ void legs(Kit& k, int material_index, float half_x, float half_z, float y, float
 // A row of books along +x from `at` (front face at z = at.z + depth), `length` wide; heights below max_height.
 void books(Kit& k, Vec3f at, float length, float max_height, float depth);
 // Fronts of doors or drawers on the plane z, over x0..x1, y0..y1, in the style's manner.
-void fronts(Kit& k, int material_index, int metal, float x0, float x1, float y0, float y1, float z, int columns, int rows);
+void fronts(Kit& k, int material_index, int metal, float x0, float x1, float y0, float y1, float z, int columns,
+            int rows);
 
 using Builder = void (*)(Kit&);
 struct Entry {
@@ -103,15 +108,18 @@ std::span<const Entry> lounges();   // seats of one form: chaise longue, bean ba
 std::span<const Entry> tables();    // tables, desks, shelves, cabinets
 std::span<const Entry> fixtures();  // kitchen, bathroom
 std::span<const Entry> lamps();
-std::span<const Entry> decor();     // plants, vases, pictures, textiles, the rest
-std::span<const Entry> clutter();   // cups, trays, frames, toys, kitchen things: what stands about
-std::span<const Entry> themed();    // what a theme of the prompt brings: a sea chest, a ship, a player's computer
-std::span<const Entry> on_walls();  // boards, hangings, trophies, maps, signs
+std::span<const Entry> decor();          // plants, vases, pictures, textiles, the rest
+std::span<const Entry> clutter();        // cups, trays, frames, toys, kitchen things: what stands about
+std::span<const Entry> themed();         // what a theme of the prompt brings: a sea chest, a ship, a player's computer
+std::span<const Entry> on_walls();       // boards, hangings, trophies, maps, signs
 std::span<const Entry> window_covers();  // blinds, shutters
-std::span<const Entry> extras();    // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
+std::span<const Entry>
+extras();  // hanging plants, cacti, lanterns, tall clocks, play tents: stands or hangs only when asked for
 std::span<const Entry> upheaval();  // decay, renovation, untidiness: what lies about on floors
-std::span<const Entry> keepsakes();  // a dog, a typewriter, bunting, garlands, hooks with coats: what people love and hang up
-std::span<const Entry> wished();    // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
+std::span<const Entry>
+keepsakes();  // a dog, a typewriter, bunting, garlands, hooks with coats: what people love and hang up
+std::span<const Entry>
+wished();  // what nobody has who does not ask for it: a Christmas tree, a hammock, pipes, cobwebs
 
 inline constexpr float kTau = 2 * kPi;
 

@@ -8,10 +8,13 @@
 namespace fastscene::furniture {
 namespace {
 
-// A shade of the style's family whose lower rim is at y, radius r; the light of the bulb inside. `paper`: what a paper shade is made of.
+// A shade of the style's family whose lower rim is at y, radius r; the light of the bulb inside. `paper`: what a paper
+// shade is made of.
 void lamp_head(Kit& k, float y, float r, bool hanging, LampFamily family, int paper = -1) {
     const Vec3f light = k.style.lamp_light;
-    const auto bulb = [&](float by, float br) { k.add(shapes::ball({0, by, 0}, {br, br, br}, 14), k.material(glow("bulb", light * 1.6f))); };
+    const auto bulb = [&](float by, float br) {
+        k.add(shapes::ball({0, by, 0}, {br, br, br}, 14), k.material(glow("bulb", light * 1.6f)));
+    };
     Material cloth = plain("lamp shade", {0.75f, 0.68f, 0.55f}, 0.9f);
     cloth.transmission = 0.55f;
     cloth.emission = light * 0.16f;
@@ -50,15 +53,25 @@ void lamp_head(Kit& k, float y, float r, bool hanging, LampFamily family, int pa
             bulb(y + 0.5f * r, 0.045f);
             for (int i = 0; i < 6; ++i) {
                 const float a = 1.0472f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
-                const std::array<Vec3f, 4> wire{Vec3f{0.55f * r * c, y, 0.55f * r * s}, {0.85f * r * c, y + 0.45f * r, 0.85f * r * s}, {0.55f * r * c, y + 0.95f * r, 0.55f * r * s}, {0.15f * r * c, y + 1.15f * r, 0.15f * r * s}};
+                const std::array<Vec3f, 4> wire{Vec3f{0.55f * r * c, y, 0.55f * r * s},
+                                                {0.85f * r * c, y + 0.45f * r, 0.85f * r * s},
+                                                {0.55f * r * c, y + 0.95f * r, 0.55f * r * s},
+                                                {0.15f * r * c, y + 1.15f * r, 0.15f * r * s}};
                 k.add(shapes::tube(wire, 0.003f, 6), metal);
             }
-            for (const Vec2f ry : {Vec2f{0.55f, 0.f}, {0.85f, 0.45f}}) k.add(shapes::ring(ry.x * r, 0.006f, 24), metal, {0, y + ry.y * r, 0});
+            for (const Vec2f ry : {Vec2f{0.55f, 0.f}, {0.85f, 0.45f}})
+                k.add(shapes::ring(ry.x * r, 0.006f, 24), metal, {0, y + ry.y * r, 0});
             k.rod(metal, {0, y + 0.7f * r, 0}, {0, y + 1.2f * r, 0}, 0.025f, 0.02f);
             break;
         }
         case LampFamily::dome: {
-            const std::array<Vec2f, 7> p{Vec2f{r, y}, {0.97f * r, y + 0.2f * r}, {0.85f * r, y + 0.45f * r}, {0.62f * r, y + 0.68f * r}, {0.34f * r, y + 0.82f * r}, {0.1f * r, y + 0.88f * r}, {0.05f * r, y + 1.f * r}};
+            const std::array<Vec2f, 7> p{Vec2f{r, y},
+                                         {0.97f * r, y + 0.2f * r},
+                                         {0.85f * r, y + 0.45f * r},
+                                         {0.62f * r, y + 0.68f * r},
+                                         {0.34f * r, y + 0.82f * r},
+                                         {0.1f * r, y + 0.88f * r},
+                                         {0.05f * r, y + 1.f * r}};
             k.add(shapes::shade(p, 36), k.piece.main_material);
             bulb(y + 0.35f * r, 0.05f);
             break;
@@ -68,7 +81,8 @@ void lamp_head(Kit& k, float y, float r, bool hanging, LampFamily family, int pa
 void lamp_head(Kit& k, float y, float r, bool hanging) { lamp_head(k, y, r, hanging, k.style.lamp); }
 int lamp_metal(Kit& k) { return k.main(k.style.metal); }
 
-// "brass pendant lights", "a black pendant": the shade is, not the cord alone; of glass it is a globe, of paper a lantern.
+// "brass pendant lights", "a black pendant": the shade is, not the cord alone; of glass it is a globe, of paper a
+// lantern.
 LampFamily shade_asked(const Kit& k) {
     if (k.style.lamp == LampFamily::cage) return k.style.lamp;
     const auto asked = k.request.material.empty() ? std::nullopt : material_named(k.request.material);
@@ -88,23 +102,28 @@ void arc_lamp(Kit& k) {
     std::vector<Vec3f> bow;
     for (int i = 0; i <= 16; ++i) {
         const float t = static_cast<float>(i) / 16.f;
-        bow.push_back({-0.42f + 0.84f * (1.f - std::cos(1.5708f * t)), 0.06f + 1.72f * std::sin(1.5708f * std::min(1.f, 1.02f * t)), 0});
+        bow.push_back({-0.42f + 0.84f * (1.f - std::cos(1.5708f * t)),
+                       0.06f + 1.72f * std::sin(1.5708f * std::min(1.f, 1.02f * t)), 0});
     }
     k.add(shapes::tube(bow, 0.011f, 10), metal);
     const Vec3f tip = bow.back();
     k.rod(metal, tip, tip - Vec3f{0, 0.1f, 0}, 0.008f);
-    const std::array<Vec2f, 5> p{Vec2f{0.17f, -0.26f}, {0.165f, -0.2f}, {0.13f, -0.14f}, {0.07f, -0.1f}, {0.02f, -0.09f}};
+    const std::array<Vec2f, 5> p{
+        Vec2f{0.17f, -0.26f}, {0.165f, -0.2f}, {0.13f, -0.14f}, {0.07f, -0.1f}, {0.02f, -0.09f}};
     k.add(shapes::shade(p, 32), metal, tip);
-    k.add(shapes::ball(tip - Vec3f{0, 0.2f, 0}, {0.05f, 0.05f, 0.05f}), k.material(glow("bulb", k.style.lamp_light * 1.4f)));
+    k.add(shapes::ball(tip - Vec3f{0, 0.2f, 0}, {0.05f, 0.05f, 0.05f}),
+          k.material(glow("bulb", k.style.lamp_light * 1.4f)));
 }
 void floor_lamp(Kit& k) {
-    if (form_for(k, {{"modern", 1, 0}, {"mid-century", 0, 1}, {"art deco", 0, 1}, {"industrial", 0, 1}}, 0) == 1) return arc_lamp(k);
+    if (form_for(k, {{"modern", 1, 0}, {"mid-century", 0, 1}, {"art deco", 0, 1}, {"industrial", 0, 1}}, 0) == 1)
+        return arc_lamp(k);
     const int metal = lamp_metal(k);
     if (k.style.legs == LegType::tapered || k.style.legs == LegType::splayed) {
         const int wood = k.material(k.style.wood);
         for (int i = 0; i < 3; ++i) {
             const float a = 2.0944f * static_cast<float>(i) + 0.3f;
-            k.rod(wood, {0.26f * std::cos(a), 0, 0.26f * std::sin(a)}, {0.02f * std::cos(a), 1.26f, 0.02f * std::sin(a)}, 0.011f, 0.016f);
+            k.rod(wood, {0.26f * std::cos(a), 0, 0.26f * std::sin(a)},
+                  {0.02f * std::cos(a), 1.26f, 0.02f * std::sin(a)}, 0.011f, 0.016f);
         }
         k.rod(metal, {0, 1.22f, 0}, {0, 1.36f, 0}, 0.02f);
     } else {
@@ -122,7 +141,8 @@ void table_lamp(Kit& k) {
         k.rod(body, {0, 0.02f, 0}, {0, 0.3f, 0}, 0.009f);
     } else {
         const float b = kind == 1 ? 0.085f : 0.06f;
-        const std::array<Vec2f, 8> p{Vec2f{0.05f, 0}, {0.06f, 0.01f}, {b, 0.07f}, {b * 1.05f, 0.11f}, {b * 0.7f, 0.19f}, {0.022f, 0.235f}, {0.02f, 0.26f}, {0.012f, 0.3f}};
+        const std::array<Vec2f, 8> p{Vec2f{0.05f, 0},   {0.06f, 0.01f},   {b, 0.07f},     {b * 1.05f, 0.11f},
+                                     {b * 0.7f, 0.19f}, {0.022f, 0.235f}, {0.02f, 0.26f}, {0.012f, 0.3f}};
         k.add(shapes::lathe(shapes::curve(p, 3), 28, true), body);
     }
     lamp_head(k, 0.27f, 0.135f, false);
@@ -144,7 +164,8 @@ void ceiling_lamp(Kit& k) {
     k.add(shapes::ring(0.203f, 0.007f, 40), metal, {0, -0.036f, 0});
     Material milk = plain("opal glass", {0.8f, 0.78f, 0.74f}, 0.2f);
     milk.emission = k.style.lamp_light * 0.7f;
-    const std::array<Vec2f, 6> p{Vec2f{0, -0.1f}, {0.1f, -0.095f}, {0.16f, -0.08f}, {0.192f, -0.055f}, {0.2f, -0.036f}, {0.19f, -0.019f}};
+    const std::array<Vec2f, 6> p{Vec2f{0, -0.1f},   {0.1f, -0.095f}, {0.16f, -0.08f},
+                                 {0.192f, -0.055f}, {0.2f, -0.036f}, {0.19f, -0.019f}};
     k.add(shapes::lathe(p, 40, true), k.material(milk));
     k.piece.mount = Mount::ceiling;
 }
@@ -156,11 +177,13 @@ Material cut_glass(const Kit& k) {
     return m;
 }
 
-// A frame of metal, all hung with cut glass: strings of beads from the crown to the arms, drops below them, a basket that ends in a ball.
+// A frame of metal, all hung with cut glass: strings of beads from the crown to the arms, drops below them, a basket
+// that ends in a ball.
 void crystal_chandelier(Kit& k) {
     const int crystal = k.piece.main_material = k.material(cut_glass(k)),
-              metal = k.material(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("chrome")), clear = k.material(glass()),
-              sleeve = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)), flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
+              metal = k.material(k.style.metal.metal > 0.5f ? k.style.metal : *material_named("chrome")),
+              clear = k.material(glass()), sleeve = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)),
+              flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
     k.add(shapes::prism(shapes::circle(0.065f, 28), -0.03f, 0.f), metal);
     k.rod(metal, {0, -0.78f, 0}, {0, -0.02f, 0}, 0.006f);
     Mesh beads, drops;
@@ -168,7 +191,8 @@ void crystal_chandelier(Kit& k) {
     // Faceted, six sides, its point down.
     const auto drop = [&](Vec3f at, float high) {
         const float r = 0.26f * high;
-        const std::array<Vec2f, 5> p{Vec2f{0.f, -high}, {0.7f * r, -0.72f * high}, {r, -0.5f * high}, {0.35f * r, -0.12f * high}, {0.f, 0.f}};
+        const std::array<Vec2f, 5> p{
+            Vec2f{0.f, -high}, {0.7f * r, -0.72f * high}, {r, -0.5f * high}, {0.35f * r, -0.12f * high}, {0.f, 0.f}};
         Mesh m = shapes::lathe(p, 6, false);
         shapes::append(drops, shapes::move(m, at));
     };
@@ -178,7 +202,8 @@ void crystal_chandelier(Kit& k) {
             bead(lerp(a, b, t) - Vec3f{0, sag * 4 * t * (1 - t), 0}, 0.0085f);
         }
     };
-    for (const float y : {-0.2f, -0.3f, -0.44f, -0.62f}) k.add(shapes::ball({0, y, 0}, {0.032f, 0.04f, 0.032f}, 12), clear);
+    for (const float y : {-0.2f, -0.3f, -0.44f, -0.62f})
+        k.add(shapes::ball({0, y, 0}, {0.032f, 0.04f, 0.032f}, 12), clear);
     const auto ring = [&](float y, float r) { k.add(shapes::ring(r, 0.005f, 36), metal, {0, y, 0}); };
     ring(-0.24f, 0.11f), ring(-0.7f, 0.2f), ring(-0.79f, 0.11f);
     constexpr int kArms = 8;
@@ -199,7 +224,9 @@ void crystal_chandelier(Kit& k) {
         k.rod(sleeve, tip, tip + Vec3f{0, 0.085f, 0}, 0.011f);
         k.add(shapes::ball(tip + Vec3f{0, 0.112f, 0}, {0.013f, 0.03f, 0.013f}, 10), flame);
         for (int j = 0; j < 5; ++j)
-            drop(tip + Vec3f{0.042f * std::cos(1.2566f * static_cast<float>(j)), 0.004f, 0.042f * std::sin(1.2566f * static_cast<float>(j))}, 0.055f);
+            drop(tip + Vec3f{0.042f * std::cos(1.2566f * static_cast<float>(j)), 0.004f,
+                             0.042f * std::sin(1.2566f * static_cast<float>(j))},
+                 0.055f);
         string(at(i, kArms, 0.11f, -0.25f), tip + Vec3f{0, 0.012f, 0}, 0.1f, 22);
         string(tip, at(i + 1, kArms, 0.4f, tip.y), 0.07f, 14);
         drop(lerp(tip, at(i + 1, kArms, 0.4f, tip.y), 0.5f) - Vec3f{0, 0.075f, 0}, 0.07f);
@@ -207,8 +234,10 @@ void crystal_chandelier(Kit& k) {
     }
     // The crown's fringe and the basket below.
     for (int i = 0; i < 14; ++i) drop(at(i, 14, 0.11f, -0.245f), 0.06f);
-    for (int i = 0; i < 18; ++i) drop(at(i, 18, 0.2f, -0.705f), 0.075f), string(at(i, 18, 0.2f, -0.7f), at(i, 18, 0.11f, -0.79f), 0.02f, 6);
-    for (int i = 0; i < 12; ++i) drop(at(i, 12, 0.11f, -0.795f), 0.065f), string(at(i, 12, 0.11f, -0.79f), at(i, 12, 0.02f, -0.86f), 0.015f, 5);
+    for (int i = 0; i < 18; ++i)
+        drop(at(i, 18, 0.2f, -0.705f), 0.075f), string(at(i, 18, 0.2f, -0.7f), at(i, 18, 0.11f, -0.79f), 0.02f, 6);
+    for (int i = 0; i < 12; ++i)
+        drop(at(i, 12, 0.11f, -0.795f), 0.065f), string(at(i, 12, 0.11f, -0.79f), at(i, 12, 0.02f, -0.86f), 0.015f, 5);
     k.add(shapes::ball({0, -0.9f, 0}, {0.035f, 0.035f, 0.035f}, 14), clear);
     bead({0, -0.945f, 0}, 0.012f);
     k.add(std::move(beads), crystal);
@@ -221,7 +250,8 @@ void chandelier(Kit& k) {
               flame = k.material(glow("bulb", k.style.lamp_light * 1.6f));
     k.add(shapes::prism(shapes::circle(0.06f, 24), -0.03f, 0.f), metal);
     k.rod(metal, {0, -0.55f, 0}, {0, -0.02f, 0}, 0.007f);
-    const std::array<Vec2f, 9> p{Vec2f{0, -0.9f}, {0.02f, -0.88f}, {0.03f, -0.85f}, {0.015f, -0.81f}, {0.05f, -0.75f}, {0.055f, -0.7f}, {0.02f, -0.63f}, {0.03f, -0.58f}, {0.008f, -0.52f}};
+    const std::array<Vec2f, 9> p{Vec2f{0, -0.9f}, {0.02f, -0.88f}, {0.03f, -0.85f}, {0.015f, -0.81f}, {0.05f, -0.75f},
+                                 {0.055f, -0.7f}, {0.02f, -0.63f}, {0.03f, -0.58f}, {0.008f, -0.52f}};
     k.add(shapes::lathe(p, 20, true), metal);
     for (int i = 0; i < 8; ++i) {
         const float a = 0.7854f * static_cast<float>(i), c = std::cos(a), s = std::sin(a);
@@ -264,19 +294,23 @@ void wall_lamp(Kit& k) {
             for (int j = 0; j < 6; ++j) {
                 const float t = static_cast<float>(j) / 6.f;
                 const Vec3f a = p[i > 0 ? i - 1 : 0], b = p[i], c = p[i + 1], d = p[std::min(i + 2, p.size() - 1)];
-                path.push_back((b * 2.f + (c - a) * t + (a * 2.f - b * 5.f + c * 4.f - d) * (t * t) + (b * 3.f - a - c * 3.f + d) * (t * t * t)) * 0.5f);
+                path.push_back((b * 2.f + (c - a) * t + (a * 2.f - b * 5.f + c * 4.f - d) * (t * t) +
+                                (b * 3.f - a - c * 3.f + d) * (t * t * t)) *
+                               0.5f);
             }
         path.push_back(p.back());
         k.add(shapes::tube(path, r, 10), metal);
     };
     const auto cup = [&](Vec3f at, float r) {
-        const std::array<Vec2f, 5> p{Vec2f{0.3f * r, -0.02f}, {0.55f * r, -0.012f}, {r, 0.004f}, {r, 0.01f}, {0.6f * r, 0.012f}};
+        const std::array<Vec2f, 5> p{
+            Vec2f{0.3f * r, -0.02f}, {0.55f * r, -0.012f}, {r, 0.004f}, {r, 0.01f}, {0.6f * r, 0.012f}};
         k.add(shapes::lathe(p, 24), metal, at);
     };
     switch (k.style.lamp) {
         case LampFamily::drum:
             wall_rose(k, metal, 0.06f, 0.055f);
-            arm({{0, 0.06f, 0.01f}, {0, 0.05f, 0.07f}, {0, 0.045f, 0.115f}, {0, 0.07f, 0.13f}, {0, 0.13f, 0.13f}}, 0.007f);
+            arm({{0, 0.06f, 0.01f}, {0, 0.05f, 0.07f}, {0, 0.045f, 0.115f}, {0, 0.07f, 0.13f}, {0, 0.13f, 0.13f}},
+                0.007f);
             before_wall(k, 0, 0.13f, [&] { lamp_head(k, 0.12f, 0.095f, false); });
             break;
         case LampFamily::globe:
@@ -300,11 +334,23 @@ void wall_lamp(Kit& k) {
                 for (const float z : {z0, z1}) k.board(wood, {sx * 0.5f * w, 0, z}, {bar, h, bar}, 0.002f);
             for (const float y : {0.f, 0.34f * h, 0.67f * h, h - bar}) {
                 for (const float z : {z0, z1}) k.board(wood, {0, y, z}, {w, 0.7f * bar, 0.8f * bar}, 0.002f);
-                for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * 0.5f * w, y, 0.5f * (z0 + z1)}, {0.8f * bar, 0.7f * bar, d}, 0.002f);
+                for (const float sx : {-1.f, 1.f})
+                    k.board(wood, {sx * 0.5f * w, y, 0.5f * (z0 + z1)}, {0.8f * bar, 0.7f * bar, d}, 0.002f);
             }
-            for (const float sx : {-1.f, 1.f}) k.add(shapes::sheet(1, 1, [&](float u, float v) { return Vec3f{sx * 0.49f * w, h * v, sx > 0 ? std::lerp(z1, z0, u) : std::lerp(z0, z1, u)}; }), paper);
-            k.add(shapes::sheet(1, 1, [&](float u, float v) { return Vec3f{w * (u - 0.5f), h * v, z1 - 0.002f}; }), paper);
-            k.add(shapes::ball({0, 0.5f * h, 0.5f * (z0 + z1)}, {0.022f, 0.05f, 0.022f}, 14), k.material(glow("bulb", light * 1.6f)));
+            for (const float sx : {-1.f, 1.f})
+                k.add(shapes::sheet(
+                          1, 1,
+                          [&](float u, float v) {
+                              return Vec3f{sx * 0.49f * w, h * v, sx > 0 ? std::lerp(z1, z0, u) : std::lerp(z0, z1, u)};
+                          }),
+                      paper);
+            k.add(shapes::sheet(1, 1,
+                                [&](float u, float v) {
+                                    return Vec3f{w * (u - 0.5f), h * v, z1 - 0.002f};
+                                }),
+                  paper);
+            k.add(shapes::ball({0, 0.5f * h, 0.5f * (z0 + z1)}, {0.022f, 0.05f, 0.022f}, 14),
+                  k.material(glow("bulb", light * 1.6f)));
             break;
         }
         case LampFamily::cage:
@@ -313,14 +359,27 @@ void wall_lamp(Kit& k) {
             const bool barn = k.style.lamp == LampFamily::cage;
             const float out = barn ? 0.2f : 0.16f, r = barn ? 0.115f : 0.085f, high = barn ? 0.2f : 0.15f;
             wall_rose(k, metal, high, 0.05f);
-            arm({{0, high, 0.01f}, {0, high + 0.01f, 0.05f}, {0, high + 0.1f, 0.5f * out}, {0, high + 0.07f, 0.95f * out}, {0, high - 0.03f, out}}, 0.008f);
-            const std::array<Vec2f, 7> p{Vec2f{r, 0}, {0.97f * r, 0.2f * r}, {0.85f * r, 0.45f * r}, {0.62f * r, 0.68f * r}, {0.34f * r, 0.86f * r}, {0.2f * r, 1.f * r}, {0.17f * r, 1.35f * r}};
+            arm({{0, high, 0.01f},
+                 {0, high + 0.01f, 0.05f},
+                 {0, high + 0.1f, 0.5f * out},
+                 {0, high + 0.07f, 0.95f * out},
+                 {0, high - 0.03f, out}},
+                0.008f);
+            const std::array<Vec2f, 7> p{Vec2f{r, 0},
+                                         {0.97f * r, 0.2f * r},
+                                         {0.85f * r, 0.45f * r},
+                                         {0.62f * r, 0.68f * r},
+                                         {0.34f * r, 0.86f * r},
+                                         {0.2f * r, 1.f * r},
+                                         {0.17f * r, 1.35f * r}};
             k.add(shapes::shade(p, 36), metal, {0, high - 0.03f - 1.3f * r, out});
-            k.add(shapes::ball({0, high - 0.03f - 0.95f * r, out}, {0.032f, 0.038f, 0.032f}, 16), k.material(glow("bulb", light * 1.8f)));
+            k.add(shapes::ball({0, high - 0.03f - 0.95f * r, out}, {0.032f, 0.038f, 0.032f}, 16),
+                  k.material(glow("bulb", light * 1.8f)));
             break;
         }
         case LampFamily::candelabra: {
-            const int wax = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)), flame_bulb = k.material(glow("bulb", light * 1.7f));
+            const int wax = k.material(plain("candle sleeve", {0.75f, 0.72f, 0.64f}, 0.6f)),
+                      flame_bulb = k.material(glow("bulb", light * 1.7f));
             // A tall plate with a drop below and a ball above, an arm to each side.
             std::vector<Vec2f> plate;
             for (int i = 0; i < 40; ++i) {
@@ -334,7 +393,12 @@ void wall_lamp(Kit& k) {
             k.add(shapes::ball({0, 0.018f, 0.012f}, {0.014f, 0.022f, 0.011f}, 14), metal);
             k.add(shapes::ball({0, 0.11f, 0.022f}, {0.022f, 0.022f, 0.02f}, 16), metal);
             for (const float sx : {-1.f, 1.f}) {
-                arm({{0, 0.11f, 0.022f}, {sx * 0.035f, 0.075f, 0.055f}, {sx * 0.085f, 0.065f, 0.09f}, {sx * 0.115f, 0.105f, 0.1f}, {sx * 0.115f, 0.14f, 0.1f}}, 0.006f);
+                arm({{0, 0.11f, 0.022f},
+                     {sx * 0.035f, 0.075f, 0.055f},
+                     {sx * 0.085f, 0.065f, 0.09f},
+                     {sx * 0.115f, 0.105f, 0.1f},
+                     {sx * 0.115f, 0.14f, 0.1f}},
+                    0.006f);
                 const Vec3f tip{sx * 0.115f, 0.145f, 0.1f};
                 cup(tip, 0.032f);
                 k.rod(wax, tip + Vec3f{0, 0.008f, 0}, tip + Vec3f{0, 0.085f, 0}, 0.011f);
@@ -348,7 +412,8 @@ void wall_lamp(Kit& k) {
 }
 // A ball of rice paper on a cord.
 void paper_lantern(Kit& k) {
-    const float drop = k.request.size_m.y > 0.4f ? k.request.size_m.y : 0.8f * k.request.size_factor, r = 0.24f * k.request.size_factor;
+    const float drop = k.request.size_m.y > 0.4f ? k.request.size_m.y : 0.8f * k.request.size_factor,
+                r = 0.24f * k.request.size_factor;
     k.sized = true;
     Material rice = plain("rice paper", {0.76f, 0.72f, 0.62f}, 0.9f);
     rice.transmission = 0.55f;
@@ -373,16 +438,19 @@ void bulb_pendant(Kit& k) {
     const int count = k.request.pattern == "single" ? 1 : 3;
     k.add(shapes::prism(shapes::circle(count > 1 ? 0.09f : 0.05f, 32), -0.025f, 0.f), metal);
     for (int i = 0; i < count; ++i) {
-        const float a = 2.0944f * static_cast<float>(i) + 0.4f, out = count > 1 ? 0.14f : 0.f, y = -drop + 0.16f * static_cast<float>(i);
+        const float a = 2.0944f * static_cast<float>(i) + 0.4f, out = count > 1 ? 0.14f : 0.f,
+                    y = -drop + 0.16f * static_cast<float>(i);
         const Vec3f at{out * std::cos(a), y, out * std::sin(a)}, rose{0.45f * at.x, -0.02f, 0.45f * at.z};
         const std::array<Vec3f, 4> path{rose, rose - Vec3f{0, 0.03f, 0}, {at.x, -0.12f, at.z}, at + Vec3f{0, 0.18f, 0}};
         k.add(shapes::tube(path, 0.0035f, 6), cord);
         k.rod(metal, at + Vec3f{0, 0.125f, 0}, at + Vec3f{0, 0.19f, 0}, 0.021f, 0.016f, 20);
-        const std::array<Vec2f, 7> p{Vec2f{0.f, 0.f}, {0.02f, 0.004f}, {0.036f, 0.022f}, {0.042f, 0.05f}, {0.036f, 0.08f}, {0.024f, 0.108f}, {0.016f, 0.13f}};
+        const std::array<Vec2f, 7> p{Vec2f{0.f, 0.f}, {0.02f, 0.004f},  {0.036f, 0.022f}, {0.042f, 0.05f},
+                                     {0.036f, 0.08f}, {0.024f, 0.108f}, {0.016f, 0.13f}};
         k.add(shapes::lathe(shapes::curve(p, 2), 24, true), envelope, at);
         for (int j = 0; j < 5; ++j) {
             const float b = 1.2566f * static_cast<float>(j), r = 0.013f;
-            k.rod(thread, at + Vec3f{r * std::cos(b), 0.03f, r * std::sin(b)}, at + Vec3f{0.5f * r * std::cos(b + 0.6f), 0.09f, 0.5f * r * std::sin(b + 0.6f)}, 0.0022f, -1, 6);
+            k.rod(thread, at + Vec3f{r * std::cos(b), 0.03f, r * std::sin(b)},
+                  at + Vec3f{0.5f * r * std::cos(b + 0.6f), 0.09f, 0.5f * r * std::sin(b + 0.6f)}, 0.0022f, -1, 6);
         }
     }
     k.piece.mount = Mount::ceiling;
@@ -394,26 +462,33 @@ void track_light(Kit& k) {
     k.board(metal, {0, -0.03f, 0}, {s.x, 0.03f, 0.035f}, 0.003f);
     const int heads = std::max(2, static_cast<int>(std::lround(s.x / 0.36f)));
     for (int i = 0; i < heads; ++i) {
-        const float x = s.x * ((static_cast<float>(i) + 0.5f) / static_cast<float>(heads) - 0.5f), side = i % 2 == 0 ? 1.f : -1.f;
-        const Vec3f joint{x, -0.075f, 0}, aim = normalize(Vec3f{0.25f * (static_cast<float>(i % 3) - 1.f), -1.f, 0.55f * side});
+        const float x = s.x * ((static_cast<float>(i) + 0.5f) / static_cast<float>(heads) - 0.5f),
+                    side = i % 2 == 0 ? 1.f : -1.f;
+        const Vec3f joint{x, -0.075f, 0},
+            aim = normalize(Vec3f{0.25f * (static_cast<float>(i % 3) - 1.f), -1.f, 0.55f * side});
         k.rod(metal, {x, -0.03f, 0}, joint, 0.01f);
         k.rod(metal, joint - aim * 0.03f, joint + aim * 0.11f, 0.034f, -1, 24);
         k.rod(lens, joint + aim * 0.1105f, joint + aim * 0.113f, 0.027f, -1, 20);
     }
     k.piece.mount = Mount::ceiling;
 }
-// Blades about a motor on a short rod, an opal glass below it. Slim blades of three where rooms are sober, five of wood elsewhere, leaves of cane in the south.
+// Blades about a motor on a short rod, an opal glass below it. Slim blades of three where rooms are sober, five of wood
+// elsewhere, leaves of cane in the south.
 void ceiling_fan(Kit& k) {
-    const bool cane = k.style.lamp == LampFamily::paper || k.style.name == "mediterranean", slim = k.style.name == "modern" || k.style.name == "japandi" || k.style.name == "industrial";
+    const bool cane = k.style.lamp == LampFamily::paper || k.style.name == "mediterranean",
+               slim = k.style.name == "modern" || k.style.name == "japandi" || k.style.name == "industrial";
     const float reach = 0.62f * k.request.size_factor;
     k.sized = true;
-    Material wood = cane && !slim ? *material_named("rattan") : k.style.name == "industrial" ? k.style.metal : k.style.wood;
+    Material wood = cane && !slim                  ? *material_named("rattan")
+                    : k.style.name == "industrial" ? k.style.metal
+                                                   : k.style.wood;
     const int blade = k.main(wood), metal = k.material(k.style.metal);
-    const float hub = -0.27f;   // the blades' height
+    const float hub = -0.27f;  // the blades' height
     const std::array<Vec2f, 4> rose{Vec2f{0.02f, -0.065f}, {0.045f, -0.055f}, {0.07f, -0.015f}, {0.07f, 0.f}};
     k.add(shapes::lathe(shapes::curve(rose, 3), 32), metal);
     k.rod(metal, {0, hub + 0.06f, 0}, {0, -0.05f, 0}, 0.012f);
-    const std::array<Vec2f, 8> motor{Vec2f{0.06f, -0.075f}, {0.085f, -0.07f}, {0.1f, -0.045f}, {0.115f, -0.02f}, {0.115f, 0.02f}, {0.1f, 0.05f}, {0.06f, 0.07f}, {0.02f, 0.085f}};
+    const std::array<Vec2f, 8> motor{Vec2f{0.06f, -0.075f}, {0.085f, -0.07f}, {0.1f, -0.045f}, {0.115f, -0.02f},
+                                     {0.115f, 0.02f},       {0.1f, 0.05f},    {0.06f, 0.07f},  {0.02f, 0.085f}};
     k.add(shapes::lathe(shapes::curve(motor, 2), 40), metal, {0, hub, 0});
     const int blades = slim ? 3 : 5;
     for (int i = 0; i < blades; ++i) {
@@ -421,7 +496,9 @@ void ceiling_fan(Kit& k) {
         // Pitched, rounded at its end; a leaf is widest in its middle.
         Mesh m = shapes::slab(6, 20, 0.007f, [&](float u, float v) {
             const float end = v > 0.9f ? std::sqrt(std::max(0.f, 1.f - 100.f * (v - 0.9f) * (v - 0.9f))) : 1.f;
-            const float leaf = cane && !slim ? 0.075f + 0.13f * std::sin(kPi * std::min(1.f, 0.08f + 0.92f * v)) : slim ? std::lerp(0.15f, 0.1f, v) : std::lerp(0.115f, 0.145f, v);
+            const float leaf = cane && !slim ? 0.075f + 0.13f * std::sin(kPi * std::min(1.f, 0.08f + 0.92f * v))
+                               : slim        ? std::lerp(0.15f, 0.1f, v)
+                                             : std::lerp(0.115f, 0.145f, v);
             const float across = (0.5f - u) * leaf * std::max(end, 0.02f);
             return Vec3f{across, 0.2f * across, from + (reach - from) * v};
         });
@@ -436,14 +513,18 @@ void ceiling_fan(Kit& k) {
     Material milk = plain("opal glass", {0.8f, 0.78f, 0.74f}, 0.2f);
     milk.emission = k.style.lamp_light * 0.75f;
     const float r = slim ? 0.085f : 0.11f, deep = slim ? 0.03f : 0.075f;
-    const std::array<Vec2f, 5> bowl{Vec2f{0.f, -deep}, {0.55f * r, -0.93f * deep}, {0.88f * r, -0.6f * deep}, {r, -0.15f * deep}, {r, 0.f}};
+    const std::array<Vec2f, 5> bowl{
+        Vec2f{0.f, -deep}, {0.55f * r, -0.93f * deep}, {0.88f * r, -0.6f * deep}, {r, -0.15f * deep}, {r, 0.f}};
     k.add(shapes::lathe(shapes::curve(bowl, 3), 40, true), k.material(milk), {0, hub - 0.085f, 0});
     k.add(shapes::ring(r + 0.003f, 0.007f, 40), metal, {0, hub - 0.083f, 0});
     k.piece.mount = Mount::ceiling;
 }
 
-constexpr Entry kLamps[] = {{"floor_lamp", floor_lamp}, {"table_lamp", table_lamp}, {"pendant_lamp", pendant_lamp}, {"ceiling_lamp", ceiling_lamp}, {"chandelier", chandelier},
-                            {"wall_lamp", wall_lamp}, {"paper_lantern", paper_lantern}, {"bulb_pendant", bulb_pendant}, {"track_light", track_light}, {"ceiling_fan", ceiling_fan}};
+constexpr Entry kLamps[] = {{"floor_lamp", floor_lamp},       {"table_lamp", table_lamp},
+                            {"pendant_lamp", pendant_lamp},   {"ceiling_lamp", ceiling_lamp},
+                            {"chandelier", chandelier},       {"wall_lamp", wall_lamp},
+                            {"paper_lantern", paper_lantern}, {"bulb_pendant", bulb_pendant},
+                            {"track_light", track_light},     {"ceiling_fan", ceiling_fan}};
 
 }  // namespace
 

@@ -29,13 +29,20 @@ void round_table(Kit& k, float d, float y, float thick) {
     const int wood = k.main(k.style.wood, k.request.holder_material != kTableCloth), leg = leg_material(k, wood);
     k.add(shapes::prism(shapes::circle(0.5f * d, 48), y - thick, y, 0.006f), wood);
     if (y > 0.6f && k.style.legs != LegType::splayed) {
-        const std::array<Vec2f, 8> p{Vec2f{0.26f * d, 0}, {0.26f * d, 0.025f}, {0.06f * d, 0.06f}, {0.04f * d, 0.2f * y}, {0.05f * d, 0.5f * y}, {0.04f * d, 0.8f * y}, {0.12f * d, y - thick - 0.01f}, {0.12f * d, y - thick + 0.002f}};
+        const std::array<Vec2f, 8> p{Vec2f{0.26f * d, 0},
+                                     {0.26f * d, 0.025f},
+                                     {0.06f * d, 0.06f},
+                                     {0.04f * d, 0.2f * y},
+                                     {0.05f * d, 0.5f * y},
+                                     {0.04f * d, 0.8f * y},
+                                     {0.12f * d, y - thick - 0.01f},
+                                     {0.12f * d, y - thick + 0.002f}};
         k.add(shapes::lathe(p, 32), leg);
     } else {
         for (int i = 0; i < 3; ++i) {
             const float a = 2.0944f * static_cast<float>(i) + 0.5f;
-            k.rod(leg, {0.42f * d * std::cos(a), 0, 0.42f * d * std::sin(a)}, {0.3f * d * std::cos(a), y - thick + 0.002f, 0.3f * d * std::sin(a)},
-                  0.012f, 0.02f);
+            k.rod(leg, {0.42f * d * std::cos(a), 0, 0.42f * d * std::sin(a)},
+                  {0.3f * d * std::cos(a), y - thick + 0.002f, 0.3f * d * std::sin(a)}, 0.012f, 0.02f);
         }
     }
     k.top(y, 0, 0, 0.33f * d, 0.33f * d);
@@ -69,8 +76,8 @@ void drum_table(Kit& k, float d, float y) {
     k.add(shapes::prism(shapes::circle(0.42f * d, 40), 0.02f, y - 0.03f, 0.004f), wood);
     for (int i = 0; i < 32; ++i) {
         const float a = 0.19635f * static_cast<float>(i);
-        k.rod(wood, {0.42f * d * std::cos(a), 0.02f, 0.42f * d * std::sin(a)}, {0.42f * d * std::cos(a), y - 0.03f, 0.42f * d * std::sin(a)}, 0.022f,
-              -1, 8);
+        k.rod(wood, {0.42f * d * std::cos(a), 0.02f, 0.42f * d * std::sin(a)},
+              {0.42f * d * std::cos(a), y - 0.03f, 0.42f * d * std::sin(a)}, 0.022f, -1, 8);
     }
     k.add(shapes::prism(shapes::circle(0.5f * d, 48), y - 0.03f, y, 0.006f), wood);
     k.add(shapes::prism(shapes::circle(0.46f * d, 40), 0.f, 0.022f, 0.004f), metal);
@@ -79,7 +86,8 @@ void drum_table(Kit& k, float d, float y) {
 void slab_table(Kit& k, Vec3f s) {
     const int wood = k.main(k.style.wood);
     k.board(wood, {0, s.y - 0.06f, 0}, {s.x, 0.06f, s.z}, 0.01f);
-    for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * s.x - 0.16f), 0, 0}, {0.06f, s.y - 0.06f, s.z - 0.08f}, 0.008f);
+    for (const float sx : {-1.f, 1.f})
+        k.board(wood, {sx * (0.5f * s.x - 0.16f), 0, 0}, {0.06f, s.y - 0.06f, s.z - 0.08f}, 0.008f);
     k.board(wood, {0, 0.1f, 0}, {s.x - 0.38f, 0.025f, s.z - 0.12f}, 0.004f);
     k.top(s.y, 0, 0, 0.46f * s.x, 0.46f * s.z);
 }
@@ -100,8 +108,18 @@ void twin_table(Kit& k, Vec3f s) {
 void coffee_table(Kit& k) {
     enum { four_legs, round, drum, slab, twin };
     const Vec3f s = k.wanted({1.1f, 0.4f, 0.6f});
-    switch (form_for(k, {{"modern", slab, twin}, {"scandinavian", twin, round}, {"japandi", slab, round}, {"industrial", four_legs, slab}, {"classic", four_legs, drum}, {"boho", drum, round},
-                         {"rustic", four_legs, slab}, {"mid-century", round, twin}, {"mediterranean", drum, four_legs}, {"art deco", drum, round}}, four_legs)) {
+    switch (form_for(k,
+                     {{"modern", slab, twin},
+                      {"scandinavian", twin, round},
+                      {"japandi", slab, round},
+                      {"industrial", four_legs, slab},
+                      {"classic", four_legs, drum},
+                      {"boho", drum, round},
+                      {"rustic", four_legs, slab},
+                      {"mid-century", round, twin},
+                      {"mediterranean", drum, four_legs},
+                      {"art deco", drum, round}},
+                     four_legs)) {
         case round: return round_table(k, 0.8f * s.x, s.y, 0.03f);
         case drum: return drum_table(k, 0.75f * s.x, s.y);
         case slab: return slab_table(k, s);
@@ -123,7 +141,8 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
     k.print(cloth, said ? std::optional(color) : std::nullopt);
     const int linen = k.material(cloth);
     std::vector<float> along{0.f};  // metres along the rim
-    for (std::size_t i = 0; i < rim.size(); ++i) along.push_back(along.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
+    for (std::size_t i = 0; i < rim.size(); ++i)
+        along.push_back(along.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
     constexpr float kOver = 0.004f, kLift = 0.003f, kFold = 0.16f;
     const float folds = std::round(along.back() / kFold);
     Mesh m;
@@ -132,7 +151,8 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
         const float s = along.back() * static_cast<float>(c % columns) / static_cast<float>(columns);
         std::size_t i = 0;
         while (i + 2 < along.size() && along[i + 1] <= s) ++i;
-        const Vec2f a = rim[i], b = rim[(i + 1) % rim.size()], p = a + (b - a) * ((s - along[i]) / std::max(1e-6f, along[i + 1] - along[i]));
+        const Vec2f a = rim[i], b = rim[(i + 1) % rim.size()],
+                    p = a + (b - a) * ((s - along[i]) / std::max(1e-6f, along[i + 1] - along[i]));
         const Vec2f run = (b - a) * (1.f / std::max(1e-6f, length(b - a))), across{run.y, -run.x},
                     out = across.x * p.x + across.y * p.y < 0 ? across * -1.f : across;
         if (row == 0) return std::pair{Vec3f{0, y + kLift, 0}, Vec3f{0, 0, 0}};
@@ -140,7 +160,8 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
                     wave = 0.5f + 0.5f * std::sin(kTau * folds * s / along.back()),
                     spread = kOver + (row > 1 ? 0.02f + 0.03f * wave * drop / down : 0.f);
         const Vec2f q = p + out * spread;
-        return std::pair{Vec3f{q.x, y + kLift - drop * (row > 1 ? 1.f : 0.f), q.y}, Vec3f{p.x + out.x * drop, 0, p.y + out.y * drop}};
+        return std::pair{Vec3f{q.x, y + kLift - drop * (row > 1 ? 1.f : 0.f), q.y},
+                         Vec3f{p.x + out.x * drop, 0, p.y + out.y * drop}};
     };
     for (int row = 0; row <= hem + 1; ++row)
         for (int c = 0; c <= columns; ++c) {
@@ -167,8 +188,18 @@ bool has_cloth(const Kit& k) { return k.request.holder_material == kTableCloth; 
 
 void dining_table(Kit& k) {
     enum { four_legs, trestle, pedestal };
-    const int form = form_for(k, {{"modern", four_legs, pedestal}, {"scandinavian", four_legs, pedestal}, {"japandi", four_legs, trestle}, {"industrial", trestle, four_legs}, {"classic", four_legs, pedestal}, {"boho", trestle, pedestal},
-                                  {"rustic", trestle, four_legs}, {"mid-century", pedestal, four_legs}, {"mediterranean", trestle, four_legs}, {"art deco", pedestal, four_legs}}, four_legs);
+    const int form = form_for(k,
+                              {{"modern", four_legs, pedestal},
+                               {"scandinavian", four_legs, pedestal},
+                               {"japandi", four_legs, trestle},
+                               {"industrial", trestle, four_legs},
+                               {"classic", four_legs, pedestal},
+                               {"boho", trestle, pedestal},
+                               {"rustic", trestle, four_legs},
+                               {"mid-century", pedestal, four_legs},
+                               {"mediterranean", trestle, four_legs},
+                               {"art deco", pedestal, four_legs}},
+                              four_legs);
     const bool sized = k.request.size_m.x > 0.f || k.request.size_m.z > 0.f;
     const Vec3f s = k.wanted({1.7f, 0.75f, 0.9f});
     const bool round = form == pedestal && !sized;
@@ -176,18 +207,24 @@ void dining_table(Kit& k) {
     else if (round) round_table(k, 0.75f * s.x, s.y, 0.035f);
     else plain_table(k, s, 0.04f);
     constexpr float kDown = 0.24f;
-    if (has_cloth(k)) lay_cloth_on(k, round ? shapes::circle(0.375f * s.x, 72) : shapes::rounded_rectangle(s.x, s.z, 0.03f, 4), s.y, kDown);
+    if (has_cloth(k))
+        lay_cloth_on(k, round ? shapes::circle(0.375f * s.x, 72) : shapes::rounded_rectangle(s.x, s.z, 0.03f, 4), s.y,
+                     kDown);
 }
 void dining_table_round(Kit& k) {
     const float d = k.wanted({1.2f, 0.75f, 1.2f}).x;
     round_table(k, d, 0.75f, 0.035f);
     if (has_cloth(k)) lay_cloth_on(k, shapes::circle(0.5f * d, 72), 0.75f, 0.3f);
 }
-void console_table(Kit& k) { plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f); k.piece.against_wall = true; }
+void console_table(Kit& k) {
+    plain_table(k, k.wanted({1.1f, 0.8f, 0.35f}), 0.03f);
+    k.piece.against_wall = true;
+}
 
 void desk(Kit& k) {
     const int screens = k.request.screens;
-    const Vec3f s = k.wanted({std::max(1.35f, 0.25f + kMonitorStep * static_cast<float>(screens)), 0.75f, screens > 0 ? 0.72f : 0.65f});
+    const Vec3f s = k.wanted(
+        {std::max(1.35f, 0.25f + kMonitorStep * static_cast<float>(screens)), 0.75f, screens > 0 ? 0.72f : 0.65f});
     plain_table(k, s, 0.03f);
     k.piece.surfaces.clear();
     k.board(k.piece.main_material, {0.5f * s.x - 0.3f, s.y - 0.17f, 0.02f}, {0.38f, 0.14f, s.z - 0.2f});
@@ -197,7 +234,8 @@ void desk(Kit& k) {
     scr.pattern = Pattern::screen;
     scr.emission = {0.5f, 0.7f, 0.95f};
     const int screen = k.material(scr);
-    fronts(k, k.piece.main_material, metal, 0.5f * s.x - 0.49f, 0.5f * s.x - 0.11f, s.y - 0.17f, s.y - 0.03f, 0.5f * s.z - 0.08f, 1, 1);
+    fronts(k, k.piece.main_material, metal, 0.5f * s.x - 0.49f, 0.5f * s.x - 0.11f, s.y - 0.17f, s.y - 0.03f,
+           0.5f * s.z - 0.08f, 1, 1);
     k.piece.clearance_front_m = 0.8f;
     k.piece.against_wall = true;
     if (screens > 0) {
@@ -234,19 +272,25 @@ void carcass(Kit& k, int wood, Vec3f s, float y0, float t = 0.022f) {
 void chest(Kit& k, Vec3f s, float leg, int columns, int rows, float clearance) {
     const int wood = k.main(k.style.wood), metal = k.material(k.style.metal);
     const bool rich = k.style.mouldings == Mouldings::rich;
-    if (leg > 0.03f) legs(k, k.style.legs == LegType::metal_frame ? metal : wood, 0.5f * s.x - 0.05f, 0.5f * s.z - 0.05f, leg + 0.002f, 0.045f);
+    if (leg > 0.03f)
+        legs(k, k.style.legs == LegType::metal_frame ? metal : wood, 0.5f * s.x - 0.05f, 0.5f * s.z - 0.05f,
+             leg + 0.002f, 0.045f);
     else k.board(wood, {0, 0, -0.01f}, {s.x - 0.04f, leg + 0.001f, s.z - 0.06f});
     k.board(wood, {0, leg, -0.012f}, {s.x, s.y - leg - 0.024f, s.z - 0.03f}, 0.004f);
     const float lip = rich ? 0.025f : 0.004f;
     k.board(wood, {0, s.y - 0.024f, lip * 0.3f}, {s.x + 2 * lip, 0.024f, s.z + lip}, rich ? 0.01f : 0.003f);
-    fronts(k, wood, metal, -0.5f * s.x + 0.012f, 0.5f * s.x - 0.012f, leg + 0.012f, s.y - 0.034f, 0.5f * s.z - 0.028f, columns, rows);
+    fronts(k, wood, metal, -0.5f * s.x + 0.012f, 0.5f * s.x - 0.012f, leg + 0.012f, s.y - 0.034f, 0.5f * s.z - 0.028f,
+           columns, rows);
     k.top(s.y, 0, 0, 0.46f * s.x, 0.42f * s.z);
     k.piece.clearance_front_m = clearance;
     k.piece.against_wall = true;
 }
 void nightstand(Kit& k) { chest(k, k.wanted({0.45f, 0.52f, 0.4f}), 0.14f, 1, 2, 0.3f); }
 void dresser(Kit& k) { chest(k, k.wanted({1.2f, 0.82f, 0.48f}), 0.12f, 2, 3, 0.6f); }
-void wardrobe(Kit& k) { const Vec3f s = k.wanted({1.5f, 2.1f, 0.6f}); chest(k, s, 0.06f, std::max(2, static_cast<int>(s.x / 0.5f)), 1, 0.6f); }
+void wardrobe(Kit& k) {
+    const Vec3f s = k.wanted({1.5f, 2.1f, 0.6f});
+    chest(k, s, 0.06f, std::max(2, static_cast<int>(s.x / 0.5f)), 1, 0.6f);
+}
 void cabinet(Kit& k) { chest(k, k.wanted({0.9f, 1.2f, 0.42f}), 0.12f, 2, 1, 0.5f); }
 // Sliding doors of upright slats.
 void slatted_chest(Kit& k, Vec3f s, float leg, float clearance) {
@@ -259,19 +303,26 @@ void slatted_chest(Kit& k, Vec3f s, float leg, float clearance) {
         if (i == count / 2) continue;
         Mesh m = shapes::box({0.02f, s.y - leg - 0.07f, 0.016f}, 0.003f);
         shapes::lay_grain(m, {0.1f * static_cast<float>(i), 0, 0});
-        shapes::append(slats, shapes::move(m, {(static_cast<float>(i) + 0.5f) / static_cast<float>(count) * (s.x - 0.06f) - 0.5f * s.x + 0.03f,
-                                               0.5f * (s.y + leg), 0.5f * s.z - 0.02f}));
+        shapes::append(slats,
+                       shapes::move(m, {(static_cast<float>(i) + 0.5f) / static_cast<float>(count) * (s.x - 0.06f) -
+                                            0.5f * s.x + 0.03f,
+                                        0.5f * (s.y + leg), 0.5f * s.z - 0.02f}));
     }
     k.add(std::move(slats), wood);
     k.top(s.y, 0, 0, 0.46f * s.x, 0.42f * s.z);
     k.piece.clearance_front_m = clearance;
     k.piece.against_wall = true;
 }
-bool slatted(Kit& k) { return form_for(k, {{"scandinavian", 0, 1}, {"japandi", 1, 0}, {"mid-century", 1, 0}, {"boho", 0, 1}, {"modern", 0, 1}}, 0) == 1; }
+bool slatted(Kit& k) {
+    return form_for(
+               k, {{"scandinavian", 0, 1}, {"japandi", 1, 0}, {"mid-century", 1, 0}, {"boho", 0, 1}, {"modern", 0, 1}},
+               0) == 1;
+}
 void sideboard(Kit& k) {
     const Vec3f s = k.wanted({1.7f, 0.75f, 0.45f});
     if (slatted(k)) return slatted_chest(k, s, 0.18f, 0.5f);
-    if (k.style.name == "industrial" || k.style.name == "rustic") return chest(k, s, 0.16f, 3, k.dice.chance(0.5f) ? 1 : 2, 0.5f);
+    if (k.style.name == "industrial" || k.style.name == "rustic")
+        return chest(k, s, 0.16f, 3, k.dice.chance(0.5f) ? 1 : 2, 0.5f);
     chest(k, s, 0.16f, 4, 1, 0.5f);
 }
 void shoe_rack(Kit& k) {
@@ -281,8 +332,10 @@ void shoe_rack(Kit& k) {
     k.board(wood, {0, 0.28f, 0}, {s.x - 0.044f, 0.02f, s.z - 0.02f});
     for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * s.x - 0.06f), 0, 0}, {0.04f, 0.062f, s.z - 0.04f});
     for (int i = 0; i < 6; ++i) {
-        const int shoe = i % 2 == 0 ? k.material(tinted(k.style.leather, k.accent())) : static_cast<int>(k.piece.materials.size()) - 1;
-        const float y = i < 4 ? 0.082f : 0.3f, x = (i < 4 ? -0.27f : -0.15f) + 0.12f * static_cast<float>(i % 4) + 0.06f * static_cast<float>(i / 2);
+        const int shoe = i % 2 == 0 ? k.material(tinted(k.style.leather, k.accent()))
+                                    : static_cast<int>(k.piece.materials.size()) - 1;
+        const float y = i < 4 ? 0.082f : 0.3f, x = (i < 4 ? -0.27f : -0.15f) + 0.12f * static_cast<float>(i % 4) +
+                                                   0.06f * static_cast<float>(i / 2);
         Mesh m = shapes::soft_box({0.085f, 0.07f, 0.24f}, {0.035f, 0.01f, 0.001f, 3, k.seed()});
         k.add(std::move(m), shoe, {x, y + 0.036f, 0.02f});
         k.soft(shoe, {x, y + 0.04f, -0.055f}, {0.075f, 0.07f, 0.1f}, {0.03f, 0.005f, 0.001f, 2});
@@ -330,9 +383,10 @@ void tv_stand(Kit& k) {
 
 // What stands on one shelf: books, a vase, a basket, a bowl; `room_y` = free height.
 void fill_shelf(Kit& k, float x0, float x1, float y, float room_y, float z_back, float depth) {
-    static constexpr std::array<std::array<const char*, 6>, 3> kOthers{{{"towel_stack", "toiletries", "bottles", "towel_stack", "storage_box", "plant_small"},
-                                                                        {"bottles", "pot", "bowl", "storage_box", "cup", "plant_small"},
-                                                                        {"teddy_bear", "toy_blocks", "storage_box", "book_stack", "globe", "teddy_bear"}}};
+    static constexpr std::array<std::array<const char*, 6>, 3> kOthers{
+        {{"towel_stack", "toiletries", "bottles", "towel_stack", "storage_box", "plant_small"},
+         {"bottles", "pot", "bowl", "storage_box", "cup", "plant_small"},
+         {"teddy_bear", "toy_blocks", "storage_box", "book_stack", "globe", "teddy_bear"}}};
     const Shelves kind = k.style.shelves;
     float x = x0 + 0.015f;
     while (x < x1 - 0.12f) {
@@ -371,7 +425,8 @@ void bookshelf(Kit& k) {
         for (int i = 0; i < columns; ++i) {
             const float x0 = -0.5f * s.x + 0.022f + w * static_cast<float>(i);
             if (i > 0) k.board(wood, {x0, y + 0.022f, 0}, {0.022f, step - 0.022f, s.z - 0.014f});
-            fill_shelf(k, x0 + (i > 0 ? 0.012f : 0.f), x0 + w - 0.012f, y + 0.022f, step - 0.022f, -0.5f * s.z + 0.012f, s.z - 0.03f);
+            fill_shelf(k, x0 + (i > 0 ? 0.012f : 0.f), x0 + w - 0.012f, y + 0.022f, step - 0.022f, -0.5f * s.z + 0.012f,
+                       s.z - 0.03f);
         }
     }
     k.top(s.y, 0, 0, 0.45f * s.x, 0.4f * s.z);
@@ -411,17 +466,34 @@ void toy_box(Kit& k) {
     carcass(k, wood, s, 0.0f);
     k.board(wood, {0, 0, 0.5f * s.z - 0.011f}, {s.x - 0.044f, s.y - 0.02f, 0.02f});
     for (int i = 0; i < 3; ++i)
-        k.add(shapes::ball({-0.2f + 0.2f * static_cast<float>(i), 0.42f + 0.06f, 0.02f * static_cast<float>(i)}, {0.07f, 0.07f, 0.07f}, 16),
+        k.add(shapes::ball({-0.2f + 0.2f * static_cast<float>(i), 0.42f + 0.06f, 0.02f * static_cast<float>(i)},
+                           {0.07f, 0.07f, 0.07f}, 16),
               k.material(plain("toy ball", k.accent(), 0.4f)));
     for (int i = 0; i < 4; ++i)
-        k.board(k.material(plain("toy block", k.accent(), 0.5f)), {-0.26f + 0.17f * static_cast<float>(i), 0.14f, 0.5f * s.z}, {0.09f, 0.09f, 0.012f},
-                0.004f);
+        k.board(k.material(plain("toy block", k.accent(), 0.5f)),
+                {-0.26f + 0.17f * static_cast<float>(i), 0.14f, 0.5f * s.z}, {0.09f, 0.09f, 0.012f}, 0.004f);
     k.piece.against_wall = true;
 }
 
-constexpr Entry kTables[] = {{"coffee_table", coffee_table}, {"side_table", side_table}, {"dining_table", dining_table}, {"dining_table_round", dining_table_round}, {"console_table", console_table}, {"desk", desk},
-                             {"nightstand", nightstand}, {"dresser", dresser}, {"wardrobe", wardrobe}, {"cabinet", cabinet}, {"sideboard", sideboard}, {"shoe_rack", shoe_rack}, {"tv", tv}, {"monitor", monitor}, {"tv_stand", tv_stand},
-                             {"bookshelf", bookshelf}, {"shelf", shelf}, {"ladder_shelf", ladder_shelf}, {"toy_box", toy_box}};
+constexpr Entry kTables[] = {{"coffee_table", coffee_table},
+                             {"side_table", side_table},
+                             {"dining_table", dining_table},
+                             {"dining_table_round", dining_table_round},
+                             {"console_table", console_table},
+                             {"desk", desk},
+                             {"nightstand", nightstand},
+                             {"dresser", dresser},
+                             {"wardrobe", wardrobe},
+                             {"cabinet", cabinet},
+                             {"sideboard", sideboard},
+                             {"shoe_rack", shoe_rack},
+                             {"tv", tv},
+                             {"monitor", monitor},
+                             {"tv_stand", tv_stand},
+                             {"bookshelf", bookshelf},
+                             {"shelf", shelf},
+                             {"ladder_shelf", ladder_shelf},
+                             {"toy_box", toy_box}};
 
 }  // namespace
 

@@ -30,8 +30,8 @@ std::size_t check_piece(const Piece& p) {
         EXPECT_EQ(m.positions.size(), m.coords.size());
         bool sound = m.triangles.size() % 3 == 0;
         for (std::size_t i = 0; i < m.positions.size(); ++i)
-            sound = sound && std::isfinite(dot(m.positions[i], m.positions[i])) && std::isfinite(dot(m.coords[i], m.coords[i])) &&
-                    std::fabs(length(m.normals[i]) - 1.f) < 1e-3f;
+            sound = sound && std::isfinite(dot(m.positions[i], m.positions[i])) &&
+                    std::isfinite(dot(m.coords[i], m.coords[i])) && std::fabs(length(m.normals[i]) - 1.f) < 1e-3f;
         for (const std::uint32_t i : m.triangles) sound = sound && i < m.positions.size();
         EXPECT_TRUE(sound) << p.materials[static_cast<std::size_t>(m.material)].name;
         if (!sound) return 0;
@@ -47,7 +47,8 @@ std::size_t check_piece(const Piece& p) {
             all.high[k] = std::max(all.high[k], b.high[k]);
         }
     }
-    EXPECT_GT(static_cast<double>(agreeing), 0.98 * static_cast<double>(count)) << "normals point away from their triangles";
+    EXPECT_GT(static_cast<double>(agreeing), 0.98 * static_cast<double>(count))
+        << "normals point away from their triangles";
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(all.high[k] - all.low[k], p.size_m[k], 0.01f);
     EXPECT_NEAR(all.low.x + all.high.x, 0.f, 0.01f);
     if (p.mount == Mount::ceiling) EXPECT_NEAR(all.high.y, 0.f, 1e-3f);
@@ -69,7 +70,8 @@ TEST(Furniture, DarkCurtainsLetLessLightThrough) {
             const Piece p = make_piece(r);
             return p.materials[static_cast<std::size_t>(p.main_material)].transmission;
         };
-        const float white = through({0.75f, 0.74f, 0.72f}), red = through({0.5f, 0.03f, 0.03f}), navy = through({0.02f, 0.03f, 0.12f});
+        const float white = through({0.75f, 0.74f, 0.72f}), red = through({0.5f, 0.03f, 0.03f}),
+                    navy = through({0.02f, 0.03f, 0.12f});
         EXPECT_GT(white, 0.f);
         EXPECT_LT(red, 0.5f * white) << name;
         EXPECT_LE(navy, red) << name;
@@ -108,7 +110,8 @@ TEST(Furniture, AWishedColorReachesTheMainSurface) {
         const Piece p = make_piece(r);
         const Material& m = p.materials[static_cast<std::size_t>(p.main_material)];
         EXPECT_GT(m.color_a.x, 3.f * m.color_a.y);
-        const bool used = std::any_of(p.meshes.begin(), p.meshes.end(), [&](const Mesh& mesh) { return mesh.material == p.main_material; });
+        const bool used = std::any_of(p.meshes.begin(), p.meshes.end(),
+                                      [&](const Mesh& mesh) { return mesh.material == p.main_material; });
         EXPECT_TRUE(used);
     }
 }
@@ -125,7 +128,8 @@ TEST(Furniture, ALeatherSofaIsLeatherAndBrown) {
     EXPECT_GT(m.color_a.x, 1.5f * m.color_a.z);
 }
 
-// Between glass and ceiling a lamp throws no shadow: its plate ends within the glass, and from below it is not seen past it.
+// Between glass and ceiling a lamp throws no shadow: its plate ends within the glass, and from below it is not seen
+// past it.
 TEST(Furniture, ACeilingLampsPlateIsBehindItsGlass) {
     const Piece lamp = make("ceiling_lamp");
     float glass = 0, plate = 0;
@@ -204,7 +208,8 @@ TEST(Furniture, RattanIsSeenToBeWoven) {
                 EXPECT_EQ(m.pattern, Pattern::wicker);
                 EXPECT_GE(m.scale_m, 0.03f);
                 EXPECT_GT(m.color_a.x, 1.3f * m.color_a.z);
-                EXPECT_TRUE(std::any_of(p.meshes.begin(), p.meshes.end(), [&](const Mesh& mesh) { return mesh.material == p.main_material; }));
+                EXPECT_TRUE(std::any_of(p.meshes.begin(), p.meshes.end(),
+                                        [&](const Mesh& mesh) { return mesh.material == p.main_material; }));
             }
 }
 
@@ -247,7 +252,8 @@ float area_at(const Piece& p, float low, float high) {
     float area = 0;
     for (const Mesh& m : p.meshes)
         for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
-            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]], n = cross(b - a, c - a);
+            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]],
+                        c = m.positions[m.triangles[t + 2]], n = cross(b - a, c - a);
             if (n.y > 0.f && std::min({a.y, b.y, c.y}) > low && std::max({a.y, b.y, c.y}) < high) area += 0.5f * n.y;
         }
     return area;
@@ -260,7 +266,8 @@ std::vector<Vec3f> main_points(const Piece& p) {
     return out;
 }
 
-// Two beds one above the other with room to sit up between, a ladder from the floor to beyond the upper one, a rail around that.
+// Two beds one above the other with room to sit up between, a ladder from the floor to beyond the upper one, a rail
+// around that.
 TEST(Furniture, ABunkBedHasTwoBedsALadderAndARail) {
     for (const std::string& style : styles())
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
@@ -268,7 +275,8 @@ TEST(Furniture, ABunkBedHasTwoBedsALadderAndARail) {
             const Piece p = make("bunk_bed", style, seed);
             check_piece(p);
             ASSERT_EQ(p.surfaces.size(), 2u);
-            const float lower = std::min(p.surfaces[0].center.y, p.surfaces[1].center.y), upper = std::max(p.surfaces[0].center.y, p.surfaces[1].center.y);
+            const float lower = std::min(p.surfaces[0].center.y, p.surfaces[1].center.y),
+                        upper = std::max(p.surfaces[0].center.y, p.surfaces[1].center.y);
             EXPECT_GT(upper - lower, 0.85f);
             EXPECT_LT(lower, 0.55f);
             for (const float y : {lower, upper}) EXPECT_GT(area_at(p, y - 0.16f, y + 0.12f), 1.3f) << y;
@@ -279,7 +287,8 @@ TEST(Furniture, ABunkBedHasTwoBedsALadderAndARail) {
             float low = 1e9f, high = -1e9f, rail = -1e9f;
             for (const Vec3f& v : main_points(p)) {
                 if (v.z > 0.5f * p.size_m.z - 0.05f) low = std::min(low, v.y);
-                if (v.z > 0.5f * p.size_m.z - 0.2f && v.x > 0.f && v.x < 0.5f * p.size_m.x - 0.12f) high = std::max(high, v.y);
+                if (v.z > 0.5f * p.size_m.z - 0.2f && v.x > 0.f && v.x < 0.5f * p.size_m.x - 0.12f)
+                    high = std::max(high, v.y);
                 if (v.x < 0.2f) rail = std::max(rail, v.y);
             }
             EXPECT_LT(low, 0.02f);
@@ -317,7 +326,8 @@ TEST(Furniture, FourPostersHavePostsAndCanopiesARoof) {
                     float low = 1e9f, high = 0;
                     for (const Mesh& m : p.meshes)
                         for (const Vec3f& v : m.positions)
-                            if (sx * v.x > 0.5f * p.size_m.x - 0.12f && sz * v.z > 0.5f * p.size_m.z - 0.14f) low = std::min(low, v.y), high = std::max(high, v.y);
+                            if (sx * v.x > 0.5f * p.size_m.x - 0.12f && sz * v.z > 0.5f * p.size_m.z - 0.14f)
+                                low = std::min(low, v.y), high = std::max(high, v.y);
                     EXPECT_LT(low, 0.01f);
                     EXPECT_GT(high, 1.95f);
                 }
@@ -363,7 +373,8 @@ TEST(Furniture, AChaiseLongueIsLongAndRisesToItsHead) {
     for (const std::string& style : styles()) {
         const Piece p = make("chaise_longue", style);
         float head = 0, feet = 0;
-        for (const Vec3f& v : main_points(p)) (v.x < 0 ? head : feet) = std::max(v.x < 0 ? head : feet, std::fabs(v.x) > 0.4f ? v.y : 0.f);
+        for (const Vec3f& v : main_points(p))
+            (v.x < 0 ? head : feet) = std::max(v.x < 0 ? head : feet, std::fabs(v.x) > 0.4f ? v.y : 0.f);
         EXPECT_GT(p.size_m.x, 1.5f) << style;
         EXPECT_LT(p.size_m.z, 0.85f) << style;
         EXPECT_GT(head, feet + 0.3f) << style;
@@ -385,7 +396,8 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
         for (const std::string klass : {"floor_lamp", "table_lamp", "pendant_lamp", "ceiling_lamp", "chandelier"}) {
             const Piece p = make(klass, style);
             float most = 0.f;
-            for (const Mesh& m : p.meshes) most = std::max(most, max_component(p.materials[static_cast<std::size_t>(m.material)].emission));
+            for (const Mesh& m : p.meshes)
+                most = std::max(most, max_component(p.materials[static_cast<std::size_t>(m.material)].emission));
             EXPECT_GT(most, 4.f) << style << ' ' << klass;
         }
     EXPECT_THROW((void)make("spaceship"), Error);
@@ -393,8 +405,8 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
 }
 
 TEST(Style, ColorsAreRealAlbedos) {
-    for (const std::string name :
-         {"red", "sage", "sage green", "terracotta", "dark blue", "light gray", "navy-blue", "Walnut", "olive green", "white", "black"}) {
+    for (const std::string name : {"red", "sage", "sage green", "terracotta", "dark blue", "light gray", "navy-blue",
+                                   "Walnut", "olive green", "white", "black"}) {
         const auto c = color_named(name);
         ASSERT_TRUE(c.has_value()) << name;
         for (std::size_t k = 0; k < 3; ++k) {

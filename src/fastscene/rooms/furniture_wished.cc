@@ -1,5 +1,5 @@
-// Pieces that stand in a room only when somebody asks for them: a Christmas tree, a rocking chair, a hammock, a mobile over a cot, a rack of
-// washing, pipes, gears or pans on a wall, a dressing table, cobwebs.
+// Pieces that stand in a room only when somebody asks for them: a Christmas tree, a rocking chair, a hammock, a mobile
+// over a cot, a rack of washing, pipes, gears or pans on a wall, a dressing table, cobwebs.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -12,7 +12,9 @@ namespace {
 
 // A needle-like solid of four triangles from `base`, `wide` across, to a point.
 void spike(Mesh& into, Vec3f base, Vec3f tip, float wide) {
-    const Vec3f along = normalize(tip - base), side = normalize(cross(along, std::abs(along.y) < 0.9f ? Vec3f{0, 1, 0} : Vec3f{1, 0, 0})), up = cross(side, along);
+    const Vec3f along = normalize(tip - base),
+                side = normalize(cross(along, std::abs(along.y) < 0.9f ? Vec3f{0, 1, 0} : Vec3f{1, 0, 0})),
+                up = cross(side, along);
     Mesh m;
     for (int i = 0; i < 3; ++i) {
         const float a = kTau * static_cast<float>(i) / 3.f;
@@ -40,10 +42,12 @@ std::vector<Vec2f> star(float outer, float inner) {
 
 // A fir on a stand: tiers of twigs that hang outward, baubles, small lights, a star, presents below.
 void christmas_tree(Kit& k) {
-    const float high = (k.request.size_m.y > 0.6f ? k.request.size_m.y : 1.85f * k.request.size_factor), wide = 0.3f * high, bare = 0.14f * high;
+    const float high = (k.request.size_m.y > 0.6f ? k.request.size_m.y : 1.85f * k.request.size_factor),
+                wide = 0.3f * high, bare = 0.14f * high;
     k.sized = true;
     Material needles = plain("fir needles", {0.03f, 0.095f, 0.045f}, 0.85f);
-    const int green = k.main(needles), trunk = k.material(plain("trunk", {0.12f, 0.07f, 0.04f}, 0.9f)), metal = k.material(k.style.metal);
+    const int green = k.main(needles), trunk = k.material(plain("trunk", {0.12f, 0.07f, 0.04f}, 0.9f)),
+              metal = k.material(k.style.metal);
     k.rod(trunk, {0, 0.02f, 0}, {0, 0.92f * high, 0}, 0.03f, 0.008f, 10);
     for (int i = 0; i < 3; ++i) {
         const float a = 2.0944f * static_cast<float>(i);
@@ -53,12 +57,18 @@ void christmas_tree(Kit& k) {
     constexpr int kTiers = 11;
     Mesh boughs;
     for (int tier = 0; tier < kTiers; ++tier) {
-        const float t = static_cast<float>(tier) / (kTiers - 1), y = bare + (0.93f * high - bare) * (0.1f + 0.9f * t), r = wide * (1.02f - 0.93f * t);
+        const float t = static_cast<float>(tier) / (kTiers - 1), y = bare + (0.93f * high - bare) * (0.1f + 0.9f * t),
+                    r = wide * (1.02f - 0.93f * t);
         const int around = 9 + static_cast<int>(14.f * (1.f - t));
         for (int i = 0; i < around; ++i) {
-            const float a = kTau * (static_cast<float>(i) + 0.5f * static_cast<float>(tier % 2) + k.dice.uniform(-0.2f, 0.2f)) / static_cast<float>(around),
-                        reach = r * k.dice.uniform(0.86f, 1.08f), drop = 0.34f * reach + k.dice.uniform(0.f, 0.03f), c = std::cos(a), s = std::sin(a);
-            const Vec3f tip{reach * c, y - drop, reach * s}, root{0.06f * reach * c, y + 0.05f, 0.06f * reach * s}, out = normalize(tip - root);
+            const float a = kTau *
+                            (static_cast<float>(i) + 0.5f * static_cast<float>(tier % 2) +
+                             k.dice.uniform(-0.2f, 0.2f)) /
+                            static_cast<float>(around),
+                        reach = r * k.dice.uniform(0.86f, 1.08f), drop = 0.34f * reach + k.dice.uniform(0.f, 0.03f),
+                        c = std::cos(a), s = std::sin(a);
+            const Vec3f tip{reach * c, y - drop, reach * s}, root{0.06f * reach * c, y + 0.05f, 0.06f * reach * s},
+                out = normalize(tip - root);
             const Vec3f side = normalize(cross(out, Vec3f{0, 1, 0}));
             spike(boughs, root, tip, 0.05f);
             // Twigs to both sides, a flat spray.
@@ -66,7 +76,8 @@ void christmas_tree(Kit& k) {
                 const float at = 0.25f + 0.13f * static_cast<float>(j), twig = (0.3f - 0.18f * at) * reach + 0.03f;
                 for (const float way : {-1.f, 1.f}) {
                     const Vec3f from = lerp(root, tip, at);
-                    spike(boughs, from, from + out * (0.7f * twig) + side * (way * 0.75f * twig) - Vec3f{0, 0.2f * twig, 0}, 0.024f);
+                    spike(boughs, from,
+                          from + out * (0.7f * twig) + side * (way * 0.75f * twig) - Vec3f{0, 0.2f * twig, 0}, 0.024f);
                 }
             }
         }
@@ -83,10 +94,12 @@ void christmas_tree(Kit& k) {
     for (int i = 0; i < kThings; ++i) {
         // Evenly over the cone: more where it is wide.
         const float t = 1.f - std::sqrt((static_cast<float>(i) + 0.5f) / kThings), a = 2.39996f * static_cast<float>(i),
-                    y = bare + (0.9f * high - bare) * t - 0.04f, r = wide * (1.f - 0.93f * t) * k.dice.uniform(0.84f, 0.97f);
+                    y = bare + (0.9f * high - bare) * t - 0.04f,
+                    r = wide * (1.f - 0.93f * t) * k.dice.uniform(0.84f, 0.97f);
         const Vec3f at{r * std::cos(a), y - 0.2f * r, r * std::sin(a)};
         const float size = i % 3 == 0 ? 0.024f + 0.012f * k.dice.uniform() : 0.013f;
-        k.add(shapes::ball(at, {size, size, size}, i % 3 == 0 ? 12 : 6), i % 3 == 0 ? baubles[static_cast<std::size_t>(i / 3) % 3] : light);
+        k.add(shapes::ball(at, {size, size, size}, i % 3 == 0 ? 12 : 6),
+              i % 3 == 0 ? baubles[static_cast<std::size_t>(i / 3) % 3] : light);
     }
     // The star: five points, front and back.
     const int gold = k.material(*material_named("brass"));
@@ -94,16 +107,19 @@ void christmas_tree(Kit& k) {
     shapes::turn(points, {1, 0, 0}, 90);
     k.add(std::move(points), gold, {0, high - 0.075f, 0});
     // Presents, tied with ribbons.
-    static constexpr std::array<Vec3f, 4> kPaper{Vec3f{0.45f, 0.03f, 0.04f}, {0.05f, 0.2f, 0.1f}, {0.62f, 0.58f, 0.5f}, {0.12f, 0.16f, 0.36f}};
+    static constexpr std::array<Vec3f, 4> kPaper{
+        Vec3f{0.45f, 0.03f, 0.04f}, {0.05f, 0.2f, 0.1f}, {0.62f, 0.58f, 0.5f}, {0.12f, 0.16f, 0.36f}};
     for (int i = 0; i < 4; ++i) {
         const float a = 0.7f + 1.5f * static_cast<float>(i) + k.dice.uniform(-0.2f, 0.2f), far = 0.62f * wide;
-        const Vec3f size{k.dice.uniform(0.16f, 0.26f), k.dice.uniform(0.08f, 0.18f), k.dice.uniform(0.13f, 0.2f)}, at{far * std::sin(a), 0, far * std::cos(a)};
+        const Vec3f size{k.dice.uniform(0.16f, 0.26f), k.dice.uniform(0.08f, 0.18f), k.dice.uniform(0.13f, 0.2f)},
+            at{far * std::sin(a), 0, far * std::cos(a)};
         const int paper = k.material(plain("wrapping paper", kPaper[static_cast<std::size_t>(i)], 0.35f)),
                   ribbon = k.material(plain("ribbon", i % 2 ? kBaubles[0] : kBaubles[1], 0.3f));
         k.board(paper, at, size, 0.003f);
         k.board(ribbon, at, {0.02f, size.y + 0.002f, size.z + 0.003f}, 0.001f);
         k.board(ribbon, at, {size.x + 0.003f, size.y + 0.002f, 0.02f}, 0.001f);
-        for (const float s : {-1.f, 1.f}) k.add(shapes::ball(at + Vec3f{s * 0.022f, size.y + 0.014f, 0}, {0.024f, 0.014f, 0.01f}, 8), ribbon);
+        for (const float s : {-1.f, 1.f})
+            k.add(shapes::ball(at + Vec3f{s * 0.022f, size.y + 0.014f, 0}, {0.024f, 0.014f, 0.01f}, 8), ribbon);
     }
     k.piece.clearance_front_m = 0.3f;
 }
@@ -133,7 +149,9 @@ void rocking_chair(Kit& k) {
     k.board(wood, {0, seat - 0.02f, -0.005f}, {2 * half - 0.01f, 0.026f, 0.48f}, 0.01f);
     // The back: slats between two rails, leaning as its posts do.
     const auto back = [&](float x, float y) { return Vec3f{x, y, -0.22f - 0.309f * (y - seat)}; };
-    for (int i = -3; i <= 3; ++i) k.rod(wood, back(0.066f * static_cast<float>(i), seat), back(0.062f * static_cast<float>(i), 1.0f), 0.009f, -1, 8);
+    for (int i = -3; i <= 3; ++i)
+        k.rod(wood, back(0.066f * static_cast<float>(i), seat), back(0.062f * static_cast<float>(i), 1.0f), 0.009f, -1,
+              8);
     for (const auto& [y, high] : {std::pair{1.0f, 0.1f}, std::pair{0.52f, 0.04f}}) {
         Mesh rail = shapes::box({2 * half - 0.06f, high, 0.022f}, 0.007f);
         shapes::turn(rail, {1, 0, 0}, -17.2f);
@@ -152,7 +170,8 @@ void hammock(Kit& k) {
     m.scale_m = 0.07f;
     m.color_b = {0.68f, 0.64f, 0.55f};
     m.color_c = m.color_a;
-    const int cloth = k.main(m), wood = k.material(k.style.wood2), cord = k.material(plain("cord", {0.5f, 0.44f, 0.33f}, 0.9f));
+    const int cloth = k.main(m), wood = k.material(k.style.wood2),
+              cord = k.material(plain("cord", {0.5f, 0.44f, 0.33f}, 0.9f));
     const float reach = 0.5f * s.x - 0.04f, high = s.y - 0.03f, width = 0.88f * s.z, sag = 0.5f * high;
     // A low bow of wood, feet across its ends.
     std::vector<Vec3f> bow;
@@ -169,7 +188,8 @@ void hammock(Kit& k) {
     };
     k.add(shapes::slab(30, 12, 0.006f, [&](float u, float v) { return hang(u, 1 - v); }), cloth);
     for (const float end : {0.f, 1.f})
-        for (int i = 0; i <= 8; ++i) k.rod(cord, hang(end, static_cast<float>(i) / 8.f), bow[end > 0.5f ? 24 : 0], 0.0035f, -1, 6);
+        for (int i = 0; i <= 8; ++i)
+            k.rod(cord, hang(end, static_cast<float>(i) / 8.f), bow[end > 0.5f ? 24 : 0], 0.0035f, -1, 6);
     k.piece.clearance_front_m = 0.3f;
 }
 
@@ -185,7 +205,8 @@ void cot_mobile(Kit& k) {
     for (std::size_t i = 0; i < 4; ++i)
         felts[i] = k.material(plain("felt", lerp(k.style.palette[i], {0.66f, 0.62f, 0.58f}, 0.3f), 0.95f));
     for (int i = 0; i < 6; ++i) {
-        const float a = 1.0472f * static_cast<float>(i), c = std::cos(a), s = std::sin(a), down = cross_y - (i % 2 == 0 ? 0.17f : 0.25f);
+        const float a = 1.0472f * static_cast<float>(i), c = std::cos(a), s = std::sin(a),
+                    down = cross_y - (i % 2 == 0 ? 0.17f : 0.25f);
         const Vec3f end{0.21f * c, cross_y, 0.21f * s}, at{end.x, down, end.z};
         k.rod(wood, {0, cross_y, 0}, end, 0.006f, -1, 8);
         k.rod(thread, at, end, 0.0015f, -1, 6);
@@ -210,7 +231,8 @@ void clothes_horse(Kit& k) {
     const int frame = k.main(plain("white enamel", {0.72f, 0.72f, 0.7f}, 0.35f));
     const float half = 0.52f, high = 0.95f, reach = 0.3f;
     for (const float sx : {-1.f, 1.f})
-        for (const float sz : {-1.f, 1.f}) k.rod(frame, {sx * half, 0, sz * reach}, {sx * half, high, -sz * reach}, 0.011f, -1, 10);
+        for (const float sz : {-1.f, 1.f})
+            k.rod(frame, {sx * half, 0, sz * reach}, {sx * half, high, -sz * reach}, 0.011f, -1, 10);
     std::vector<Vec3f> bars;
     for (const float t : {1.f, 0.82f, 0.64f})
         for (const float sz : {-1.f, 1.f}) bars.push_back({0, high * t, sz * reach * (2 * t - 1)});
@@ -218,16 +240,22 @@ void clothes_horse(Kit& k) {
     for (std::size_t i = 0; i < 4; ++i) {
         // A towel, a shirt, a cloth: folded over the bar, one side longer.
         const Vec3f bar = bars[i < 2 ? i : i + 1 - (i % 2)];
-        const float width = k.dice.uniform(0.3f, 0.46f), x = (i % 2 == 0 ? -1.f : 1.f) * k.dice.uniform(0.02f, 0.06f) + (i < 2 ? 0.f : 0.02f),
-                    down = (i < 2 ? 0.42f : 0.24f) * k.dice.uniform(0.8f, 1.f), side = x + (i < 2 ? 0.f : (i == 2 ? -0.24f : 0.24f));
+        const float width = k.dice.uniform(0.3f, 0.46f),
+                    x = (i % 2 == 0 ? -1.f : 1.f) * k.dice.uniform(0.02f, 0.06f) + (i < 2 ? 0.f : 0.02f),
+                    down = (i < 2 ? 0.42f : 0.24f) * k.dice.uniform(0.8f, 1.f),
+                    side = x + (i < 2 ? 0.f : (i == 2 ? -0.24f : 0.24f));
         Material m = tinted(k.style.fabric, lerp(k.accent(), {0.7f, 0.68f, 0.64f}, k.dice.uniform(0.2f, 0.7f)));
         const std::uint32_t seed = k.seed();
         k.add(shapes::slab(14, 20, 0.005f,
                            [=](float u, float v) {
-                               const float across = (u - 0.5f) * (i < 2 ? width * 1.4f : width), run = (v - 0.42f) * 2.f * down,
-                                           over = std::min(std::abs(run), 0.02f), way = run < 0 ? 1.f : -1.f, hang = std::max(0.f, std::abs(run) - 0.02f);
-                               const float fold = 0.006f * std::min(1.f, 8.f * hang) * (std::sin(across * 31.f) + shapes::wobble({across * 9, v * 4, 0}, seed));
-                               return Vec3f{side + across, bar.y + 0.012f - 0.25f * over - hang, bar.z + way * (0.55f * over + 0.008f) + fold};
+                               const float across = (u - 0.5f) * (i < 2 ? width * 1.4f : width),
+                                           run = (v - 0.42f) * 2.f * down, over = std::min(std::abs(run), 0.02f),
+                                           way = run < 0 ? 1.f : -1.f, hang = std::max(0.f, std::abs(run) - 0.02f);
+                               const float fold = 0.006f * std::min(1.f, 8.f * hang) *
+                                                  (std::sin(across * 31.f) +
+                                                   shapes::wobble({across * 9, v * 4, 0}, seed));
+                               return Vec3f{side + across, bar.y + 0.012f - 0.25f * over - hang,
+                                            bar.z + way * (0.55f * over + 0.008f) + fold};
                            }),
               k.material(m));
     }
@@ -237,8 +265,10 @@ void clothes_horse(Kit& k) {
 // Pipes along a wall, with elbows, flanges, a valve and a gauge.
 void pipes(Kit& k) {
     const Vec3f s = k.wanted({1.7f, 1.5f, 0.2f});
-    const int metal = k.main(*material_named("copper")), brass = k.material(*material_named("brass")), iron = k.material(plain("cast iron", {0.05f, 0.046f, 0.043f}, 0.6f)),
-              red = k.material(plain("valve wheel", {0.4f, 0.04f, 0.03f}, 0.4f)), dial = k.material(plain("dial", {0.7f, 0.68f, 0.6f}, 0.4f));
+    const int metal = k.main(*material_named("copper")), brass = k.material(*material_named("brass")),
+              iron = k.material(plain("cast iron", {0.05f, 0.046f, 0.043f}, 0.6f)),
+              red = k.material(plain("valve wheel", {0.4f, 0.04f, 0.03f}, 0.4f)),
+              dial = k.material(plain("dial", {0.7f, 0.68f, 0.6f}, 0.4f));
     const auto run = [&](std::vector<Vec3f> corners, float r, int material) {
         // Elbows: each corner becomes a short bend.
         std::vector<Vec3f> path{corners.front()};
@@ -260,12 +290,14 @@ void pipes(Kit& k) {
             if (const Vec3f way = corners[i + 1] - corners[i]; length(way) > 0.7f) {
                 const Vec3f p = corners[i] + way * 0.5f, along = normalize(way);
                 k.rod(iron, p - along * 0.012f, p + along * 0.012f, 1.5f * r, -1, 18);
-                k.rod(iron, {p.x, p.y, 0}, p, 0.4f * r, -1, 8);   // its bracket
+                k.rod(iron, {p.x, p.y, 0}, p, 0.4f * r, -1, 8);  // its bracket
             }
     };
     const float w = 0.5f * s.x, h = s.y;
-    run({{-w, 0.2f * h, 0.09f}, {0.12f * w, 0.2f * h, 0.09f}, {0.12f * w, 0.86f * h, 0.09f}, {w, 0.86f * h, 0.09f}}, 0.042f, metal);
-    run({{-0.62f * w, 0.f, 0.07f}, {-0.62f * w, 0.7f * h, 0.07f}, {-0.1f * w, 0.7f * h, 0.07f}, {-0.1f * w, h, 0.07f}}, 0.027f, metal);
+    run({{-w, 0.2f * h, 0.09f}, {0.12f * w, 0.2f * h, 0.09f}, {0.12f * w, 0.86f * h, 0.09f}, {w, 0.86f * h, 0.09f}},
+        0.042f, metal);
+    run({{-0.62f * w, 0.f, 0.07f}, {-0.62f * w, 0.7f * h, 0.07f}, {-0.1f * w, 0.7f * h, 0.07f}, {-0.1f * w, h, 0.07f}},
+        0.027f, metal);
     run({{0.6f * w, 0.f, 0.06f}, {0.6f * w, 0.55f * h, 0.06f}, {w, 0.55f * h, 0.06f}}, 0.02f, brass);
     // The valve's wheel and the gauge face the room.
     const Vec3f valve{-0.3f * w, 0.2f * h, 0.09f}, gauge{-0.62f * w, 0.46f * h, 0.07f};
@@ -288,14 +320,17 @@ void pipes(Kit& k) {
 
 // Toothed wheels that mesh, on a wall.
 void gears(Kit& k) {
-    const int metal = k.main(*material_named("brass")), copper = k.material(*material_named("copper")), iron = k.material(plain("cast iron", {0.06f, 0.055f, 0.05f}, 0.5f));
-    constexpr float kTooth = 0.021f;   // of the radius for each tooth
+    const int metal = k.main(*material_named("brass")), copper = k.material(*material_named("copper")),
+              iron = k.material(plain("cast iron", {0.06f, 0.055f, 0.05f}, 0.5f));
+    constexpr float kTooth = 0.021f;  // of the radius for each tooth
     const auto wheel = [&](Vec3f at, int teeth, float phase, int material) {
         const float r = kTooth * static_cast<float>(teeth) / 2.f + 0.02f, tooth = 0.026f;
         std::vector<Vec2f> outline;
         for (int i = 0; i < teeth; ++i)
-            for (const auto& [part, out] : {std::pair{0.f, 0.f}, std::pair{0.32f, 0.f}, std::pair{0.44f, 1.f}, std::pair{0.8f, 1.f}, std::pair{0.92f, 0.f}}) {
-                const float a = kTau * (static_cast<float>(i) + part + phase) / static_cast<float>(teeth), d = r - 0.5f * tooth + tooth * out;
+            for (const auto& [part, out] : {std::pair{0.f, 0.f}, std::pair{0.32f, 0.f}, std::pair{0.44f, 1.f},
+                                            std::pair{0.8f, 1.f}, std::pair{0.92f, 0.f}}) {
+                const float a = kTau * (static_cast<float>(i) + part + phase) / static_cast<float>(teeth),
+                            d = r - 0.5f * tooth + tooth * out;
                 outline.push_back({d * std::sin(a), -d * std::cos(a)});
             }
         // The rim, in pieces, so that one sees between the spokes.
@@ -306,13 +341,16 @@ void gears(Kit& k) {
             for (const Vec3f& c : corner) rim.positions.push_back(c), rim.normals.push_back(normal);
             const bool turned = dot(cross(corner[1] - corner[0], corner[2] - corner[0]), normal) < 0;
             for (const std::array<std::uint32_t, 3> t : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}})
-                rim.triangles.insert(rim.triangles.end(), {first + t[0], first + t[turned ? 2 : 1], first + t[turned ? 1 : 2]});
+                rim.triangles.insert(rim.triangles.end(),
+                                     {first + t[0], first + t[turned ? 2 : 1], first + t[turned ? 1 : 2]});
         };
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Vec2f p = outline[i], q = outline[(i + 1) % outline.size()];
-            const Vec2f pi = p * (hole / std::hypot(p.x, p.y)), qi = q * (hole / std::hypot(q.x, q.y)), middle = (p + q) * 0.5f;
+            const Vec2f pi = p * (hole / std::hypot(p.x, p.y)), qi = q * (hole / std::hypot(q.x, q.y)),
+                        middle = (p + q) * 0.5f;
             const auto on = [](Vec2f v, float z) { return Vec3f{v.x, v.y, z}; };
-            for (const float z : {-thick, thick}) face({on(p, z), on(q, z), on(qi, z), on(pi, z)}, {0, 0, z > 0 ? 1.f : -1.f});
+            for (const float z : {-thick, thick})
+                face({on(p, z), on(q, z), on(qi, z), on(pi, z)}, {0, 0, z > 0 ? 1.f : -1.f});
             Vec3f out = normalize(Vec3f{q.y - p.y, p.x - q.x, 0});
             if (dot(out, on(middle, 0)) < 0) out = out * -1.f;
             face({on(p, -thick), on(q, -thick), on(q, thick), on(p, thick)}, out);
@@ -323,7 +361,8 @@ void gears(Kit& k) {
         const int spokes = teeth > 20 ? 6 : 4;
         for (int i = 0; i < spokes; ++i) {
             const float a = kTau * static_cast<float>(i) / static_cast<float>(spokes) + phase;
-            k.rod(material, at, at + Vec3f{0.74f * r * std::sin(a), 0.74f * r * std::cos(a), 0}, 0.09f * r, 0.07f * r, 10);
+            k.rod(material, at, at + Vec3f{0.74f * r * std::sin(a), 0.74f * r * std::cos(a), 0}, 0.09f * r, 0.07f * r,
+                  10);
         }
         k.rod(material, at - Vec3f{0, 0, 0.024f}, at + Vec3f{0, 0, 0.026f}, 0.24f * r, -1, 24);
         k.rod(iron, {at.x, at.y, 0}, at + Vec3f{0, 0, 0.04f}, 0.09f * r, -1, 14);
@@ -342,21 +381,26 @@ void gears(Kit& k) {
     k.piece.hang_height_m = 1.25f;
 }
 
-// Threads across a corner under the ceiling: spokes from the corner, and arcs that sag between them. Its walls are at -x and -z.
+// Threads across a corner under the ceiling: spokes from the corner, and arcs that sag between them. Its walls are at
+// -x and -z.
 void cobweb(Kit& k) {
     const int silk = k.main(plain("cobweb", {0.62f, 0.61f, 0.58f}, 0.95f));
     const float size = 0.62f;
     const Vec3f corner{0, 0, 0};
     // Where spokes end: along the wall's upper edges and down the corner.
     std::vector<Vec3f> ends;
-    for (const float t : {0.f, 0.25f, 0.5f, 0.75f, 1.f}) ends.push_back(Vec3f{size * (1 - t), -0.01f - 0.9f * size * t * (0.3f + 0.7f * t), 0.012f + 0.1f * t * (1 - t)});
-    for (const float t : {0.25f, 0.5f, 0.75f, 1.f}) ends.push_back(Vec3f{0.012f + 0.1f * t * (1 - t), -0.01f - 0.9f * size * (1 - t) * (0.3f + 0.7f * (1 - t)), size * t});
+    for (const float t : {0.f, 0.25f, 0.5f, 0.75f, 1.f})
+        ends.push_back(
+            Vec3f{size * (1 - t), -0.01f - 0.9f * size * t * (0.3f + 0.7f * t), 0.012f + 0.1f * t * (1 - t)});
+    for (const float t : {0.25f, 0.5f, 0.75f, 1.f})
+        ends.push_back(
+            Vec3f{0.012f + 0.1f * t * (1 - t), -0.01f - 0.9f * size * (1 - t) * (0.3f + 0.7f * (1 - t)), size * t});
     for (const Vec3f& end : ends) k.rod(silk, corner - Vec3f{0, 0.004f, 0}, end, 0.0022f, -1, 5);
     Mesh arcs;
     for (int ring = 1; ring <= 9; ++ring) {
         const float far = 0.1f + 0.1f * static_cast<float>(ring);
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            if (k.dice.chance(0.12f)) continue;   // torn
+            if (k.dice.chance(0.12f)) continue;  // torn
             const Vec3f a = ends[i] * far, b = ends[i + 1] * far, sag = (a + b) * 0.5f * 0.86f;
             const std::array<Vec3f, 4> path{a, lerp(a, sag, 0.75f), lerp(b, sag, 0.75f), b};
             shapes::append(arcs, shapes::tube(path, 0.0018f, 4));
@@ -368,15 +412,20 @@ void cobweb(Kit& k) {
     const std::uint32_t seed = k.seed();
     k.add(shapes::slab(24, 4, 0.001f,
                        [&](float u, float v) {
-                           const float at = u * static_cast<float>(ends.size() - 1), far = (0.66f + 0.14f * shapes::wobble({u * 11, 0, 0}, seed)) * (0.04f + 0.96f * v);
+                           const float at = u * static_cast<float>(ends.size() - 1),
+                                       far = (0.66f + 0.14f * shapes::wobble({u * 11, 0, 0}, seed)) *
+                                             (0.04f + 0.96f * v);
                            const auto i = std::min(static_cast<std::size_t>(at), ends.size() - 2);
-                           return lerp(ends[i], ends[i + 1], at - static_cast<float>(i)) * (far * (1.f - 0.05f * std::sin(kPi * (at - std::floor(at)))));
+                           return lerp(ends[i], ends[i + 1], at - static_cast<float>(i)) *
+                                  (far * (1.f - 0.05f * std::sin(kPi * (at - std::floor(at)))));
                        }),
           k.material(film));
     // A few that hang down, with dust on them.
     for (int i = 0; i < 5; ++i) {
-        const Vec3f from = ends[static_cast<std::size_t>(k.dice.index(static_cast<int>(ends.size())))] * k.dice.uniform(0.5f, 0.95f);
-        const std::array<Vec3f, 3> path{from, from + Vec3f{0.01f, -0.09f, 0.006f}, from + Vec3f{0.004f, -k.dice.uniform(0.14f, 0.24f), 0.012f}};
+        const Vec3f from = ends[static_cast<std::size_t>(k.dice.index(static_cast<int>(ends.size())))] *
+                           k.dice.uniform(0.5f, 0.95f);
+        const std::array<Vec3f, 3> path{from, from + Vec3f{0.01f, -0.09f, 0.006f},
+                                        from + Vec3f{0.004f, -k.dice.uniform(0.14f, 0.24f), 0.012f}};
         shapes::append(arcs, shapes::tube(path, 0.0018f, 4));
     }
     k.add(std::move(arcs), silk);
@@ -385,18 +434,23 @@ void cobweb(Kit& k) {
 
 // A rail on the wall with pots and pans on hooks.
 void hung_pans(Kit& k) {
-    const int metal = k.main(*material_named("copper")), iron = k.material(plain("wrought iron", {0.035f, 0.034f, 0.033f}, 0.5f));
+    const int metal = k.main(*material_named("copper")),
+              iron = k.material(plain("wrought iron", {0.035f, 0.034f, 0.033f}, 0.5f));
     const float half = 0.48f, rail = 0.5f, off = 0.075f;
     k.rod(iron, {-half, rail, off}, {half, rail, off}, 0.009f, -1, 10);
     for (const float sx : {-0.8f, 0.8f}) k.rod(iron, {sx * half, rail, 0}, {sx * half, rail, off}, 0.009f, -1, 10);
     for (int i = 0; i < 5; ++i) {
-        const float x = (static_cast<float>(i) - 2.f) * 0.19f, r = std::array{0.082f, 0.07f, 0.09f, 0.062f, 0.078f}[static_cast<std::size_t>(i)] * k.dice.uniform(0.94f, 1.05f),
+        const float x = (static_cast<float>(i) - 2.f) * 0.19f,
+                    r = std::array{0.082f, 0.07f, 0.09f, 0.062f, 0.078f}[static_cast<std::size_t>(i)] *
+                        k.dice.uniform(0.94f, 1.05f),
                     deep = i % 2 == 0 ? 0.042f : 0.075f, down = rail - 0.035f, long_ = 0.16f + 0.05f * k.dice.uniform();
         k.rod(iron, {x, rail, off + 0.008f}, {x, down, off + 0.008f}, 0.004f, -1, 6);
         // Its open side to the wall: one sees the polished bottom.
         const Vec3f middle{x, down - long_ - r, 0};
-        k.rod(metal, {x, down + 0.004f, off - 0.01f}, {middle.x, middle.y + 0.96f * r, off - 0.006f}, 0.008f, 0.011f, 8);
-        const std::array<Vec2f, 5> bowl{Vec2f{0.78f * r, 0.f}, {0.9f * r, 0.006f}, {0.97f * r, 0.02f}, {r, deep}, {r + 0.004f, deep + 0.004f}};
+        k.rod(metal, {x, down + 0.004f, off - 0.01f}, {middle.x, middle.y + 0.96f * r, off - 0.006f}, 0.008f, 0.011f,
+              8);
+        const std::array<Vec2f, 5> bowl{
+            Vec2f{0.78f * r, 0.f}, {0.9f * r, 0.006f}, {0.97f * r, 0.02f}, {r, deep}, {r + 0.004f, deep + 0.004f}};
         Mesh pan = shapes::vessel(bowl, 0.004f, 28);
         shapes::turn(pan, {1, 0, 0}, -90);
         k.add(std::move(pan), metal, {middle.x, middle.y, deep + 0.012f});
@@ -408,7 +462,8 @@ void hung_pans(Kit& k) {
 // A table with drawers to either side, a mirror on it, and what one needs before it.
 void dressing_table(Kit& k) {
     const Vec3f s = k.wanted({1.1f, 0.76f, 0.45f});
-    const int wood = k.main(k.style.wood), metal = k.material(k.style.metal), frame = k.material(k.style.mouldings == Mouldings::rich ? k.style.metal : k.style.wood);
+    const int wood = k.main(k.style.wood), metal = k.material(k.style.metal),
+              frame = k.material(k.style.mouldings == Mouldings::rich ? k.style.metal : k.style.wood);
     Material silvered = plain("mirror", {0.85f, 0.85f, 0.85f}, 0.05f);
     silvered.mirror = 1.f;
     const int silver = k.material(silvered);
@@ -438,18 +493,29 @@ void dressing_table(Kit& k) {
     k.board(frame, {0, s.y, z}, {0.3f, 0.04f, 0.06f}, 0.008f);
     // Bottles and a jar beside it.
     for (int i = 0; i < 4; ++i) {
-        const float x = (i % 2 ? 1.f : -1.f) * (0.3f + 0.07f * static_cast<float>(i / 2)), h = k.dice.uniform(0.06f, 0.14f), r = k.dice.uniform(0.016f, 0.026f);
-        const std::array<Vec2f, 5> bottle{Vec2f{r, 0}, {r, 0.7f * h}, {0.4f * r, 0.8f * h}, {0.4f * r, h}, {0.2f * r, h}};
-        k.add(shapes::lathe(bottle, 20, false), k.material(plain("perfume", lerp(k.accent(), {0.7f, 0.6f, 0.55f}, 0.4f), 0.12f)), {x, s.y, -0.25f * hz + 0.04f * static_cast<float>(i % 3)});
+        const float x = (i % 2 ? 1.f : -1.f) * (0.3f + 0.07f * static_cast<float>(i / 2)),
+                    h = k.dice.uniform(0.06f, 0.14f), r = k.dice.uniform(0.016f, 0.026f);
+        const std::array<Vec2f, 5> bottle{
+            Vec2f{r, 0}, {r, 0.7f * h}, {0.4f * r, 0.8f * h}, {0.4f * r, h}, {0.2f * r, h}};
+        k.add(shapes::lathe(bottle, 20, false),
+              k.material(plain("perfume", lerp(k.accent(), {0.7f, 0.6f, 0.55f}, 0.4f), 0.12f)),
+              {x, s.y, -0.25f * hz + 0.04f * static_cast<float>(i % 3)});
     }
     k.piece.surfaces.push_back({{0, s.y, 0.35f * hz}, {0.8f * hx, 0.3f * hz}});
     k.piece.against_wall = true;
     k.piece.clearance_front_m = 0.75f;
 }
 
-constexpr Entry kWished[] = {{"christmas_tree", christmas_tree}, {"rocking_chair", rocking_chair}, {"hammock", hammock}, {"cot_mobile", cot_mobile},
-                             {"clothes_horse", clothes_horse},   {"pipes", pipes},                 {"gears", gears},     {"cobweb", cobweb},
-                             {"hung_pans", hung_pans},           {"dressing_table", dressing_table}};
+constexpr Entry kWished[] = {{"christmas_tree", christmas_tree},
+                             {"rocking_chair", rocking_chair},
+                             {"hammock", hammock},
+                             {"cot_mobile", cot_mobile},
+                             {"clothes_horse", clothes_horse},
+                             {"pipes", pipes},
+                             {"gears", gears},
+                             {"cobweb", cobweb},
+                             {"hung_pans", hung_pans},
+                             {"dressing_table", dressing_table}};
 
 }  // namespace
 

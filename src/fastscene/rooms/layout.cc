@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kDoorCasing = 0.1f;   // and a finger
+constexpr float kDoorCasing = 0.1f;  // and a finger
 
 }  // namespace
 
@@ -46,10 +46,11 @@ std::optional<Footprint> part_above(const Placed& p, float height) {
 }
 
 bool shelters(const std::vector<Placed>& all, int over, const Placed& thing) {
-    constexpr float kThick = 0.36f;   // of what one lies on, with the frame that bears it
+    constexpr float kThick = 0.36f;  // of what one lies on, with the frame that bears it
     if (thing.on < 0 || over < 0 || all[static_cast<std::size_t>(thing.on)].below != over) return false;
     const Placed& above = all[static_cast<std::size_t>(over)];
-    return !above.piece.surfaces.empty() && footprint_of(thing).y1 < above.position.y + above.piece.surfaces.front().center.y - kThick;
+    return !above.piece.surfaces.empty() &&
+           footprint_of(thing).y1 < above.position.y + above.piece.surfaces.front().center.y - kThick;
 }
 
 bool blocks_opening(const Plan& plan, const Footprint& box) {
@@ -58,7 +59,11 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         const WallFace face = plan.wall(o.wall);
         if (o.kind == Opening::Kind::window && height > o.y0 - kSillThickness) {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);
-            if (overlap(box, {flat(middle), {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2}, yaw_of(face.inward), o.y0 - kSillThickness, o.y0}))
+            if (overlap(box, {flat(middle),
+                              {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2},
+                              yaw_of(face.inward),
+                              o.y0 - kSillThickness,
+                              o.y0}))
                 return true;
         }
         const bool door = o.kind != Opening::Kind::window;
@@ -69,8 +74,11 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         const float deep = door ? 0.85f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
-        Footprint zone{
-            flat(middle), {(o.u1 - o.u0) / 2 + (door ? kDoorCasing : kCurtainMargin), deep / 2}, yaw_of(face.inward), 0, door ? 2.f : o.y1};
+        Footprint zone{flat(middle),
+                       {(o.u1 - o.u0) / 2 + (door ? kDoorCasing : kCurtainMargin), deep / 2},
+                       yaw_of(face.inward),
+                       0,
+                       door ? 2.f : o.y1};
         if (!door) zone.y0 = below;
         if (overlap(box, zone)) return true;
     }
@@ -79,7 +87,8 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
 
 bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1) {
     return std::none_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
-        return o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f && y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f;
+        return o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f &&
+               y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f;
     });
 }
 
@@ -90,8 +99,11 @@ bool clear_of_walls(const Plan& plan, const Placed& placed) {
 
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& p) {
     for (const WallFace& face : faces) {
-        const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2, off = dot(p.position - face.origin, face.inward);
-        if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half || u > face.length - half) continue;
+        const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2,
+                    off = dot(p.position - face.origin, face.inward);
+        if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half ||
+            u > face.length - half)
+            continue;
         return wall_is_free(plan, face, u - half, u + half, p.position.y, p.position.y + p.piece.size_m.y);
     }
     return false;
@@ -103,10 +115,12 @@ bool stands_on_sill(const Plan& plan, const Placed& p) {
     const WallFace face = plan.wall(o.wall);
     const Footprint box = footprint_of(p);
     const Vec3f to = p.position - face.origin;
-    const float u = dot(to, face.along), off = dot(to, face.inward), half_u = extent(box, flat(face.along)), half = extent(box, flat(face.inward));
+    const float u = dot(to, face.along), off = dot(to, face.inward), half_u = extent(box, flat(face.along)),
+                half = extent(box, flat(face.inward));
     constexpr float kTolerance = 0.002f;
-    return o.kind == Opening::Kind::window && std::abs(p.position.y - o.y0) < kTolerance && box.y1 < o.y1 && u - half_u > o.u0 && u + half_u < o.u1 &&
-           off - half > -kRevealDepth - kTolerance && off + half < kSillReach + kTolerance;
+    return o.kind == Opening::Kind::window && std::abs(p.position.y - o.y0) < kTolerance && box.y1 < o.y1 &&
+           u - half_u > o.u0 && u + half_u < o.u1 && off - half > -kRevealDepth - kTolerance &&
+           off + half < kSillReach + kTolerance;
 }
 
 bool hangs_in_window(const Plan& plan, const Placed& p) {
@@ -115,8 +129,9 @@ bool hangs_in_window(const Plan& plan, const Placed& p) {
     const WallFace face = plan.wall(o.wall);
     const Vec3f to = p.position - face.origin;
     const float u = dot(to, face.along), off = dot(to, face.inward), half = p.piece.size_m.x / 2;
-    return o.kind == Opening::Kind::window && dot(face.inward, front_of(p.yaw)) > 0.99f && u - half > o.u0 && u + half < o.u1 && p.position.y > o.y0 - 0.001f &&
-           p.position.y + p.piece.size_m.y < o.y1 + 0.001f && off > -kRevealDepth && off + p.piece.size_m.z < kSillReach;
+    return o.kind == Opening::Kind::window && dot(face.inward, front_of(p.yaw)) > 0.99f && u - half > o.u0 &&
+           u + half < o.u1 && p.position.y > o.y0 - 0.001f && p.position.y + p.piece.size_m.y < o.y1 + 0.001f &&
+           off > -kRevealDepth && off + p.piece.size_m.z < kSillReach;
 }
 
 void Layout::find_ways() {
@@ -126,8 +141,10 @@ void Layout::find_ways() {
 
 bool hides(const Placed& floor, const Placed& hung) {
     const bool overhead = floor.piece.klass == "hanging_plant";
-    const float before_m = overhead ? 0.4f : 0.15f;   // metres before it
-    if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) || floor.flat || floor.on >= 0 || floor.piece.klass == "curtain") return false;
+    const float before_m = overhead ? 0.4f : 0.15f;  // metres before it
+    if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) ||
+        floor.flat || floor.on >= 0 || floor.piece.klass == "curtain")
+        return false;
     Footprint before = footprint_of(hung);
     before.half.y += before_m / 2;
     before.center = before.center + flat(front_of(hung.yaw)) * (before_m / 2);
@@ -152,7 +169,8 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
         if (overlap(box, b) || hides(placed, other)) return false;
         if (with_clearance && other.piece.mount == Mount::floor && overlap(room_for, b)) return false;
         // Nor may it stand in the other's way.
-        if (with_clearance && other.piece.mount == Mount::floor && other.piece.against_wall && other.piece.clearance_front_m > 0) {
+        if (with_clearance && other.piece.mount == Mount::floor && other.piece.against_wall &&
+            other.piece.clearance_front_m > 0) {
             Footprint before = b;
             const float front = std::min(other.piece.clearance_front_m, 0.5f);
             before.half.y = front / 2;
@@ -182,7 +200,8 @@ bool Layout::has_spare(const Placed& placed, const Spare& spare) const {
     if (spare.left > 0 || spare.right > 0 || spare.front > 0 || spare.behind > 0) {
         Footprint box = footprint_of(placed);
         const auto axes = axes_of(box);
-        box.center = box.center + axes[0] * ((spare.right - spare.left) / 2) + axes[1] * ((spare.front - spare.behind) / 2);
+        box.center = box.center + axes[0] * ((spare.right - spare.left) / 2) +
+                     axes[1] * ((spare.front - spare.behind) / 2);
         box.half = box.half + Vec2f{(spare.left + spare.right) / 2, (spare.front + spare.behind) / 2};
         if (!plan_.holds(box) || blocks_opening(plan_, box)) return false;
         for (const Placed& other : placed_)
@@ -196,10 +215,12 @@ bool Layout::has_spare(const Placed& placed, const Spare& spare) const {
     for (const Opening& o : plan_.openings) {
         const WallFace face = plan_.wall(o.wall);
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
-        if (overlap(above, {flat(middle), {(o.u1 - o.u0) / 2 + 0.15f, 0.3f}, yaw_of(face.inward), o.y0, o.y1})) return false;
+        if (overlap(above, {flat(middle), {(o.u1 - o.u0) / 2 + 0.15f, 0.3f}, yaw_of(face.inward), o.y0, o.y1}))
+            return false;
     }
-    return plan_.holds(above) &&
-           std::none_of(placed_.begin(), placed_.end(), [&](const Placed& p) { return !p.flat && overlap(above, footprint_of(p)); });
+    return plan_.holds(above) && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& p) {
+               return !p.flat && overlap(above, footprint_of(p));
+           });
 }
 
 namespace {
@@ -220,7 +241,9 @@ Vec3f as_measured(const PieceRequest& usual, Vec3f said) {
 std::string Layout::accent_of(const std::string& klass) const {
     const bool seat = is_one_of(klass, {"sofa", "loveseat", "armchair"});
     for (const std::string& m : spec_.accents) {
-        if (is_one_of(m, {"rattan", "wicker", "cane"}) && (seat || is_one_of(klass, {"chair", "coffee_table", "side_table"}))) return m;
+        if (is_one_of(m, {"rattan", "wicker", "cane"}) &&
+            (seat || is_one_of(klass, {"chair", "coffee_table", "side_table"})))
+            return m;
         if (is_one_of(m, {"leather", "velvet"}) && seat) return m;
     }
     return {};
@@ -232,18 +255,23 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
     r.style = &plan_.style;
     r.seed = dice_.next_u64();
     if (wish && spec_.pack)
-        if ((r.model = spec_.pack->choose(r.klass, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id)))) r.pack = spec_.pack;
-    if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.klass)) r.klass = stand_in(r.klass).value_or(r.klass);
+        if ((r.model = spec_.pack->choose(r.klass, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id))))
+            r.pack = spec_.pack;
+    if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.klass))
+        r.klass = stand_in(r.klass).value_or(r.klass);
     if (wish && !wish->style.empty()) r.style = &style_named(wish->style);
     if (r.klass == "desk")
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "monitor" && !o.forbidden && o.relation != "in the next room") r.screens = std::min(kMostScreens, r.screens + o.count);
+            if (o.klass == "monitor" && !o.forbidden && o.relation != "in the next room")
+                r.screens = std::min(kMostScreens, r.screens + o.count);
     // An island is of the units' color.
     if (r.klass == "kitchen_island" && (!wish || (wish->color.empty() && wish->material.empty())))
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty()) r.color = color_named(o.color), r.color_name = o.color;
+            if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty())
+                r.color = color_named(o.color), r.color_name = o.color;
     // Nobody cooks where the washing is done.
-    if (r.klass == "kitchen_counter") r.cooks = spec_.room != "laundry" && spec_.room != "bathroom" && spec_.room != "hallway";
+    if (r.klass == "kitchen_counter")
+        r.cooks = spec_.room != "laundry" && spec_.room != "bathroom" && spec_.room != "hallway";
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.color2_name = wish->color2;
@@ -256,12 +284,14 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
         r.size_m = as_measured(r, wish->size_m);
         // A small round table is one for two.
-        if (r.klass == "dining_table_round" && wish->size == "small" && wish->size_m == Vec3f{}) r.size_factor = 1.f, r.size_m = {0.75f, 0, 0.75f};
+        if (r.klass == "dining_table_round" && wish->size == "small" && wish->size_m == Vec3f{})
+            r.size_factor = 1.f, r.size_m = {0.75f, 0, 0.75f};
     }
     // An island has the worktop of the units.
     if (r.klass == "kitchen_island" && r.holder_material.empty() && r.holder_color.empty())
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "kitchen_counter" && !o.forbidden) r.holder_material = o.holder_material, r.holder_color = o.holder_color;
+            if (o.klass == "kitchen_counter" && !o.forbidden)
+                r.holder_material = o.holder_material, r.holder_color = o.holder_color;
     if (r.material.empty() && !r.model) r.material = accent_of(r.klass);
     return r;
 }
@@ -273,10 +303,13 @@ float Layout::as_asked(const Placed& placed, const PromptObject& wish) const {
 }
 
 std::string Layout::why_not(const std::string& klass) const {
-    if (std::binary_search(piece_classes().begin(), piece_classes().end(), klass) || (spec_.pack && spec_.pack->choose(klass, 0)) || stand_in(klass))
+    if (std::binary_search(piece_classes().begin(), piece_classes().end(), klass) ||
+        (spec_.pack && spec_.pack->choose(klass, 0)) || stand_in(klass))
         return {};
-    if (spec_.pack && spec_.pack->only_with_attribution(klass)) return "there is only a model whose author must be named: --assets all uses it";
-    return spec_.pack ? "there is no model of it" : "there is no built-in model of it, and no furniture pack (sweethome3d-furniture) is in use";
+    if (spec_.pack && spec_.pack->only_with_attribution(klass))
+        return "there is only a model whose author must be named: --assets all uses it";
+    return spec_.pack ? "there is no model of it"
+                      : "there is no built-in model of it, and no furniture pack (sweethome3d-furniture) is in use";
 }
 
 std::optional<int> Layout::find(std::string_view klass) const {
@@ -286,7 +319,8 @@ std::optional<int> Layout::find(std::string_view klass) const {
 }
 
 int Layout::count(std::string_view klass) const {
-    return static_cast<int>(std::count_if(placed_.begin(), placed_.end(), [&](const Placed& p) { return p.piece.klass == klass; }));
+    return static_cast<int>(
+        std::count_if(placed_.begin(), placed_.end(), [&](const Placed& p) { return p.piece.klass == klass; }));
 }
 
 }  // namespace fastscene

@@ -1,5 +1,6 @@
-// Layout: where the furniture stands. Works in the room frame of plan.h. Pieces are placed one after the other, what was asked
-// for first, each into the best free slot; then groups of pieces move together until they stand well (layout_anneal.h).
+// Layout: where the furniture stands. Works in the room frame of plan.h. Pieces are placed one after the other, what
+// was asked for first, each into the best free slot; then groups of pieces move together until they stand well
+// (layout_anneal.h).
 #pragma once
 
 #include <optional>
@@ -12,22 +13,23 @@
 
 namespace fastscene {
 
-inline constexpr float kCurtainMargin = 0.32f;   // how far the rod reaches beyond the window
-inline constexpr float kPanelling = 0.035f;      // stands proud of the wall
-inline constexpr float kSlotStep = 0.07f;        // between the places along a wall that are tried
+inline constexpr float kCurtainMargin = 0.32f;  // how far the rod reaches beyond the window
+inline constexpr float kPanelling = 0.035f;     // stands proud of the wall
+inline constexpr float kSlotStep = 0.07f;       // between the places along a wall that are tried
 
 // A piece and its pose. The front (+z of the object) looks along (sin yaw, 0, cos yaw).
 struct Placed {
     Piece piece;
-    PromptObject wish;         // empty klass: nobody asked for it
+    PromptObject wish;  // empty klass: nobody asked for it
     Vec3f position;
     float yaw = 0;
-    int on = -1;               // index of the piece it stands on
-    int sill = -1;             // index of the window on whose sill it stands, or in which it hangs
-    int below = -1;            // index of the table it stands under
-    int with = -1;             // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
-    bool flat = false;         // rugs: one may stand on them
-    bool overhead = false;     // lamps that hang: one may stand below them
+    int on = -1;     // index of the piece it stands on
+    int sill = -1;   // index of the window on whose sill it stands, or in which it hangs
+    int below = -1;  // index of the table it stands under
+    int with =
+        -1;  // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
+    bool flat = false;      // rugs: one may stand on them
+    bool overhead = false;  // lamps that hang: one may stand below them
 };
 
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
@@ -43,7 +45,8 @@ bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const P
 bool hangs_in_window(const Plan& plan, const Placed& placed);
 // On the sill of its window, between the frame and the sill's edge.
 bool stands_on_sill(const Plan& plan, const Placed& placed);
-// Whether a piece on the floor, or a plant from the ceiling, is close before what hangs on a wall, and reaches to its height.
+// Whether a piece on the floor, or a plant from the ceiling, is close before what hangs on a wall, and reaches to its
+// height.
 bool hides(const Placed& floor, const Placed& hung);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);
@@ -52,17 +55,17 @@ bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, fl
 
 // The search after the slot scan (layout_anneal.h). Temperatures are in units of its cost.
 struct AnnealParams {
-    int steps = 1500;   // 0: pieces stay in their slots
+    int steps = 1500;  // 0: pieces stay in their slots
     float hot = 0.5f, cold = 0.01f;
 };
 struct AnnealReport {
-    float before = 0, after = 0;   // cost
-    double seconds = 0;            // of this thread's time
+    float before = 0, after = 0;  // cost
+    double seconds = 0;           // of this thread's time
 };
 
-inline constexpr int kMostScreens = 3;  // side by side on a desk
+inline constexpr int kMostScreens = 3;      // side by side on a desk
 inline constexpr float kInsideBed = 0.13f;  // metres that a desk below a bed stands back from the front of its ladder
-inline constexpr float kInRow = 0.12f;  // metres between those that stand in a row
+inline constexpr float kInRow = 0.12f;      // metres between those that stand in a row
 
 // Floor kept free about a piece, and the wall above it, for what is to stand or hang there.
 struct Spare {
@@ -78,41 +81,48 @@ class Layout {
 
     // Each returns the index of the new piece, or nothing when there is no room for it.
     struct WallWish {
-        int wall = -1;                 // only this one
+        int wall = -1;                             // only this one
         std::optional<Vec2f> near = std::nullopt;  // as near to this point as possible
-        float center_pull = 1.f;       // how much the middle of a wall is preferred
-        float window_pull = 0.f;       // > 0: under a window; < 0: away from it
+        float center_pull = 1.f;                   // how much the middle of a wall is preferred
+        float window_pull = 0.f;                   // > 0: under a window; < 0: away from it
         bool corner = false;
-        bool clear_of_windows = false;  // not below one either
-        float at_most_from_near = 1e9f; // metres
-        float apart_pull = 0.f;         // how much it seeks distance from all that stands
-        Spare spare{};                  // kept if any slot has it
+        bool clear_of_windows = false;   // not below one either
+        float at_most_from_near = 1e9f;  // metres
+        float apart_pull = 0.f;          // how much it seeks distance from all that stands
+        Spare spare{};                   // kept if any slot has it
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
-    std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing, const PromptObject& from = {}, float aside_m = 0);
-    std::optional<int> beside(int anchor, const PieceRequest& request, int side, float gap_m, const PromptObject& from = {});
+    std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing,
+                                   const PromptObject& from = {}, float aside_m = 0);
+    std::optional<int> beside(int anchor, const PieceRequest& request, int side, float gap_m,
+                              const PromptObject& from = {});
     // Beside a piece of the same kind, whatever it stands on or hangs on.
     std::optional<int> in_line(int anchor, const PieceRequest& request, int side, const PromptObject& from);
     std::optional<int> behind(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // Below a table's top, between its legs.
     std::optional<int> below(int anchor, const PieceRequest& request, const PromptObject& from = {});
-    std::optional<int> free_standing(const PieceRequest& request, const PromptObject& from = {}, const Spare& spare = {});
+    std::optional<int> free_standing(const PieceRequest& request, const PromptObject& from = {},
+                                     const Spare& spare = {});
     std::optional<int> angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from = {});
     int around(int table, const PieceRequest& request, int count, const PromptObject& from = {});
     // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
-    std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m, const PromptObject& from = {});
+    std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m,
+                             const PromptObject& from = {});
     std::optional<int> lay(Vec2f at, float yaw, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_top(int anchor, const PieceRequest& request, const PromptObject& from = {});
     // … with its middle at this point of the floor plan, turned as asked.
-    std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw, const PromptObject& from = {});
+    std::optional<int> on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw,
+                                 const PromptObject& from = {});
     // On the sill of this window, or of any, where nothing else stands before it; no larger than the sill is deep.
-    std::optional<int> on_sill(const PieceRequest& request, std::optional<int> window = {}, const PromptObject& from = {});
+    std::optional<int> on_sill(const PieceRequest& request, std::optional<int> window = {},
+                               const PromptObject& from = {});
     // Small things that lie about on the floor near a point.
     std::optional<int> on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
     // Above a door or window of this class, below the ceiling.
-    std::optional<int> over_opening(const std::string& klass, const PieceRequest& request, const PromptObject& from = {});
+    std::optional<int> over_opening(const std::string& klass, const PieceRequest& request,
+                                    const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // Between two walls and the ceiling.
     std::optional<int> in_upper_corner(const PieceRequest& request, const PromptObject& from = {});
@@ -129,9 +139,11 @@ class Layout {
     // Says that one piece was placed by another.
     void join(int piece, int anchor) { placed_[static_cast<std::size_t>(piece)].with = anchor; }
 
-    // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand in.
+    // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand
+    // in.
     PieceRequest request(std::string klass, const PromptObject* wish = nullptr);
-    // While insisting, a piece stands where this wish says ("opposite the bed") or not at all; else only rather where its own says.
+    // While insisting, a piece stands where this wish says ("opposite the bed") or not at all; else only rather where
+    // its own says.
     void insist(const PromptObject* where) { insisted_ = where; }
     // Why nothing of this class can be made; empty: it can.
     std::string why_not(const std::string& klass) const;
@@ -145,13 +157,16 @@ class Layout {
     void improve();
     const AnnealReport& annealed() const { return annealed_; }
 
-    // Where the camera stands: eye height, free of things, in sight of what was asked for, by boxes alone; and by what is seen of it.
+    // Where the camera stands: eye height, free of things, in sight of what was asked for, by boxes alone; and by what
+    // is seen of it.
     Vec3f camera_position() const;
     Vec3f viewpoint() const;
-    // Pieces asked for that other pieces hide from there, by boxes; and those of which hardly anything is seen (layout_sight.h).
+    // Pieces asked for that other pieces hide from there, by boxes; and those of which hardly anything is seen
+    // (layout_sight.h).
     int likely_hidden(Vec3f eye) const;
     std::vector<int> unseen(Vec3f eye) const;
-    // Moves a small thing to where it is seen best from there: on what carries it, or `anywhere`; pixels of a panorama of 512 x 256.
+    // Moves a small thing to where it is seen best from there: on what carries it, or `anywhere`; pixels of a panorama
+    // of 512 x 256.
     float show(int piece, Vec3f eye, bool anywhere);
     // Takes pieces away, with what stands on them: all but those that carry something that was asked for.
     void take_away(std::vector<int> pieces);
@@ -185,7 +200,8 @@ class Layout {
     Ways ways_;
 };
 
-// What makes a room lived in: small things on tops, radiators, more on bare walls and floors. `clutter` in [0, 1]. Part of furnish().
+// What makes a room lived in: small things on tops, radiators, more on bare walls and floors. `clutter` in [0, 1]. Part
+// of furnish().
 void add_touches(Layout& layout, float clutter);
 
 // Furnishes by the room's type, what the prompt asks for first; what does not fit goes to spec.not_placed.
@@ -201,7 +217,8 @@ struct FurnishedRoom {
     int hidden_wishes = 0;  // pieces asked for of which the camera sees hardly anything
     AnnealReport annealed;
 };
-// The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in (spec, run.seed).
+// The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in
+// (spec, run.seed).
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing = {});
 // … and as triangles.
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run);

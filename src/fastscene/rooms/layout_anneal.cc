@@ -91,7 +91,9 @@ class Annealer {
         const Placed& p = at(g.root);
         for (const WallFace& face : faces_) {
             const float off = dot(p.position - face.origin, face.inward), u = dot(p.position - face.origin, face.along);
-            if (dot(face.inward, front_of(p.yaw)) < 0.99f || u < 0 || u > face.length || off < 0 || off - p.piece.size_m.z / 2 > 0.12f) continue;
+            if (dot(face.inward, front_of(p.yaw)) < 0.99f || u < 0 || u > face.length || off < 0 ||
+                off - p.piece.size_m.z / 2 > 0.12f)
+                continue;
             g.at_wall = true;
             g.off_wall = off;
             return;
@@ -117,9 +119,12 @@ class Annealer {
             boxes_[static_cast<std::size_t>(it->first)] = footprint_of(at(it->first));
         }
     }
-    void put_at_wall(const Group& g, const WallFace& face, float u) { put(g, face.point(u, 0) + face.inward * g.off_wall, yaw_of(face.inward)); }
+    void put_at_wall(const Group& g, const WallFace& face, float u) {
+        put(g, face.point(u, 0) + face.inward * g.off_wall, yaw_of(face.inward));
+    }
 
-    // Slides, turns, changes the wall, or swaps two; returns the groups that moved. `reach` in (0, 1]: moves become smaller as it cools.
+    // Slides, turns, changes the wall, or swaps two; returns the groups that moved. `reach` in (0, 1]: moves become
+    // smaller as it cools.
     std::vector<int> propose(float reach) {
         before_.clear();
         const int k = dice_.index(static_cast<int>(groups_.size()));
@@ -149,13 +154,15 @@ class Annealer {
         if (roll < 0.65f) put(g, position + Vec3f{far * dice_.normal(), 0, far * dice_.normal()}, yaw);
         else
             put(g, position,
-                yaw + (at(g.root).piece.klass == "armchair" || is_easy_chair(at(g.root).piece.klass) ? kPi / 12 : kPi / 2) * (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
+                yaw + (at(g.root).piece.klass == "armchair" || is_easy_chair(at(g.root).piece.klass) ? kPi / 12
+                                                                                                     : kPi / 2) *
+                          (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
         return {k};
     }
 
     // Whether most of its back is at a wall still: past the end of a chimney breast there is none.
     bool has_wall_behind(const Group& g) {
-        constexpr float kMost = 0.75f, kOff = 0.03f;   // share of its width; metres
+        constexpr float kMost = 0.75f, kOff = 0.03f;  // share of its width; metres
         const Placed& p = at(g.root);
         const float half = p.piece.size_m.x / 2;
         return std::any_of(faces_.begin(), faces_.end(), [&](const WallFace& face) {
@@ -178,7 +185,9 @@ class Annealer {
                 if (group_[k] == group || placed_[k].flat != p.flat) continue;
                 const Vec2f d = boxes_[k].center - box.center;
                 const float near = box.half.x + box.half.y + boxes_[k].half.x + boxes_[k].half.y;
-                if (std::abs(d.x) < near && std::abs(d.y) < near && (overlap(box, boxes_[k]) || hides(p, placed_[k]) || hides(placed_[k], p))) return false;
+                if (std::abs(d.x) < near && std::abs(d.y) < near &&
+                    (overlap(box, boxes_[k]) || hides(p, placed_[k]) || hides(placed_[k], p)))
+                    return false;
             }
         }
         return true;
@@ -196,7 +205,8 @@ class Annealer {
 
 }  // namespace
 
-std::vector<std::vector<Stand>> anneal(const Plan& plan, std::vector<Placed> placed, const AnnealParams& params, std::uint64_t seed) {
+std::vector<std::vector<Stand>> anneal(const Plan& plan, std::vector<Placed> placed, const AnnealParams& params,
+                                       std::uint64_t seed) {
     return Annealer(plan, placed, seed).run(params);
 }
 
@@ -205,9 +215,10 @@ void Layout::improve() {
     std::vector<Placed> bare;  // meshes take no part
     for (const Placed& p : placed_) {
         Placed b = {};
-        b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill, b.with = p.with, b.below = p.below, b.flat = p.flat,
-        b.overhead = p.overhead;
-        b.piece.klass = p.piece.klass, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount, b.piece.surfaces = p.piece.surfaces;
+        b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill, b.with = p.with,
+        b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
+        b.piece.klass = p.piece.klass, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount,
+        b.piece.surfaces = p.piece.surfaces;
         b.piece.clearance_front_m = p.piece.clearance_front_m, b.piece.clearance_side_m = p.piece.clearance_side_m;
         bare.push_back(std::move(b));
     }
@@ -229,7 +240,8 @@ void Layout::improve() {
             annealed_.after = layout_cost(plan_, placed_).sum();
             break;
         }
-        for (std::size_t i = 0; i < bare.size(); ++i) placed_[i].position = bare[i].position, placed_[i].yaw = bare[i].yaw;
+        for (std::size_t i = 0; i < bare.size(); ++i)
+            placed_[i].position = bare[i].position, placed_[i].yaw = bare[i].yaw;
         ways_ = before;
     }
     annealed_.seconds = thread_seconds() - start;

@@ -1,15 +1,17 @@
-// Annealing: after every piece has its slot, whole groups of furniture (a bed with its nightstands, lamps, rug and picture) are moved
-// about until the room stands better. The slot scan sees one piece at a time; this sees the room.
+// Annealing: after every piece has its slot, whole groups of furniture (a bed with its nightstands, lamps, rug and
+// picture) are moved about until the room stands better. The slot scan sees one piece at a time; this sees the room.
 //
-// The cost and the search follow Yu et al. 2011 ("Make it Home", simulated annealing over poses with moves that translate, rotate and
-// swap; terms for accessibility, visibility, pathways, distance and angle to walls, pairwise constraints) and Merrell et al. 2011
-// ("Interactive Furniture Layout Using Interior Design Guidelines": clearance, circulation, conversation, balance, alignment). Ours, each
-// about 1 where a visitor would be annoyed:
+// The cost and the search follow Yu et al. 2011 ("Make it Home", simulated annealing over poses with moves that
+// translate, rotate and swap; terms for accessibility, visibility, pathways, distance and angle to walls, pairwise
+// constraints) and Merrell et al. 2011
+// ("Interactive Furniture Layout Using Interior Design Guidelines": clearance, circulation, conversation, balance,
+// alignment). Ours, each about 1 where a visitor would be annoyed:
 //   clearance  what stands in the room that a piece wants before it or at its sides, by depth over 0.6 m
-//   walkway    what stands within 1.2 m of a door or doorway; gaps too wide to touch and too narrow to walk through (0.12 to 0.55 m)
-//   facing     a sofa and what it looks at: angle, offset to the side, distance beyond 1.8 … 4 m; armchairs and the middle of the talk
-//   alignment  main pieces off the middle of their part of the wall; tables that stand askew
-//   wall       tall pieces before windows; main pieces on the wall of the door; plants, lamps and baskets far from any corner; a floor
+//   walkway    what stands within 1.2 m of a door or doorway; gaps too wide to touch and too narrow to walk through
+//   (0.12 to 0.55 m) facing     a sofa and what it looks at: angle, offset to the side, distance beyond 1.8 … 4 m;
+//   armchairs and the middle of the talk alignment  main pieces off the middle of their part of the wall; tables that
+//   stand askew wall       tall pieces before windows; main pieces on the wall of the door; plants, lamps and baskets
+//   far from any corner; a floor
 //              whose furniture stands all on one side
 //   asked      4 for every piece that does not stand where the prompt says
 // A state in which pieces overlap, leave the room, hang on no wall or block an opening is never entered.
@@ -33,8 +35,9 @@ struct Stand {
     Vec3f position;
     float yaw = 0;
 };
-// States that were each the best so far, the last one the best of all; empty: no move made it better. Deterministic in `seed`.
-// `placed` may come without meshes.
-std::vector<std::vector<Stand>> anneal(const Plan& plan, std::vector<Placed> placed, const AnnealParams& params, std::uint64_t seed);
+// States that were each the best so far, the last one the best of all; empty: no move made it better. Deterministic in
+// `seed`. `placed` may come without meshes.
+std::vector<std::vector<Stand>> anneal(const Plan& plan, std::vector<Placed> placed, const AnnealParams& params,
+                                       std::uint64_t seed);
 
 }  // namespace fastscene

@@ -1,4 +1,5 @@
-// What was asked for: when it is placed, and how at another piece. Search where the words say is in layout_asked_places.cc.
+// What was asked for: when it is placed, and how at another piece. Search where the words say is in
+// layout_asked_places.cc.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +17,8 @@ bool is_before(const std::string& relation) { return is_one_of(relation, {"in fr
 // Two pieces must stand before what is asked to be between them can.
 bool both_stand(const Layout& l, const Ask& ask) {
     const auto standing = [&](const std::string& klass) {
-        return std::count_if(l.placed().begin(), l.placed().end(), [&](const Placed& p) { return p.piece.klass == klass || p.wish.klass == klass; });
+        return std::count_if(l.placed().begin(), l.placed().end(),
+                             [&](const Placed& p) { return p.piece.klass == klass || p.wish.klass == klass; });
     };
     return ask.at == ask.and_at ? standing(ask.at) > 1 : standing(ask.at) > 0 && standing(ask.and_at) > 0;
 }
@@ -95,18 +97,22 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
     const Piece piece = make_piece(r);
     std::optional<int> i;
-    if (ask.wish->in_row && ask.wish->klass != "monitor") i = next_in_row(*ask.wish, r);   // monitors stand in a row as it is
+    if (ask.wish->in_row && ask.wish->klass != "monitor")
+        i = next_in_row(*ask.wish, r);  // monitors stand in a row as it is
     if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
     else if (ask.wish->klass == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
-    else if (ask.relation == "at the foot of" && is_bed(klass_of(anchor)) && lies_on_seats(ask.wish->klass)) i = at_the_foot(anchor, r, *ask.wish);
+    else if (ask.relation == "at the foot of" && is_bed(klass_of(anchor)) && lies_on_seats(ask.wish->klass))
+        i = at_the_foot(anchor, r, *ask.wish);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
     else if (ask.relation == "under") i = under_piece(anchor, ask, r, piece);
     else if (piece.mount == Mount::floor) {
         if (is_before(ask.relation)) i = before_piece(anchor, ask, r);
         if (ask.relation == "behind") i = l_.behind(anchor, r, *ask.wish);
-        if (ask.relation == "around") i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1) : std::nullopt;
+        if (ask.relation == "around")
+            i = l_.around(anchor, r, 1, *ask.wish) ? std::optional(static_cast<int>(l_.placed().size()) - 1)
+                                                   : std::nullopt;
         if (is_beside(ask.relation)) i = next_to_piece(anchor, ask, r);
         if (ask.relation == "facing" && !piece.against_wall) {
             const Insisting insisting(l_, *ask.wish);
@@ -116,7 +122,8 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     if (i) return i;
     // Only what says so itself can be searched for.
     if (ask.wish->relation.empty()) return {};
-    if (piece.mount == Mount::surface && ask.relation != "on" && ask.wish->klass != "tv") return on_a_top_there(*ask.wish, r, anchor);
+    if (piece.mount == Mount::surface && ask.relation != "on" && ask.wish->klass != "tv")
+        return on_a_top_there(*ask.wish, r, anchor);
     return where_asked(*ask.wish, r, piece);
 }
 
@@ -127,7 +134,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
         for (int tries = 0; tries < 8; ++tries) {
             const std::size_t before = l_.mark();
             const Vec2f spread{0.3f * size(anchor).x, 0.3f * size(anchor).z};
-            const Vec2f there = flat(at(anchor).position + right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) +
+            const Vec2f there = flat(at(anchor).position +
+                                     right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) +
                                      front_of(at(anchor).yaw) * l_.dice().uniform(-spread.y, spread.y));
             if (const auto i = l_.on_floor_near(there, r, *ask.wish)) {
                 if (stands_as_asked(l_.plan(), l_.placed(), at(*i), *ask.wish).value_or(false)) return i;
@@ -137,7 +145,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree", "hanging_plant"})) smaller.klass = "plant_small";
+        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree", "hanging_plant"}))
+            smaller.klass = "plant_small";
         // On a bathtub's rim they stand one by one.
         if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
@@ -155,7 +164,8 @@ std::optional<int> Furnisher::at_the_foot(int anchor, const PieceRequest& r, con
         for (const float side : {1.f, -1.f}) {
             if (!along && side < 0) continue;
             const Vec3f way = along ? right_of(bed.yaw) * side : front_of(bed.yaw);
-            if (const auto i = l_.on_top_at(anchor, r, flat(bed.position + way * (half - from_end)), bed.yaw + (along ? 0.5f * kPi : 0.f), wish))
+            if (const auto i = l_.on_top_at(anchor, r, flat(bed.position + way * (half - from_end)),
+                                            bed.yaw + (along ? 0.5f * kPi : 0.f), wish))
                 return i;
         }
     return l_.on_top(anchor, r, wish);
@@ -167,7 +177,8 @@ std::optional<int> Furnisher::above_piece(int anchor, const Ask& ask, const Piec
         const Vec2f middle = flat(at(anchor).position), along = flat(right_of(at(anchor).yaw));
         const float step = std::max(0.45f, piece.size_m.x + 0.1f);
         const bool several = ask.wish->count > 1;
-        const std::vector<float> places = several ? std::vector<float>{-0.5f, 0.5f, -1.5f, 1.5f, 0.f} : std::vector<float>{0.f, 0.5f, -0.5f};
+        const std::vector<float> places = several ? std::vector<float>{-0.5f, 0.5f, -1.5f, 1.5f, 0.f}
+                                                  : std::vector<float>{0.f, 0.5f, -0.5f};
         for (const float k : places)
             if (std::abs(k * step) < size(anchor).x / 2)
                 if (const auto i = l_.hanging(r, middle + along * (k * step), *ask.wish)) return l_.join(*i, anchor), i;
@@ -200,19 +211,22 @@ std::optional<int> Furnisher::under_piece(int anchor, const Ask& ask, const Piec
 std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const PieceRequest& r) {
     const std::string& klass = ask.wish->klass;
     const std::string& whose = klass_of(anchor);
-    const bool seat = is_easy_chair(klass) || is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
-    const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) && is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
+    const bool seat = is_easy_chair(klass) ||
+                      is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
+    const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) &&
+                              is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
     const bool pair = seat && ask.wish->count > 1;  // side by side
-    if (!pair && (is_easy_chair(klass) || is_one_of(klass, {"armchair", "loveseat"})) && !is_bed(whose) && !is_one_of(whose, {"sofa", "loveseat"})) {
+    if (!pair && (is_easy_chair(klass) || is_one_of(klass, {"armchair", "loveseat"})) && !is_bed(whose) &&
+        !is_one_of(whose, {"sofa", "loveseat"})) {
         // Drawn up to the fire, turned to it.
         const Insisting insisting(l_, *ask.wish);
         if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
     }
-    const float gap = seat_at_work                                      ? (klass == "office_chair" ? -0.2f : 0.05f)
-                      : is_bed(whose) && !lies_along_wall(whose)        ? 0.06f
-                      : klass == "coffee_table"                         ? 0.42f
-                      : seat                                            ? 0.9f
-                                                                        : 0.35f;
+    const float gap = seat_at_work                               ? (klass == "office_chair" ? -0.2f : 0.05f)
+                      : is_bed(whose) && !lies_along_wall(whose) ? 0.06f
+                      : klass == "coffee_table"                  ? 0.42f
+                      : seat                                     ? 0.9f
+                                                                 : 0.35f;
     const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
     for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
         if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_bed(whose), *ask.wish, aside)) return i;
@@ -229,7 +243,8 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
         const Vec2f middle = flat(at(anchor).position);
         float right = 0;
         for (const Placed& p : l_.placed())
-            if (p.wish.id == ask.wish->id && p.with == anchor) right += dot(flat(p.position) - middle, axes[0]) > 0 ? 1.f : -1.f;
+            if (p.wish.id == ask.wish->id && p.with == anchor)
+                right += dot(flat(p.position) - middle, axes[0]) > 0 ? 1.f : -1.f;
         if (right > 0) sides[0] = -1, sides[1] = 1;
     }
     for (const int side : sides)
@@ -240,17 +255,20 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
 std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequest& r) {
     const Vec3f s = size(anchor);
     const std::string& whose = klass_of(anchor);
-    const bool along = lies_along_wall(whose), bed = is_bed(whose) && !along, seat = is_easy_chair(whose) || is_one_of(whose, {"sofa", "loveseat", "armchair", "chaise_longue"});
+    const bool along = lies_along_wall(whose), bed = is_bed(whose) && !along,
+               seat = is_easy_chair(whose) || is_one_of(whose, {"sofa", "loveseat", "armchair", "chaise_longue"});
     if (ask.relation == "between") {
         const Placed* other = nullptr;
         for (const Placed& p : l_.placed())
-            if (&p != &at(anchor) && (p.wish.klass == ask.at || p.wish.klass == ask.and_at || p.piece.klass == ask.at)) other = &p;
+            if (&p != &at(anchor) && (p.wish.klass == ask.at || p.wish.klass == ask.and_at || p.piece.klass == ask.at))
+                other = &p;
         if (!other) return {};
         PieceRequest sized = r;
         const Vec2f apart = flat(other->position - at(anchor).position);
         for (const float wide : {1.2f, 0.8f, 0.55f}) {
             sized.size_m = {wide, 0, 1.5f * wide};
-            if (const auto i = l_.lay(flat(at(anchor).position) + apart * 0.5f, at(anchor).yaw, sized, *ask.wish)) return i;
+            if (const auto i = l_.lay(flat(at(anchor).position) + apart * 0.5f, at(anchor).yaw, sized, *ask.wish))
+                return i;
         }
         return {};
     }
@@ -265,8 +283,8 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
         PieceRequest sized = r;
         sized.size_m = {0.8f, 0, 1.4f};
         for (const float k : {side, is_one_of(ask.relation, {"next to", "on both sides of"}) ? -side : side})
-            if (const auto i =
-                    l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))), at(anchor).yaw, sized, *ask.wish))
+            if (const auto i = l_.lay(flat(at(anchor).position + right_of(at(anchor).yaw) * (k * (s.x / 2 + 0.5f))),
+                                      at(anchor).yaw, sized, *ask.wish))
                 return l_.join(*i, anchor), i;
     }
     return laid_under(anchor, r, {std::max(1.4f, s.x), 1.1f}, s.z / 2 + 0.62f, *ask.wish);
@@ -276,13 +294,16 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
 bool Furnisher::stands_on_others(const PromptObject& wish) const {
     if (is_small(wish.klass)) return true;
     const PackModel* model = l_.spec().pack ? l_.spec().pack->choose(wish.klass, 0) : nullptr;
-    return (model && model->elevation_m + model->size_m.y < 0.8f && model->size_m.x < 0.55f) || is_small(stand_in(wish.klass).value_or(""));
+    return (model && model->elevation_m + model->size_m.y < 0.8f && model->size_m.x < 0.55f) ||
+           is_small(stand_in(wish.klass).value_or(""));
 }
 
 void Furnisher::asked_in_the_shell() {
     for (const bool small : {false, true})
         for (Ask& ask : wishes_.asks()) {
-            if (!ask.at_shell() || ask.wish->klass == "curtain" || is_blind(ask.wish->klass) || stands_on_others(*ask.wish) != small) continue;
+            if (!ask.at_shell() || ask.wish->klass == "curtain" || is_blind(ask.wish->klass) ||
+                stands_on_others(*ask.wish) != small)
+                continue;
             while (ask.left > 0) {
                 --ask.left;
                 if (const auto i = in_shell(ask)) {
@@ -310,7 +331,8 @@ void Furnisher::remaining_wishes(bool small) {
             if (stands_on_others(*ask.wish) != small || ask.at_piece() != bound) continue;
             while (ask.left > 0) {
                 --ask.left;
-                if (const std::string why = l_.why_not(ask.wish->klass); !why.empty()) l_.spec().not_placed.push_back(ask.wish->words + ": " + why);
+                if (const std::string why = l_.why_not(ask.wish->klass); !why.empty())
+                    l_.spec().not_placed.push_back(ask.wish->words + ": " + why);
                 else if (const auto i = anywhere(*ask.wish)) attend(*i);
                 else l_.spec().not_placed.push_back(ask.wish->words + ": no free place for it");
             }

@@ -9,8 +9,11 @@
 namespace fastscene::furnishing {
 namespace {
 
-// Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of it.
-bool stands_at_walls(const Piece& piece) { return piece.against_wall && piece.size_m.y > (lies_along_wall(piece.klass) ? 1.f : 1.4f); }
+// Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of
+// it.
+bool stands_at_walls(const Piece& piece) {
+    return piece.against_wall && piece.size_m.y > (lies_along_wall(piece.klass) ? 1.f : 1.4f);
+}
 
 }  // namespace
 
@@ -38,8 +41,8 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
             const WallFace face = l_.plan().wall(o.wall);
             const bool window = o.kind == Opening::Kind::window;
             sized.size_m = window ? Vec3f{1.6f, 0, 1.1f} : Vec3f{0.8f, 0, 0.5f};
-            if (const auto i =
-                    l_.lay(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (window ? 0.9f : 0.45f)), yaw_of(face.inward), sized, wish))
+            if (const auto i = l_.lay(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (window ? 0.9f : 0.45f)),
+                                      yaw_of(face.inward), sized, wish))
                 return i;
         }
         sized.size_m = {2.2f, 0, 1.5f};
@@ -82,7 +85,8 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
     if (wish.relation.empty() || wish.klass == "rug") return {};
     const Insisting insisting(l_, wish);
     if (piece.mount == Mount::wall || wish.klass == "tv") return l_.on_wall(r, {}, wish);
-    if (piece.mount == Mount::ceiling) return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
+    if (piece.mount == Mount::ceiling)
+        return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
     if (piece.mount != Mount::floor) return {};
     if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
     const Spare spare = spare_for(wish, piece);
@@ -97,7 +101,8 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
     return i || (stands_at_walls(piece) && wish.relation != "in the middle") ? i : l_.free_standing(r, wish, spare);
 }
 
-// A run of units fills a wall as far as windows and the door leave it; a short one is better than none. Below a window it has no cupboards.
+// A run of units fills a wall as far as windows and the door leave it; a short one is better than none. Below a window
+// it has no cupboards.
 std::optional<int> Furnisher::kitchen_units(PieceRequest r, const PromptObject& wish) {
     constexpr float kLow = 0.92f;
     const bool at_window = wish.relation_to == "window" && wish.relation != "opposite" && wish.relation != "between";
@@ -108,7 +113,8 @@ std::optional<int> Furnisher::kitchen_units(PieceRequest r, const PromptObject& 
             const float length = l_.plan().wall(w).length;
             for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
                 r.size_m = {width, height, 0};
-                if (const auto i = l_.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish)) return i;
+                if (const auto i = l_.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish))
+                    return i;
             }
         }
     return {};
@@ -136,14 +142,17 @@ std::optional<int> Furnisher::on_a_table_of_its_own(const PieceRequest& r, const
     return {};
 }
 
-std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const PieceRequest& r, std::optional<int> anchor) {
+std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const PieceRequest& r,
+                                             std::optional<int> anchor) {
     const Insisting insisting(l_, wish);
     const auto has_one = [&](int top) {
-        return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == top && p.wish.id == wish.id; });
+        return std::any_of(l_.placed().begin(), l_.placed().end(),
+                           [&](const Placed& p) { return p.on == top && p.wish.id == wish.id; });
     };
     const auto on_those = [&](bool again) -> std::optional<int> {
         for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
-            if (i != anchor && at(i).on < 0 && !is_seat(klass_of(i)) && !at(i).piece.surfaces.empty() && has_one(i) == again)
+            if (i != anchor && at(i).on < 0 && !is_seat(klass_of(i)) && !at(i).piece.surfaces.empty() &&
+                has_one(i) == again)
                 if (const auto k = l_.on_top(i, r, wish)) return k;
         return {};
     };
@@ -177,11 +186,12 @@ std::optional<int> Furnisher::next_screen(int desk, const PieceRequest& r, const
     for (const Placed& p : l_.placed()) standing += p.on == desk && p.piece.klass == "monitor";
     const int row = std::min(kMostScreens, asked);
     if (standing >= row) return {};
-    constexpr float kFromBack = 0.13f, kTurn = 0.24f;   // metres from the desk's rear edge to a foot's middle; radians
+    constexpr float kFromBack = 0.13f, kTurn = 0.24f;  // metres from the desk's rear edge to a foot's middle; radians
     const float aside = static_cast<float>(standing) - 0.5f * static_cast<float>(row - 1);
     const Placed& d = at(desk);
     const float depth = -d.piece.size_m.z / 2 + kFromBack + 0.06f * std::abs(aside);
-    return l_.on_top_at(desk, r, flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth), d.yaw - kTurn * aside, wish);
+    return l_.on_top_at(desk, r, flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth),
+                        d.yaw - kTurn * aside, wish);
 }
 
 // Beside a window in a smaller size.
@@ -202,7 +212,9 @@ std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObje
         if (const auto anchor = l_.find(klass))
             if (const auto i = at_stand(*anchor)) return i;
     const std::size_t before = l_.mark();
-    if (const auto stand = wishes_.forbids("tv_stand") ? std::nullopt : l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
+    if (const auto stand = wishes_.forbids("tv_stand")
+                               ? std::nullopt
+                               : l_.against_wall(l_.request("tv_stand"), {.window_pull = -2, .clear_of_windows = true}))
         if (const auto i = at_stand(*stand)) return i;
     l_.undo(before);
     return l_.on_wall(r, {}, wish);
@@ -213,9 +225,12 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
     for (const float size : {1.f, 0.7f}) {  // a blanket for a sofa is folded once more for an armchair
         PieceRequest smaller = r;
         smaller.size_factor = size * r.size_factor;
-        for (const char* klass : {"sofa", "loveseat", "bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "daybed", "chaise_longue", "bunk_bed", "armchair", "bench", "rocking_chair", "lounge_chair", "cabin_bed"})
+        for (const char* klass :
+             {"sofa", "loveseat", "bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "daybed",
+              "chaise_longue", "bunk_bed", "armchair", "bench", "rocking_chair", "lounge_chair", "cabin_bed"})
             for (std::size_t i = 0; i < l_.placed().size(); ++i)
-                if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish)) return true;
+                if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish))
+                    return true;
         if (wish.klass != "throw" || wish.size_m != Vec3f{}) break;
     }
     return false;
@@ -223,9 +238,10 @@ bool Furnisher::on_a_seat(const PromptObject& wish) {
 
 std::optional<int> Furnisher::wall_lamp_at(int anchor, const PieceRequest& r, const PromptObject& wish) {
     const Vec3f aside = right_of(at(anchor).yaw);
-    float balance = 0;   // on which side there are more of them
+    float balance = 0;  // on which side there are more of them
     for (const Placed& p : l_.placed())
-        if (p.piece.klass == "wall_lamp" && p.with == anchor) balance += dot(p.position - at(anchor).position, aside) > 0 ? 1.f : -1.f;
+        if (p.piece.klass == "wall_lamp" && p.with == anchor)
+            balance += dot(p.position - at(anchor).position, aside) > 0 ? 1.f : -1.f;
     std::vector<int> sides{1, -1};
     if (balance > 0) sides = {-1, 1};
     if (wish.relation == "left of") sides = {-1};
@@ -236,10 +252,13 @@ std::optional<int> Furnisher::wall_lamp_at(int anchor, const PieceRequest& r, co
 }
 
 std::optional<int> Furnisher::wall_lamp(const PieceRequest& r, const PromptObject& wish) {
-    for (const char* klass : {"bed", "bed_single", "mirror", "fireplace", "picture", "sofa", "washbasin", "console_table", "sideboard", "loveseat", "desk"})
+    for (const char* klass : {"bed", "bed_single", "mirror", "fireplace", "picture", "sofa", "washbasin",
+                              "console_table", "sideboard", "loveseat", "desk"})
         for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
             if (klass_of(i) != klass) continue;
-            const auto there = std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.piece.klass == "wall_lamp" && p.with == i; });
+            const auto there = std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
+                return p.piece.klass == "wall_lamp" && p.with == i;
+            });
             if (there >= 2) continue;
             if (const auto lamp = wall_lamp_at(i, r, wish)) return lamp;
         }
@@ -258,11 +277,15 @@ std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObje
     }
     for (const float off : {0.12f, 0.4f, 0.8f})
         for (const float sx : {-1.f, 1.f})
-            for (const float sz : {1.f, -1.f}) places.push_back({sx * (0.5f * l_.plan().width - reach - off), sz * (0.5f * l_.plan().depth - reach - off)});
+            for (const float sz : {1.f, -1.f})
+                places.push_back(
+                    {sx * (0.5f * l_.plan().width - reach - off), sz * (0.5f * l_.plan().depth - reach - off)});
     // Not all at one window.
     std::stable_sort(places.begin(), places.end(), [&](Vec2f a, Vec2f b) {
         const auto crowded = [&](Vec2f p) {
-            return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& q) { return q.piece.klass == "hanging_plant" && length(flat(q.position) - p) < 0.7f; });
+            return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& q) {
+                return q.piece.klass == "hanging_plant" && length(flat(q.position) - p) < 0.7f;
+            });
         };
         return !crowded(a) && crowded(b);
     });
@@ -275,9 +298,13 @@ std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObje
     return {};
 }
 
-// On the floor, where the camera may see it: sheets and paper lie flat, below furniture too, a drop cloth below the ladder.
+// On the floor, where the camera may see it: sheets and paper lie flat, below furniture too, a drop cloth below the
+// ladder.
 std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& wish) {
-    const auto somewhere = [&] { return Vec2f{l_.dice().uniform(-0.36f, 0.36f) * l_.plan().width, l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth}; };
+    const auto somewhere = [&] {
+        return Vec2f{l_.dice().uniform(-0.36f, 0.36f) * l_.plan().width,
+                     l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth};
+    };
     const auto ladder = l_.find("step_ladder");
     if (is_one_of(wish.klass, {"drop_cloth", "paper_litter"})) {
         if (ladder && wish.klass == "drop_cloth")
@@ -294,7 +321,8 @@ std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& 
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const PieceRequest r = l_.request(wish.klass, &wish);
     const Piece piece = make_piece(r);
-    if (const auto desk = l_.find("desk"); wish.klass == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
+    if (const auto desk = l_.find("desk");
+        wish.klass == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
         if (const auto i = next_screen(*desk, r, wish)) return i;
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;

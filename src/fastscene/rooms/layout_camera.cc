@@ -29,8 +29,8 @@ int Layout::likely_hidden(Vec3f eye) const {
                 const Vec3f target{at.x, box.y0 + up * (box.y1 - box.y0), at.y};
                 seen = true;
                 for (std::size_t k = 0; k < placed_.size() && seen; ++k) {
-                    if (k == i || placed_[k].flat || placed_[k].on == static_cast<int>(i) || placed_[i].on == static_cast<int>(k) ||
-                        placed_[i].below == static_cast<int>(k))
+                    if (k == i || placed_[k].flat || placed_[k].on == static_cast<int>(i) ||
+                        placed_[i].on == static_cast<int>(k) || placed_[i].below == static_cast<int>(k))
                         continue;
                     seen = !passes(footprint_of(placed_[k]), eye, target);
                 }
@@ -45,18 +45,19 @@ std::vector<int> Layout::unseen(Vec3f eye) const {
     if (std::all_of(placed_.begin(), placed_.end(), [](const Placed& p) { return p.wish.klass.empty(); })) return out;
     const Sight sight(plan_, placed_);
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
-        if (!placed_[static_cast<std::size_t>(i)].wish.klass.empty() && sight.look(i, eye).pixels < kSeen) out.push_back(i);
+        if (!placed_[static_cast<std::size_t>(i)].wish.klass.empty() && sight.look(i, eye).pixels < kSeen)
+            out.push_back(i);
     return out;
 }
 
-// What stands in the room, as it is about the camera: where a piece reaches into the heights about the eyes (a bed with its head alone, a
-// desk with its lamp), and where it only keeps the feet away.
+// What stands in the room, as it is about the camera: where a piece reaches into the heights about the eyes (a bed with
+// its head alone, a desk with its lamp), and where it only keeps the feet away.
 struct Layout::Surroundings {
     std::vector<Footprint> tall, low;
 };
 
 Layout::Surroundings Layout::surroundings() const {
-    constexpr float kBall = 0.7f;   // about the eyes
+    constexpr float kBall = 0.7f;  // about the eyes
     Surroundings out;
     for (const Placed& p : placed_) {
         if (p.flat) continue;
@@ -74,9 +75,10 @@ float Layout::ease_of(Vec3f eye, const Surroundings& things) const {
     float tall = plan_.air_around(eye), low = 1.f;
     for (const Footprint& f : things.tall) tall = std::min(tall, distance_to(f, at));
     for (const Footprint& f : things.low) low = std::min(low, distance_to(f, at));
-    // Beyond 0.9 m more space from things is no gain, beyond 1.6 m from walls and doors: close by they fill half of the picture and show
-    // nothing. The middle of the room shows most of it.
-    float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 1.2f * std::min(low, 0.45f) - 0.35f * length(at);
+    // Beyond 0.9 m more space from things is no gain, beyond 1.6 m from walls and doors: close by they fill half of the
+    // picture and show nothing. The middle of the room shows most of it.
+    float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 1.2f * std::min(low, 0.45f) -
+                  0.35f * length(at);
     // Air around the eyes comes before all that may be seen, and behind a barrier of tables nobody stands.
     constexpr float kMustBeFree = 0.58f, kNoWall = 1.05f;
     score -= 1.6f * std::max(0.f, kNoWall - walls);
@@ -112,7 +114,8 @@ Vec3f Layout::viewpoint() const {
     std::vector<std::pair<float, Vec3f>> places;
     for (float x = -plan_.width / 2 + 0.6f; x <= plan_.width / 2 - 0.6f; x += kStep)
         for (float z = -plan_.depth / 2 + 0.6f; z <= plan_.depth / 2 - 0.6f; z += kStep)
-            if (const float score = ease_of({x, kEyeHeight, z}, things); score > best_score) places.push_back({score, {x, kEyeHeight, z}});
+            if (const float score = ease_of({x, kEyeHeight, z}, things); score > best_score)
+                places.push_back({score, {x, kEyeHeight, z}});
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (const auto& [ease, eye] : places) {
         if (ease <= best_score) break;

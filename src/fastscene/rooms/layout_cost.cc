@@ -38,7 +38,8 @@ class Costing {
         for (std::size_t i = 0; i < placed.size(); ++i) {
             boxes_.push_back(box_of(placed[i]));
             const Placed& p = placed[i];
-            if (p.piece.mount == Mount::floor && p.on < 0 && p.below < 0 && !p.flat && p.piece.klass != "curtain") floor_.push_back(i);
+            if (p.piece.mount == Mount::floor && p.on < 0 && p.below < 0 && !p.flat && p.piece.klass != "curtain")
+                floor_.push_back(i);
             std::size_t root = i;
             for (int steps = 0; steps < 8; ++steps) {
                 const Placed& r = placed[root];
@@ -67,7 +68,8 @@ class Costing {
     // The free floor a piece wants on one side, as a box.
     float taken(std::size_t i, Vec2f side, float half_along, float half_across, float depth) const {
         const Box& b = boxes_[i];
-        const Box zone{b.center + side * (half_along + depth / 2), {side.y, -side.x}, side, {half_across, depth / 2}, 0, 1};
+        const Box zone{
+            b.center + side * (half_along + depth / 2), {side.y, -side.x}, side, {half_across, depth / 2}, 0, 1};
         float worst = 0;
         for (const std::size_t k : floor_)
             if (root_[k] != root_[i]) worst = std::max(worst, -apart(zone, boxes_[k]));
@@ -78,9 +80,11 @@ class Costing {
         for (const std::size_t i : floor_) {
             const Box& b = boxes_[i];
             const Piece& p = placed_[i].piece;
-            if (p.clearance_front_m > 0) sum += taken(i, b.front, b.half.y, b.half.x * 0.9f, std::max(0.5f, p.clearance_front_m));
+            if (p.clearance_front_m > 0)
+                sum += taken(i, b.front, b.half.y, b.half.x * 0.9f, std::max(0.5f, p.clearance_front_m));
             if (p.clearance_side_m > 0)
-                for (const float side : {-1.f, 1.f}) sum += 0.5f * taken(i, b.right * side, b.half.x, b.half.y * 0.8f, p.clearance_side_m);
+                for (const float side : {-1.f, 1.f})
+                    sum += 0.5f * taken(i, b.right * side, b.half.x, b.half.y * 0.8f, p.clearance_side_m);
         }
         return sum;
     }
@@ -92,7 +96,12 @@ class Costing {
             constexpr float kDeep = 1.2f;
             const WallFace face = plan_.wall(o.wall);
             const Vec2f in = flat(face.inward);
-            const Box zone{flat(face.point((o.u0 + o.u1) / 2, 0)) + in * (kDeep / 2), flat(face.along), in, {(o.u1 - o.u0) / 2, kDeep / 2}, 0, 2};
+            const Box zone{flat(face.point((o.u0 + o.u1) / 2, 0)) + in * (kDeep / 2),
+                           flat(face.along),
+                           in,
+                           {(o.u1 - o.u0) / 2, kDeep / 2},
+                           0,
+                           2};
             for (const std::size_t i : floor_) sum += share(-apart(zone, boxes_[i]), 0.5f);
         }
         for (std::size_t a = 0; a < floor_.size(); ++a)
@@ -101,8 +110,8 @@ class Costing {
                 if (root_[i] == root_[k]) continue;
                 const float gap = apart(boxes_[i], boxes_[k]);
                 // Side by side at one wall nobody walks between them.
-                const bool in_line =
-                    dot(boxes_[i].front, boxes_[k].front) > 0.9f && std::abs(dot(boxes_[i].center - boxes_[k].center, boxes_[i].front)) < 0.5f;
+                const bool in_line = dot(boxes_[i].front, boxes_[k].front) > 0.9f &&
+                                     std::abs(dot(boxes_[i].center - boxes_[k].center, boxes_[i].front)) < 0.5f;
                 if (gap > 0.12f && gap < 0.55f && !in_line) sum += 0.5f * (0.55f - gap) / 0.43f;
             }
         return sum;
@@ -118,8 +127,9 @@ class Costing {
                 if (!is_one_of(klass(k), {"tv_stand", "fireplace"})) continue;
                 const Vec2f to = boxes_[k].center - sofa.center;
                 const float far = length(to), ahead = dot(to, sofa.front), side = std::abs(dot(to, sofa.right));
-                const float c = 0.5f * (1 - ahead / std::max(far, 0.1f)) + 0.5f * (1 + dot(to, boxes_[k].front) / std::max(far, 0.1f)) +
-                                0.5f * share(side, 1.5f) + share(std::max(1.8f - far, far - 4.f), 2.f);
+                const float c = 0.5f * (1 - ahead / std::max(far, 0.1f)) +
+                                0.5f * (1 + dot(to, boxes_[k].front) / std::max(far, 0.1f)) + 0.5f * share(side, 1.5f) +
+                                share(std::max(1.8f - far, far - 4.f), 2.f);
                 if (best < 0 || c < best) best = c;
             }
             sum += std::max(0.f, best);
@@ -127,7 +137,8 @@ class Costing {
                 if (klass(k) != "armchair") continue;
                 const Vec2f middle = sofa.center + sofa.front * (sofa.half.y + 0.7f), to = middle - boxes_[k].center;
                 const float far = length(to);
-                sum += 0.25f * (1 - dot(to, boxes_[k].front) / std::max(far, 0.1f)) + 0.5f * share(std::max(0.9f - far, far - 2.4f), 1.5f);
+                sum += 0.25f * (1 - dot(to, boxes_[k].front) / std::max(far, 0.1f)) +
+                       0.5f * share(std::max(0.9f - far, far - 2.4f), 1.5f);
             }
             break;
         }
@@ -135,7 +146,8 @@ class Costing {
     }
 
     bool is_main(std::size_t i) const {
-        return (is_bed(klass(i)) && klass(i) != "crib") || is_one_of(klass(i), {"sofa", "loveseat", "tv_stand", "fireplace", "sideboard", "desk", "piano"});
+        return (is_bed(klass(i)) && klass(i) != "crib") ||
+               is_one_of(klass(i), {"sofa", "loveseat", "tv_stand", "fireplace", "sideboard", "desk", "piano"});
     }
     float alignment() const {
         float sum = 0;
@@ -169,13 +181,15 @@ class Costing {
                     if (o.kind != Opening::Kind::window) continue;
                     const WallFace face = plan_.wall(o.wall);
                     const Vec2f to = b.center - flat(face.point((o.u0 + o.u1) / 2, 0));
-                    const float along = std::abs(dot(to, flat(face.along))) - (o.u1 - o.u0) / 2 - b.reach(flat(face.along)),
+                    const float along = std::abs(dot(to, flat(face.along))) - (o.u1 - o.u0) / 2 -
+                                        b.reach(flat(face.along)),
                                 deep = dot(to, flat(face.inward));
                     if (along < 0.3f && deep < 1.f) sum += share(0.3f - along, 0.3f);
                 }
             if (is_main(i) && b.front.y > 0.9f && b.center.y < -half.y + 1.f) sum += 0.25f;
             if (root_[i] == i && is_one_of(klass(i), {"plant", "plant_tree", "basket", "floor_lamp", "coat_rack"}))
-                sum += 0.15f * share(std::max(half.x - std::abs(b.center.x), half.y - std::abs(b.center.y)) - 0.3f, 1.2f);
+                sum += 0.15f *
+                       share(std::max(half.x - std::abs(b.center.x), half.y - std::abs(b.center.y)) - 0.3f, 1.2f);
         }
         if (area > 0) sum += 0.6f * share(length(Vec2f{center.x / area / half.x, center.y / area / half.y}), 1.f);
         return sum;

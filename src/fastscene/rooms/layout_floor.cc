@@ -22,8 +22,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     const auto gap_at = [&](const WallFace& face, float u) {
         const bool at_sill = std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
             const float left = face.from + u - size.x / 2, right = left + size.x;
-            return o.kind == Opening::Kind::window && o.wall == face.wall && size.y > o.y0 - kSillThickness && right > o.u0 - kSillBeside &&
-                   left < o.u1 + kSillBeside;
+            return o.kind == Opening::Kind::window && o.wall == face.wall && size.y > o.y0 - kSillThickness &&
+                   right > o.u0 - kSillBeside && left < o.u1 + kSillBeside;
         });
         return at_sill ? std::max(gap, kSillReach + 0.005f) : gap;
     };
@@ -43,16 +43,20 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
             p.yaw = yaw_of(face.inward);
             for (float u = size.x / 2 + gap; u <= face.length - size.x / 2 - gap; u += kSlotStep) {
                 p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u) + off_wall);
-                if (p.piece.mount == Mount::wall) p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
+                if (p.piece.mount == Mount::wall)
+                    p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
                 if (!fits(p, must.clearance) || (must.spare && !has_spare(p, want))) continue;
-                if (p.piece.mount == Mount::wall && !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
+                if (p.piece.mount == Mount::wall &&
+                    !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
                     continue;
-                if (wish.clear_of_windows && std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
-                        return o.wall == face.wall && o.kind == Opening::Kind::window && face.from + u + size.x / 2 > o.u0 &&
-                               face.from + u - size.x / 2 < o.u1;
+                if (wish.clear_of_windows &&
+                    std::any_of(plan_.openings.begin(), plan_.openings.end(), [&](const Opening& o) {
+                        return o.wall == face.wall && o.kind == Opening::Kind::window &&
+                               face.from + u + size.x / 2 > o.u0 && face.from + u - size.x / 2 < o.u1;
                     }))
                     continue;
-                const float off = std::abs(u - face.length / 2) / (face.length / 2), edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
+                const float off = std::abs(u - face.length / 2) / (face.length / 2),
+                            edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
                 float score = -wish.center_pull * off + 0.02f * dice_.uniform();
                 if (wish.corner) score += 2.f - edge;
                 if (wish.near) score -= 0.8f * length(flat(p.position) - *wish.near);
@@ -67,10 +71,12 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                 if (face.wall == 2) score -= 0.25f;  // the wall with the door is the last choice
                 for (const Opening& o : plan_.openings)
                     if (o.kind == Opening::Kind::window && o.wall == face.wall) {
-                        const float apart = std::max(0.f, std::abs(face.from + u - (o.u0 + o.u1) / 2) - (o.u1 - o.u0) / 2 - size.x / 2);
+                        const float apart = std::max(
+                            0.f, std::abs(face.from + u - (o.u0 + o.u1) / 2) - (o.u1 - o.u0) / 2 - size.x / 2);
                         score += wish.window_pull * std::max(0.f, 1.f - apart);
                     }
-                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                    best_score = total, best = p;
             }
         }
         if (best) return keep(*best, from);
@@ -78,7 +84,8 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
     return {};
 }
 
-std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, float gap, bool facing, const PromptObject& from, float aside) {
+std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, float gap, bool facing,
+                                       const PromptObject& from, float aside) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
     Placed p;
     p.piece = make_piece(request);
@@ -88,7 +95,8 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
         for (const float further : {0.f, 0.15f, -0.15f, 0.35f, -0.35f, 0.6f, -0.6f}) {
             const float side = aside + further;
             if (std::abs(side) > a.piece.size_m.x / 2 + 0.2f) continue;
-            p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) + right * side;
+            p.position = a.position + front * (a.piece.size_m.z / 2 + gap + extra + p.piece.size_m.z / 2) +
+                         right * side;
             p.position.y = 0;
             p.with = anchor;
             if (fits(p, false) && leaves_way(p)) return keep(p, from);
@@ -96,7 +104,8 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
     return {};
 }
 
-std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int side, float gap, const PromptObject& from) {
+std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int side, float gap,
+                                  const PromptObject& from) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
     Placed p;
     p.piece = make_piece(request);
@@ -104,13 +113,15 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
     for (const float extra : {0.f, 0.06f, 0.15f}) {
         // Backs in line.
-        p.position = a.position + right * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap + extra)) +
+        p.position = a.position +
+                     right * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap + extra)) +
                      front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
         p.position.y = 0;
         p.with = anchor;
         // Beside a fire before its chimney breast: back to the wall, where there is one.
         constexpr float kBack = 0.05f, kDeepest = 0.5f;
-        for (Placed back = p; p.piece.against_wall && length(back.position - a.position) < length(p.position - a.position) + kDeepest;) {
+        for (Placed back = p;
+             p.piece.against_wall && length(back.position - a.position) < length(p.position - a.position) + kDeepest;) {
             back.position -= front * kBack;
             if (!fits(back, false)) break;
             p = back;
@@ -129,7 +140,8 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
     if (p.piece.mount != a.piece.mount || a.flat) return {};
     p.yaw = a.yaw, p.on = a.on, p.below = a.below, p.overhead = a.overhead;
     for (const float gap : {kInRow, 0.04f, 0.25f}) {
-        p.position = a.position + right_of(a.yaw) * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap));
+        p.position = a.position +
+                     right_of(a.yaw) * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap));
         p.with = a.with >= 0 ? a.with : anchor;
         const Footprint box = footprint_of(p);
         bool fine = plan_.holds(box) && leaves_way(p);
@@ -140,10 +152,12 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
             fine = fine && !tops.empty() && free_on_top(p);
         } else if (p.piece.mount == Mount::wall) {
             fine = fine && hangs_on_wall(plan_, faces_, p) &&
-                   std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return overlap(box, footprint_of(other)); });
+                   std::none_of(placed_.begin(), placed_.end(),
+                                [&](const Placed& other) { return overlap(box, footprint_of(other)); });
         } else if (p.piece.mount == Mount::ceiling) {
-            fine = fine && std::none_of(placed_.begin(), placed_.end(),
-                                        [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); });
+            fine = fine && std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
+                       return !other.flat && overlap(box, footprint_of(other));
+                   });
         } else {
             fine = fine && fits(p, false);
         }
@@ -163,7 +177,8 @@ std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const
     const float end = std::max(0.f, (a.piece.size_m.x - p.piece.size_m.x) / 2);
     for (const float gap : {0.04f, 0.12f, 0.3f, 0.01f})
         for (const float side : {0.8f, -0.8f, 0.4f, -0.4f, 0.f, 1.f, -1.f}) {
-            p.position = a.position - front * (a.piece.size_m.z / 2 + gap + p.piece.size_m.z / 2) + right * (side * end);
+            p.position = a.position - front * (a.piece.size_m.z / 2 + gap + p.piece.size_m.z / 2) +
+                         right * (side * end);
             p.position.y = 0;
             if (fits(p, false) && leaves_way(p)) return keep(p, from);
         }
@@ -179,8 +194,8 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
     for (const float turn : {0.f, kPi / 2}) {
         const Vec3f s = p.piece.size_m;
         const float wide = turn == 0.f ? s.x : s.z, deep = turn == 0.f ? s.z : s.x;
-        if (a.piece.surfaces.empty() || s.y > a.piece.surfaces.front().center.y - kTop || wide > a.piece.size_m.x - 2 * kLegs ||
-            deep > a.piece.size_m.z - 0.02f)
+        if (a.piece.surfaces.empty() || s.y > a.piece.surfaces.front().center.y - kTop ||
+            wide > a.piece.size_m.x - 2 * kLegs || deep > a.piece.size_m.z - 0.02f)
             continue;
         p.yaw = a.yaw + turn;
         for (const float side : {0.f, 0.6f, -0.6f}) {
@@ -191,8 +206,9 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
             if (bed) p.position += front_of(a.yaw) * std::max(0.f, (a.piece.size_m.z - deep) / 2 - kInsideBed);
             p.position.y = 0;
             const Footprint box = footprint_of(p);
-            const bool free = std::none_of(placed_.begin(), placed_.end(),
-                                           [&](const Placed& other) { return !other.flat && &other != &a && overlap(box, footprint_of(other)); });
+            const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
+                return !other.flat && &other != &a && overlap(box, footprint_of(other));
+            });
             if (free && plan_.holds(box)) return keep(p, from);
         }
     }
@@ -211,10 +227,13 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
                 p.yaw = yaw;
                 if (!fits(p, false)) continue;
                 Footprint wide = footprint_of(p, 0.5f);
-                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform() + (has_spare(p, spare) ? 1.f : 0.f);
+                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform() +
+                              (has_spare(p, spare) ? 1.f : 0.f);
                 for (const Placed& other : placed_)
-                    if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other))) score -= 0.5f;
-                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+                    if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other)))
+                        score -= 0.5f;
+                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                    best_score = total, best = p;
             }
     return best ? keep(*best, from) : std::nullopt;
 }
@@ -235,7 +254,8 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
             if (!fits(p, false)) continue;
             const float wall = plan_.wall_distance({x, z});
             const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * dice_.uniform();
-            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                best_score = total, best = p;
         }
     return best ? keep(*best, from) : std::nullopt;
 }
@@ -267,8 +287,8 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
         p.piece = make_piece(r);
         const Vec3f front = front_of(a.yaw), right = right_of(a.yaw);
         // A chair is pushed in by a third of its depth, where the table lets it.
-        const Vec3f out =
-            normalize(right * (seat.yaw == kPi || seat.yaw == 0 ? 0.f : seat.x) + front * (seat.yaw == kPi || seat.yaw == 0 ? seat.z : 0.f));
+        const Vec3f out = normalize(right * (seat.yaw == kPi || seat.yaw == 0 ? 0.f : seat.x) +
+                                    front * (seat.yaw == kPi || seat.yaw == 0 ? seat.z : 0.f));
         p.yaw = a.yaw + seat.yaw;
         for (const float pull : {0.02f, 0.12f}) {
             p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);

@@ -15,7 +15,9 @@ std::string_view for_a_child(std::string_view thing) {
 }
 
 std::string picture_for_a_child(Layout& layout) {
-    static constexpr std::array<std::string_view, 16> kMotifs{"dinosaur", "rocket", "bear", "rainbow", "fox", "whale", "train", "rabbit", "lion", "moon", "elephant", "butterfly", "robot", "bird", "planet", "star"};
+    static constexpr std::array<std::string_view, 16> kMotifs{
+        "dinosaur", "rocket", "bear",     "rainbow",   "fox",   "whale", "train",  "rabbit",
+        "lion",     "moon",   "elephant", "butterfly", "robot", "bird",  "planet", "star"};
     if (layout.dice().chance(0.2f)) return {};
     // One after the other, so that no two are alike.
     const auto first = static_cast<std::size_t>(hash_name(layout.spec().text) % kMotifs.size());
@@ -52,7 +54,10 @@ void Furnisher::put(const std::string& klass, float probability, const How& how,
     const PromptObject* wish = wishes_.next(klass);
     if (!wish && (!is_furnished() || is_settled(l_.spec(), klass))) return;
     // Who left took the pictures, and the plants have died; who likes few things has half of what others have.
-    if (!wish && is_left() && is_one_of(klass, {"picture", "plant", "plant_tree", "plant_small", "vase", "candle", "bowl", "cushion", "throw", "floor_lamp", "table_lamp", "tv"})) return;
+    if (!wish && is_left() &&
+        is_one_of(klass, {"picture", "plant", "plant_tree", "plant_small", "vase", "candle", "bowl", "cushion", "throw",
+                          "floor_lamp", "table_lamp", "tv"}))
+        return;
     if (!wish && l_.spec().clutter == "minimal") probability *= 0.5f;
     if (!wish && !adding_) {
         if (probability > 0) later_.push_back([=, this] { put(klass, probability, how, then); });
@@ -111,20 +116,26 @@ void Furnisher::wall(const std::string& klass, float probability, Layout::WallWi
 
 void Furnisher::beside(int anchor, const std::string& klass, float probability, int side, float gap, const Then& then) {
     put(
-        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); }, then);
+        klass, probability,
+        [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); }, then);
 }
 
-void Furnisher::before(int anchor, const std::string& klass, float probability, float gap, bool facing, const Then& then) {
+void Furnisher::before(int anchor, const std::string& klass, float probability, float gap, bool facing,
+                       const Then& then) {
     put(
-        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); }, then);
+        klass, probability,
+        [=, this](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); },
+        then);
 }
 
 void Furnisher::top(int anchor, const std::string& klass, float probability) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
+    put(klass, probability,
+        [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
 }
 
 void Furnisher::above(int anchor, const std::string& klass, float probability) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); });
+    put(klass, probability,
+        [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); });
 }
 
 void Furnisher::on_wall(const std::string& klass, float probability) {
@@ -135,7 +146,8 @@ void Furnisher::picture(float probability) {
     put("picture", probability, [this](PieceRequest r, const PromptObject& o) {
         // Of many sizes; over a bare wall a large one first.
         const float w = l_.dice().uniform(0.4f, 1.25f);
-        if (o.size.empty() && o.size_m == Vec3f{}) r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
+        if (o.size.empty() && o.size_m == Vec3f{})
+            r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
         if (l_.spec().room == "kids" && o.klass.empty()) r.pattern = picture_for_a_child(l_);
         return l_.on_wall(r, {}, o);
     });
@@ -151,7 +163,9 @@ std::optional<int> Furnisher::laid_under(int anchor, PieceRequest r, Vec2f wante
 }
 
 void Furnisher::rug(int anchor, float probability, float width, float depth, float shift) {
-    put("rug", probability, [=, this](const PieceRequest& r, const PromptObject& o) { return laid_under(anchor, r, {width, depth}, shift, o); });
+    put("rug", probability, [=, this](const PieceRequest& r, const PromptObject& o) {
+        return laid_under(anchor, r, {width, depth}, shift, o);
+    });
 }
 
 Vec2f Furnisher::front_point(int anchor, float far) const {
@@ -171,17 +185,26 @@ int Furnisher::wall_opposite(int anchor) const {
 void Furnisher::finish() {
     const PromptSpec& spec = l_.spec();
     const std::string& room = l_.spec().room;
-    const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" || room == "sunroom";
-    const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(), [](const Ask& a) { return is_blind(a.wish->klass); });
-    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished() && !is_left()) l_.at_windows(l_.request("curtain"));
-    if (!l_.plan().asked("recessed_lights") && std::none_of(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
+    const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" ||
+                     room == "sunroom";
+    const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(),
+                                    [](const Ask& a) { return is_blind(a.wish->klass); });
+    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished() && !is_left())
+        l_.at_windows(l_.request("curtain"));
+    if (!l_.plan().asked("recessed_lights") &&
+        std::none_of(l_.placed().begin(), l_.placed().end(),
+                     [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
-        put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f, [&](const PieceRequest& r, const PromptObject& o) {
-            return l_.hanging(r, {0, 0.2f}, o);
-        });
+        put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f,
+            [&](const PieceRequest& r, const PromptObject& o) {
+                return l_.hanging(r, {0, 0.2f}, o);
+            });
     }
-    const int plants = is_left() ? 0 : std::min(spec.clutter == "minimal" ? 1 : 9, static_cast<int>(std::lround(l_.plan().style.plants * 3.f)));
-    for (int i = 0; i < plants && l_.count("plant") < 4; ++i) wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
+    const int plants = is_left() ? 0
+                                 : std::min(spec.clutter == "minimal" ? 1 : 9,
+                                            static_cast<int>(std::lround(l_.plan().style.plants * 3.f)));
+    for (int i = 0; i < plants && l_.count("plant") < 4; ++i)
+        wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
     const int pictures = is_left() ? 0 : 1 + static_cast<int>(std::lround(clutter_ * 3.f));
     for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
     on_wall("shelf", 0.4f * clutter_);
@@ -189,7 +212,12 @@ void Furnisher::finish() {
     // After sunset a room wants light from more than its ceiling.
     const bool dark = spec.time == "night" || spec.time == "dusk" || spec.light == "lamps on";
     const bool damp = room == "bathroom" || room == "kitchen" || room == "laundry";
-    wall("floor_lamp", l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f : dark ? 1.f : wet ? 0.f : 0.5f, {.center_pull = 0, .corner = true});
+    wall("floor_lamp",
+         l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f
+         : dark                                          ? 1.f
+         : wet                                           ? 0.f
+                                                         : 0.5f,
+         {.center_pull = 0, .corner = true});
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
     const int small = is_left() ? 0 : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
     for (int i = 0; i < small; ++i) {

@@ -7,7 +7,8 @@
 namespace fastscene::furnishing {
 namespace {
 
-constexpr float kBeforeLoft = kInsideBed + 0.03f;   // metres from a desk below a bed to who sits at it: clear of the ladder
+constexpr float kBeforeLoft = kInsideBed +
+                              0.03f;  // metres from a desk below a bed to who sits at it: clear of the ladder
 
 }  // namespace
 
@@ -34,7 +35,8 @@ void Furnisher::sleeping_place_along(const std::string& klass) {
     rug(bed, 0.85f, 1.9f, 1.4f, size(bed).z / 2 + 0.8f);
     if (klass == "daybed") {
         above(bed, "picture", 0.75f);
-        beside(bed, "side_table", 0.6f, chance(0.5f) ? 1 : -1, 0.06f, [this](int table) { top(table, "table_lamp", 0.9f); });
+        beside(bed, "side_table", 0.6f, chance(0.5f) ? 1 : -1, 0.06f,
+               [this](int table) { top(table, "table_lamp", 0.9f); });
     }
 }
 
@@ -47,7 +49,9 @@ void Furnisher::sleeping_place(const std::string& klass) {
         beside(bed, "nightstand", side < 0 ? 1.f : 0.75f, side, 0.08f, [=, this](int stand) {
             top(stand, "table_lamp", 0.9f);
             later([=, this] {
-                const std::string thing = chance(0.5f) ? "book_stack" : l_.spec().room == "kids" ? "teddy_bear" : "vase";
+                const std::string thing = chance(0.5f)               ? "book_stack"
+                                          : l_.spec().room == "kids" ? "teddy_bear"
+                                                                     : "vase";
                 if (chance(clutter_)) top(stand, thing, 1);
             });
         });
@@ -80,14 +84,17 @@ void Furnisher::reading_corner(float probability) {
         },
         [this](int chair) {
             const int side = chance(0.5f) ? 1 : -1;
-            beside(chair, "side_table", 0.6f, side, 0.05f, [this](int table) { top(table, chance(0.5f) ? "book_stack" : "vase", 0.9f); });
+            beside(chair, "side_table", 0.6f, side, 0.05f,
+                   [this](int table) { top(table, chance(0.5f) ? "book_stack" : "vase", 0.9f); });
             beside(chair, "floor_lamp", 0.5f, -side, 0.05f);
         });
 }
 
 void Furnisher::bedroom() {
     // A room for one who asked for a single bed has no other.
-    sleeping_place(!wishes_.asked("bed") ? first_asked({"canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed", "cabin_bed", "bed_single", "daybed", "bed"}) : "bed");
+    sleeping_place(!wishes_.asked("bed") ? first_asked({"canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed",
+                                                        "loft_bed", "cabin_bed", "bed_single", "daybed", "bed"})
+                                         : "bed");
     wall("wardrobe", 0.85f, {.window_pull = -1});
     wall("dresser", 0.55f, {.window_pull = -0.5f});
     working_place(0.06f);
@@ -96,7 +103,8 @@ void Furnisher::bedroom() {
 }
 
 void Furnisher::kids_room() {
-    sleeping_place(first_asked({"crib", "bunk_bed", "loft_bed", "cabin_bed", "bed", "canopy_bed", "four_poster_bed", "daybed", "floor_bed", "bed_single"}));
+    sleeping_place(first_asked({"crib", "bunk_bed", "loft_bed", "cabin_bed", "bed", "canopy_bed", "four_poster_bed",
+                                "daybed", "floor_bed", "bed_single"}));
     if (wishes_.asked("crib") && wishes_.has("bed")) sleeping_place("bed");
     wall("toy_box", 0.9f, {.center_pull = 0});
     wall("bookshelf", 0.8f, {.window_pull = -1});
@@ -112,8 +120,9 @@ void Furnisher::working_place(float probability) {
     const auto furnish_desk = [this](int desk) {
         const bool plain = wishes_.has("chair") && !wishes_.has("office_chair");
         for (int left = wishes_.count("monitor"); left > 0; --left)
-            put("monitor", 0, [=, this](const PieceRequest& r, const PromptObject& o) { return next_screen(desk, r, o); });
-        const bool sheltered = at(desk).below >= 0;   // by a bed: one sits before that
+            put("monitor", 0,
+                [=, this](const PieceRequest& r, const PromptObject& o) { return next_screen(desk, r, o); });
+        const bool sheltered = at(desk).below >= 0;  // by a bed: one sits before that
         before(desk, plain ? "chair" : "office_chair", 1, sheltered ? kBeforeLoft : plain ? 0.05f : -0.2f, true);
         top(desk, "table_lamp", 0.85f);
     };
@@ -142,7 +151,9 @@ void Furnisher::seating_group() {
         top(table, "book_stack", 0.7f);
         top(table, chance(0.5f) ? "vase" : "bowl", 0.7f);
         top(table, "candle", clutter_ * 0.6f);
-        put("ottoman", 0.3f, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(table, r, chance(0.5f) ? 1 : -1, 0.2f, o); });
+        put("ottoman", 0.3f, [=, this](const PieceRequest& r, const PromptObject& o) {
+            return l_.beside(table, r, chance(0.5f) ? 1 : -1, 0.2f, o);
+        });
     });
     above(sofa, "picture", 0.85f);
     const int side = chance(0.5f) ? 1 : -1;
@@ -153,7 +164,8 @@ void Furnisher::seating_group() {
     const auto chair = [=, this](const PieceRequest& r, const PromptObject& o) {
         // High and closed behind, it would hide what is behind it.
         if (r.klass == "hanging_chair")
-            if (const auto index = l_.against_wall(r, {.center_pull = 0, .window_pull = -0.3f, .corner = true}, o)) return index;
+            if (const auto index = l_.against_wall(r, {.center_pull = 0, .window_pull = -0.3f, .corner = true}, o))
+                return index;
         if (const auto index = l_.angled_towards(focus, r, o)) return index;
         return l_.against_wall(r, {}, o);
     };
@@ -168,7 +180,8 @@ void Furnisher::seating_group() {
 void Furnisher::focus_of(int sofa) {
     const int opposite = wall_opposite(sofa);
     const Layout::WallWish for_fire{.wall = opposite, .center_pull = 1.5f, .clear_of_windows = true};
-    const Layout::WallWish for_screen{.wall = opposite, .center_pull = 1.5f, .window_pull = -2, .clear_of_windows = true};
+    const Layout::WallWish for_screen{
+        .wall = opposite, .center_pull = 1.5f, .window_pull = -2, .clear_of_windows = true};
     const auto above_fire = [this](int fire) { above(fire, chance(0.5f) ? "mirror" : "picture", 0.7f); };
     if (wishes_.asked("fireplace")) {
         if (const auto fire = main_at_wall("fireplace", for_fire)) above_fire(*fire);
@@ -212,7 +225,8 @@ void Furnisher::living() {
 bool Furnisher::is_eaten_here() const { return wishes_.asked("dining_table") || wishes_.asked("dining_table_round"); }
 
 void Furnisher::eating_place(int seats) {
-    const char* klass = !wishes_.asked("dining_table") && wishes_.asked("dining_table_round") ? "dining_table_round" : "dining_table";
+    const char* klass = !wishes_.asked("dining_table") && wishes_.asked("dining_table_round") ? "dining_table_round"
+                                                                                              : "dining_table";
     const auto found = main(klass, [this](const PieceRequest& r, const PromptObject& o) {
         auto i = l_.free_standing(r, o, spare_for(r.klass));
         // One that was asked for and finds no room is smaller.
@@ -227,8 +241,9 @@ void Furnisher::eating_place(int seats) {
     if (!found) return;
     const int table = *found;
     const auto chairs_there = [this, table] {
-        return static_cast<int>(
-            std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.with == table && p.piece.klass == "chair"; }));
+        return static_cast<int>(std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
+            return p.with == table && p.piece.klass == "chair";
+        }));
     };
     // Chairs of one table are alike, and there are as many as were asked for.
     const int wished = wishes_.count("chair");
@@ -239,7 +254,7 @@ void Furnisher::eating_place(int seats) {
     } else if (is_furnished() && !wishes_.asked("chair") && !wishes_.forbids("chair") && chairs_there() == 0) {
         l_.around(table, l_.request("chair"), seats);
     }
-    const bool flowers = wishes_.asked("bouquet");   // they stand there
+    const bool flowers = wishes_.asked("bouquet");  // they stand there
     top(table, !flowers && chance(0.6f) ? "vase" : "bowl", 0.9f);
     later([=, this] {
         if (chance(clutter_)) top(table, "candle", 0.7f);
@@ -271,7 +286,9 @@ void Furnisher::dining() {
 void Furnisher::kitchen() {
     main("kitchen_counter", [this](const PieceRequest& r, const PromptObject& o) { return kitchen_units(r, o); });
     if (wishes_.asked("kitchen_island"))
-        if (const auto island = main("kitchen_island", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); }))
+        if (const auto island = main("kitchen_island", [this](const PieceRequest& r, const PromptObject& o) {
+                return l_.free_standing(r, o);
+            }))
             seats_at(*island);
     if (!l_.find("kitchen_island") || is_eaten_here()) eating_place(4);
     wall("fridge", 0.95f, {.center_pull = -0.5f, .window_pull = -1, .corner = true});
@@ -304,7 +321,8 @@ void Furnisher::bathroom() {
         if (const auto tub = main_at_wall("bathtub", {.center_pull = 0, .window_pull = 0.5f, .corner = true}))
             rug(*tub, 0.8f, 0.9f, 0.55f, size(*tub).z / 2 + 0.35f);
     if (!l_.find("bathtub") && !shower) main_at_wall("shower", for_shower);
-    if (const auto basin = main_at_wall("washbasin", {.center_pull = 0.6f, .window_pull = -1})) above(*basin, "mirror", 1);
+    if (const auto basin = main_at_wall("washbasin", {.center_pull = 0.6f, .window_pull = -1}))
+        above(*basin, "mirror", 1);
     main_at_wall("toilet", {.center_pull = 0});
     wall("towel_rail", 0.9f, {.window_pull = -0.5f});
     wall("stool", 0.6f, {.center_pull = 0}, [this](int stool) { top(stool, "towel_stack", 0.8f); });
@@ -342,7 +360,8 @@ void Furnisher::hallway() {
 }
 
 void Furnisher::laundry() {
-    if (wishes_.asked("kitchen_counter")) main("kitchen_counter", [this](const PieceRequest& r, const PromptObject& o) { return kitchen_units(r, o); });
+    if (wishes_.asked("kitchen_counter"))
+        main("kitchen_counter", [this](const PieceRequest& r, const PromptObject& o) { return kitchen_units(r, o); });
     if (const auto first = main_at_wall("washing_machine", {.window_pull = 0.3f})) {
         beside(*first, "washing_machine", 0.85f, 1, 0.02f);
         above(*first, "shelf", 0.9f);
@@ -358,15 +377,18 @@ void Furnisher::laundry() {
 
 void Furnisher::sunroom() {
     // Who asks for a table with chairs sits there, and needs no sofa.
-    const bool eats = is_eaten_here(), lounges = wishes_.asked("sofa") || wishes_.asked("loveseat") || wishes_.asked("coffee_table");
+    const bool eats = is_eaten_here(),
+               lounges = wishes_.asked("sofa") || wishes_.asked("loveseat") || wishes_.asked("coffee_table");
     if (eats) eating_place(2);
     if (!eats || lounges) seating_group();
     // Glass on three sides often leaves no wall for a sofa: then chairs about a low table.
     if (!eats && !l_.find("sofa") && !l_.find("loveseat")) {
-        const auto table = main("coffee_table", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
+        const auto table = main(
+            "coffee_table", [this](const PieceRequest& r, const PromptObject& o) { return l_.free_standing(r, o); });
         const Vec2f middle = table ? flat(at(*table).position) : Vec2f{0, 0};
         for (int i = 0; i < 3; ++i)
-            put("armchair", i < 2 ? 1.f : 0.5f, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.angled_towards(middle, r, o); });
+            put("armchair", i < 2 ? 1.f : 0.5f,
+                [=, this](const PieceRequest& r, const PromptObject& o) { return l_.angled_towards(middle, r, o); });
         if (table) {
             rug(*table, 0.9f, 2.4f, 1.7f, 0);
             top(*table, "book_stack", 0.8f);

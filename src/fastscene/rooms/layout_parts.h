@@ -32,7 +32,8 @@ std::string_view for_a_child(std::string_view thing);
 // A picture's motif for such a room; empty: any.
 std::string picture_for_a_child(Layout& layout);
 
-// A wish and where it binds: the place it names, put the way the layout works (a table "on the rug" is a rug under the table).
+// A wish and where it binds: the place it names, put the way the layout works (a table "on the rug" is a rug under the
+// table).
 struct Ask {
     const PromptObject* wish = nullptr;
     std::string relation, at, and_at;  // empty: anywhere. `at`: a class, or a part of the shell
@@ -42,10 +43,13 @@ struct Ask {
     bool at_shell() const;  // at a window, a door, in a corner …
 };
 
-// Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and plant_small too).
+// Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and
+// plant_small too).
 bool is_settled(const PromptSpec& spec, std::string_view klass);
 
-inline bool is_beside(std::string_view relation) { return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"}); }
+inline bool is_beside(std::string_view relation) {
+    return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"});
+}
 
 // While it lives, pieces stand where this wish says or not at all.
 class Insisting {
@@ -79,8 +83,9 @@ class Wishes {
     std::vector<Ask> asks_;
 };
 
-// The furnisher. Its one order: what was asked to stand somewhere in the shell, while that is free; the room's main pieces, each at
-// once with all that was asked for at it; what else was asked for; then what a room of its kind has besides; then clutter.
+// The furnisher. Its one order: what was asked to stand somewhere in the shell, while that is free; the room's main
+// pieces, each at once with all that was asked for at it; what else was asked for; then what a room of its kind has
+// besides; then clutter.
 class Furnisher {
   public:
     explicit Furnisher(Layout& layout);
@@ -96,8 +101,8 @@ class Furnisher {
     // Nobody hangs pictures and waters plants there.
     bool is_left() const { return is_one_of(l_.spec().clutter, {"abandoned", "moving"}); }
     bool chance(float p) { return l_.dice().chance(p); }
-    // Places a piece through `how`: at once if it was asked for; else, with this probability, when all that was asked for stands.
-    // `then` goes on from it.
+    // Places a piece through `how`: at once if it was asked for; else, with this probability, when all that was asked
+    // for stands. `then` goes on from it.
     void put(const std::string& klass, float probability, const How& how, const Then& then = {});
     // What the room cannot do without: at once. The piece that was asked for elsewhere in the room, if there is one.
     std::optional<int> main(const std::string& klass, const How& how);
@@ -195,7 +200,7 @@ class Furnisher {
     float clutter_;
     bool adding_ = false;  // all that was asked for stands
     std::vector<std::function<void()>> later_;
-    std::vector<std::string> summoned_;          // classes that another piece waited for
+    std::vector<std::string> summoned_;  // classes that another piece waited for
 };
 
 }  // namespace fastscene::furnishing

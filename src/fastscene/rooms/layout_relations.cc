@@ -18,7 +18,8 @@ Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 // To the right of someone who looks at a thing with this front (x, y up and z towards him are right-handed).
 Vec2f right_of_viewer(Vec2f front) { return {front.y, -front.x}; }
 
-std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass, const Placed& piece) {
+std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass,
+                             const Placed& piece) {
     std::vector<Place> out;
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass))
@@ -26,8 +27,13 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
     if (klass == "skylight")
         for (const Skylight& k : plan.skylights) {
             const Vec2f inward = flat(plan.wall(k.wall).inward);
-            const Vec2f at = Vec2f{k.wall == 1 ? plan.width / 2 : -plan.width / 2, (k.z0 + k.z1) / 2} + inward * (plan.slope_run / 2);
-            out.push_back({{at, {(k.z1 - k.z0) / 2, plan.slope_run / 2}, std::atan2(inward.x, inward.y), plan.knee, plan.height}, inward, -1, -1});
+            const Vec2f at = Vec2f{k.wall == 1 ? plan.width / 2 : -plan.width / 2, (k.z0 + k.z1) / 2} +
+                             inward * (plan.slope_run / 2);
+            out.push_back(
+                {{at, {(k.z1 - k.z0) / 2, plan.slope_run / 2}, std::atan2(inward.x, inward.y), plan.knee, plan.height},
+                 inward,
+                 -1,
+                 -1});
         }
     for (const Block& b : plan.blocks)
         if (klass == "column" && b.kind == Block::Kind::column)
@@ -51,7 +57,8 @@ float gap(const Footprint& a, const Footprint& b) {
         const Vec2f front = heading_of(one->yaw), right{front.y, -front.x};
         for (const float i : {-1.f, 0.f, 1.f})
             for (const float j : {-1.f, 0.f, 1.f})
-                least = std::min(least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
+                least = std::min(
+                    least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
     }
     return least;
 }
@@ -73,8 +80,9 @@ int corner_of(const Plan& plan, const Footprint& box) {
 // How many of the same wish stand there already: several share corners and sides evenly.
 template <class There>
 int others_there(const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish, const There& there) {
-    return static_cast<int>(
-        std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return &p != &piece && p.wish.id == wish.id && there(footprint_of(p)); }));
+    return static_cast<int>(std::count_if(placed.begin(), placed.end(), [&](const Placed& p) {
+        return &p != &piece && p.wish.id == wish.id && there(footprint_of(p));
+    }));
 }
 
 // The relation to one place.
@@ -89,19 +97,23 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
         const bool smaller = std::max(box.half.x, box.half.y) < std::min(at.box.half.x, at.box.half.y);
         return at.box.y1 < 0.08f && (smaller ? distance_to(at.box, box.center) < 0.01f : far < 0.05f);
     }
-    if (relation == "under") return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
+    if (relation == "under")
+        return opening ? std::abs(aside) < at.box.half.x + 0.2f && ahead < 1.2f : far < 0.05f && box.y1 <= at.box.y1;
     if (relation == "above") return std::abs(aside) < at.box.half.x + 0.1f && box.y0 >= at.box.y1 - 0.02f && far < 0.3f;
     if (relation == "in front of") return ahead > at.box.half.y && std::abs(aside) < at.box.half.x + 0.3f && far < 1.5f;
     if (relation == "behind") return ahead < -at.box.half.y && far < 1.5f;
     // What lies on a bed lies towards its foot; of one along the wall, at an end.
     if (relation == "at the foot of" && piece.on == at.index && at.index >= 0)
         return ahead > 0.2f * at.box.half.y || std::abs(aside) > 0.35f * at.box.half.x;
-    if (relation == "at the foot of") return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
+    if (relation == "at the foot of")
+        return ahead > at.box.half.y && std::abs(aside) < 0.6f * at.box.half.x && far < 0.5f;
     // Beside a window beds stand with their heads at its wall.
     const float deep = opening ? extent(box, at.front) : 0.f;
     if (relation == "on both sides of")
-        return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f + deep && far < (opening ? 0.75f : 0.7f);
-    if (relation == "facing") return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
+        return std::abs(aside) > 0.8f * at.box.half.x && std::abs(ahead) < at.box.half.y + 0.5f + deep &&
+               far < (opening ? 0.75f : 0.7f);
+    if (relation == "facing")
+        return dot(front, at.box.center - box.center) > 0.87f * length(at.box.center - box.center);
     if (relation == "opposite")
         return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f &&
                std::abs(aside) < at.box.half.x + extent(box, right_of_viewer(at.front)) + 0.2f;
@@ -127,19 +139,23 @@ bool is_opening_of(const Opening& o, std::string_view klass) {
     return klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
 }
 
-std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish) {
+std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece,
+                                    const PromptObject& wish) {
     if (wish.relation.empty() || wish.relation == "in the next room") return {};
     const Footprint box = footprint_of(piece);
     const Vec2f front = heading_of(piece.yaw);
     if (wish.relation == "in the corner") {
         const int corner = corner_of(plan, box);
         constexpr int kCorners = 4;
-        return corner >= 0 &&
-               others_there(placed, piece, wish, [&](const Footprint& f) { return corner_of(plan, f) == corner; }) <= (wish.count - 1) / kCorners;
+        return corner >= 0 && others_there(placed, piece, wish, [&](const Footprint& f) {
+                                  return corner_of(plan, f) == corner;
+                              }) <= (wish.count - 1) / kCorners;
     }
-    if (wish.relation == "in the middle") return std::abs(box.center.x) < 0.22f * plan.width && std::abs(box.center.y) < 0.22f * plan.depth;
+    if (wish.relation == "in the middle")
+        return std::abs(box.center.x) < 0.22f * plan.width && std::abs(box.center.y) < 0.22f * plan.depth;
     if (wish.relation == "far wall") return box.center.y > plan.depth / 2 - box.half.y - box.half.x - 0.4f;
-    if (wish.relation == "against" && (wish.relation_to.empty() || wish.relation_to == "wall")) return to_wall(plan, box) < 0.2f;
+    if (wish.relation == "against" && (wish.relation_to.empty() || wish.relation_to == "wall"))
+        return to_wall(plan, box) < 0.2f;
     if (wish.relation_to == "wall") return piece.piece.mount == Mount::wall || to_wall(plan, box) < 0.25f;
     if (wish.relation_to == "floor") return box.y0 < 0.05f;
     if (wish.relation_to == "ceiling") return piece.piece.mount == Mount::ceiling || wish.relation == "under";
@@ -153,11 +169,15 @@ std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>&
         return false;
     }
     if (places.empty()) return {};
-    const auto at = std::find_if(places.begin(), places.end(), [&](const Place& place) { return holds(wish.relation, box, front, piece, place); });
+    const auto at = std::find_if(places.begin(), places.end(),
+                                 [&](const Place& place) { return holds(wish.relation, box, front, piece, place); });
     if (at == places.end() || wish.relation != "on both sides of") return at != places.end();
     // As many on this side as on the other.
-    const auto right = [&](const Footprint& f) { return dot(f.center - at->box.center, right_of_viewer(at->front)) > 0; };
-    const int on_this = others_there(placed, piece, wish, [&](const Footprint& f) { return gap(f, at->box) < 0.75f && right(f) == right(box); });
+    const auto right = [&](const Footprint& f) {
+        return dot(f.center - at->box.center, right_of_viewer(at->front)) > 0;
+    };
+    const int on_this = others_there(
+        placed, piece, wish, [&](const Footprint& f) { return gap(f, at->box) < 0.75f && right(f) == right(box); });
     const int sides = 2 * static_cast<int>(places.size());
     return on_this <= (wish.count - 1) / sides;
 }

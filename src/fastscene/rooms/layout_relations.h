@@ -9,13 +9,17 @@
 
 namespace fastscene {
 
-// How high above the floor what stands before a window may reach: a little above its sill; before glass down to the floor sofas and tables stand.
-inline float free_before(const Opening& window, float above_sill) { return window.y0 < 0.3f ? 0.92f : window.y0 + above_sill; }
+// How high above the floor what stands before a window may reach: a little above its sill; before glass down to the
+// floor sofas and tables stand.
+inline float free_before(const Opening& window, float above_sill) {
+    return window.y0 < 0.3f ? 0.92f : window.y0 + above_sill;
+}
 // Whether a wish for this class means such an opening.
 bool is_opening_of(const Opening& opening, std::string_view klass);
 
 // Of `piece`, which stands or might stand in the room with the others. Nothing: it asks for no place, or for one at
 // something that is not there (yet).
-std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece, const PromptObject& wish);
+std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece,
+                                    const PromptObject& wish);
 
 }  // namespace fastscene

@@ -1,4 +1,5 @@
-// What was asked for is seen: small things stand on that side of a top which the camera sees, and nothing that nobody asked for hides them.
+// What was asked for is seen: small things stand on that side of a top which the camera sees, and nothing that nobody
+// asked for hides them.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -14,8 +15,9 @@ constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is lo
 
 // What a room keeps even when nobody asked for it.
 bool makes_the_room(std::string_view klass) {
-    return is_bed(klass) || is_one_of(klass, {"sofa", "loveseat", "dining_table", "dining_table_round", "desk", "kitchen_counter", "fridge",
-                             "kitchen_island", "bathtub", "shower", "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain"});
+    return is_bed(klass) || is_one_of(klass, {"sofa", "loveseat", "dining_table", "dining_table_round", "desk",
+                                              "kitchen_counter", "fridge", "kitchen_island", "bathtub", "shower",
+                                              "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain"});
 }
 
 }  // namespace
@@ -30,7 +32,9 @@ float Layout::show(int piece, Vec3f eye, bool anywhere) {
     std::vector<int> tops{before.on};
     for (int i = 0; anywhere && i < static_cast<int>(placed_.size()); ++i) {
         const Placed& top = placed_[static_cast<std::size_t>(i)];
-        if (i != piece && i != before.on && top.on < 0 && !furnishing::is_seat(top.piece.klass) && !top.piece.surfaces.empty()) tops.push_back(i);
+        if (i != piece && i != before.on && top.on < 0 && !furnishing::is_seat(top.piece.klass) &&
+            !top.piece.surfaces.empty())
+            tops.push_back(i);
     }
     const auto far = [&](int i) { return length(placed_[static_cast<std::size_t>(i)].position - eye); };
     std::sort(tops.begin() + 1, tops.end(), [&](int a, int b) { return far(a) < far(b); });
@@ -45,7 +49,8 @@ float Layout::show(int piece, Vec3f eye, bool anywhere) {
                 for (const float v : {1.f, 0.4f, -0.2f, -0.8f}) {
                     p.on = top;
                     p.yaw = a.yaw;
-                    p.position = a.position + right * (s.center.x + u * slack_x) + front * (s.center.z + v * slack_z) + Vec3f{0, s.center.y, 0};
+                    p.position = a.position + right * (s.center.x + u * slack_x) + front * (s.center.z + v * slack_z) +
+                                 Vec3f{0, s.center.y, 0};
                     if (!free_on_top(p, piece) || as_asked(p, p.wish) < asked) continue;
                     if (const float seen = sight.look(piece, eye).pixels; seen > best)
                         best = seen, best_pose.position = p.position, best_pose.yaw = p.yaw, best_pose.on = top;
@@ -70,7 +75,8 @@ void Layout::take_away(std::vector<int> pieces) {
         std::vector<int> whole{top};
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
             if (bears(top, i)) whole.push_back(i);
-        if (std::all_of(whole.begin(), whole.end(), [&](int i) { return placed_[static_cast<std::size_t>(i)].wish.klass.empty(); }))
+        if (std::all_of(whole.begin(), whole.end(),
+                        [&](int i) { return placed_[static_cast<std::size_t>(i)].wish.klass.empty(); }))
             gone.insert(whole.begin(), whole.end());
     }
     if (gone.empty()) return;
@@ -78,7 +84,8 @@ void Layout::take_away(std::vector<int> pieces) {
     std::vector<Placed> left;
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
         if (!gone.contains(i))
-            now[static_cast<std::size_t>(i)] = static_cast<int>(left.size()), left.push_back(std::move(placed_[static_cast<std::size_t>(i)]));
+            now[static_cast<std::size_t>(i)] = static_cast<int>(left.size()),
+            left.push_back(std::move(placed_[static_cast<std::size_t>(i)]));
     for (Placed& p : left)
         for (int* index : {&p.on, &p.below, &p.with})
             if (*index >= 0) *index = now[static_cast<std::size_t>(*index)];
@@ -90,7 +97,7 @@ namespace furnishing {
 
 // What was asked for on the floor is no background of a plant that nobody asked for.
 void Furnisher::uncover(Vec3f eye) {
-    constexpr float kShown = 0.5f;   // of a piece
+    constexpr float kShown = 0.5f;  // of a piece
     const Sight sight(l_.plan(), l_.placed());
     std::set<int> hiders;
     for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
@@ -98,7 +105,9 @@ void Furnisher::uncover(Vec3f eye) {
         if (p.wish.klass.empty() || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
         const Sight::View view = sight.look(i, eye);
         for (std::size_t k = 0; view.share < kShown && k < view.hiders.size() && k < 2; ++k)
-            if (const int h = view.hiders[k]; at(h).wish.klass.empty() && is_one_of(klass_of(h), {"plant", "plant_tree", "floor_lamp", "basket", "pouf", "ladder_shelf", "stool"}))
+            if (const int h = view.hiders[k];
+                at(h).wish.klass.empty() && is_one_of(klass_of(h), {"plant", "plant_tree", "floor_lamp", "basket",
+                                                                    "pouf", "ladder_shelf", "stool"}))
                 hiders.insert(h);
     }
     l_.take_away({hiders.begin(), hiders.end()});

@@ -12,7 +12,9 @@ Vec3f into_object(const Placed& p, Vec3f v) {
     const Vec3f d = v - p.position;
     return {dot(d, right_of(p.yaw)), d.y, dot(d, front_of(p.yaw))};
 }
-Vec3f out_of_object(const Placed& p, Vec3f v) { return p.position + right_of(p.yaw) * v.x + Vec3f{0, v.y, 0} + front_of(p.yaw) * v.z; }
+Vec3f out_of_object(const Placed& p, Vec3f v) {
+    return p.position + right_of(p.yaw) * v.x + Vec3f{0, v.y, 0} + front_of(p.yaw) * v.z;
+}
 
 // Whether the line from a to a + d meets the box between its ends.
 bool meets(Vec3f low, Vec3f high, Vec3f a, Vec3f d) {
@@ -45,7 +47,8 @@ class Points {
     explicit Points(const Piece& piece) {
         for (const Mesh& m : piece.meshes)
             for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3) {
-                const Vec3f a = m.positions[m.triangles[t]], u = m.positions[m.triangles[t + 1]] - a, v = m.positions[m.triangles[t + 2]] - a;
+                const Vec3f a = m.positions[m.triangles[t]], u = m.positions[m.triangles[t + 1]] - a,
+                            v = m.positions[m.triangles[t + 2]] - a;
                 const Vec3f n = cross(u, v);
                 if (!(length(n) > 0)) continue;
                 sum_ += 0.5 * length(n);
@@ -61,7 +64,8 @@ class Points {
     Point operator[](int i) const {
         const auto part = [i](double step) { return std::fmod(0.5 + step * (i + 1), 1.0); };
         const double along = part(0.8191725133961645) * sum_;
-        const auto t = std::lower_bound(triangles_.begin(), triangles_.end() - 1, along, [](const Triangle& x, double s) { return x.until < s; });
+        const auto t = std::lower_bound(triangles_.begin(), triangles_.end() - 1, along,
+                                        [](const Triangle& x, double s) { return x.until < s; });
         auto b = static_cast<float>(part(0.6710436067037893)), c = static_cast<float>(part(0.5497004779019702));
         if (b + c > 1) b = 1 - b, c = 1 - c;
         return {t->corner + t->u * b + t->v * c, t->normal};
@@ -84,14 +88,17 @@ Sight::Sight(const Plan& plan, const std::vector<Placed>& placed) : plan_(plan),
         for (const Mesh& m : p.piece.meshes) {
             Box box;
             for (const Vec3f v : m.positions)
-                for (std::size_t k = 0; k < 3; ++k) box.low[k] = std::min(box.low[k], v[k]), box.high[k] = std::max(box.high[k], v[k]);
+                for (std::size_t k = 0; k < 3; ++k)
+                    box.low[k] = std::min(box.low[k], v[k]), box.high[k] = std::max(box.high[k], v[k]);
             for (std::size_t k = 0; k < 3; ++k)
-                body.box.low[k] = std::min(body.box.low[k], box.low[k]), body.box.high[k] = std::max(body.box.high[k], box.high[k]);
+                body.box.low[k] = std::min(body.box.low[k], box.low[k]),
+                body.box.high[k] = std::max(body.box.high[k], box.high[k]);
             body.meshes.push_back(box);
         }
         bodies_.push_back(std::move(body));
     }
-    for (const Block& b : plan.blocks) blocks_.push_back({(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height});
+    for (const Block& b : plan.blocks)
+        blocks_.push_back({(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height});
 }
 
 bool Sight::stops(std::size_t piece, Vec3f eye, Vec3f target) const {
@@ -105,7 +112,9 @@ bool Sight::stops(std::size_t piece, Vec3f eye, Vec3f target) const {
         if (!meets(body.meshes[k].low, body.meshes[k].high, a, d)) continue;
         const Mesh& m = p.piece.meshes[k];
         for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3)
-            if (crosses(m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]], a, d, end)) return true;
+            if (crosses(m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]],
+                        a, d, end))
+                return true;
     }
     return false;
 }
@@ -131,7 +140,8 @@ Sight::View Sight::look(int piece, Vec3f eye) const {
     int n = 0;
     for (; n < kPoints && !(n >= kEnoughForLarge && seen * points.area() > kMany * static_cast<float>(n)); ++n) {
         const auto point = points[n];
-        const Vec3f at = out_of_object(p, point.at), normal = out_of_object(p, point.normal) - p.position, to = at - eye;
+        const Vec3f at = out_of_object(p, point.at), normal = out_of_object(p, point.normal) - p.position,
+                    to = at - eye;
         const float far = length(to), level = std::hypot(to.x, to.z) / far;
         if (!(far > 0.05f)) continue;
         // Pixels of a panorama are narrower towards its poles.

@@ -1,5 +1,6 @@
-// Sight: how much of a piece is seen from a point, by a few rays to its triangles past those of all others. What boxes say of that
-// (Layout::likely_hidden) is cheap and kind: a lamp's box is mostly air, and a book behind the edge of a shelf is in no box.
+// Sight: how much of a piece is seen from a point, by a few rays to its triangles past those of all others. What boxes
+// say of that (Layout::likely_hidden) is cheap and kind: a lamp's box is mostly air, and a book behind the edge of a
+// shelf is in no box.
 #pragma once
 
 #include <vector>
@@ -30,7 +31,8 @@ class Sight {
         Box box;
         std::vector<Box> meshes;
     };
-    int hider(int own, Vec3f eye, Vec3f target) const;  // a piece before a point of `own`, itself first; -1: none; -2: a wall
+    int hider(int own, Vec3f eye,
+              Vec3f target) const;  // a piece before a point of `own`, itself first; -1: none; -2: a wall
     bool stops(std::size_t piece, Vec3f eye, Vec3f target) const;
 
     const Plan& plan_;

@@ -95,7 +95,9 @@ TEST(NextRoom, APartOfTheRoomIsNone) {
     EXPECT_EQ(spec.room, "kitchen");
     EXPECT_TRUE(spec.next_room.empty());
     for (const char* klass : {"dining_table", "desk"})
-        EXPECT_TRUE(std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) { return o.klass == klass; })) << klass;
+        EXPECT_TRUE(std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
+            return o.klass == klass;
+        })) << klass;
 }
 
 }  // namespace

@@ -24,13 +24,14 @@ void hang_up(Piece& piece, float height) {
     piece.hang_height_m = height;
 }
 
-// A rail runs along the nearest beam, below it; a lamp with a plate goes between two beams; what hangs by a rod or a cord that meets a beam hangs
-// from that.
+// A rail runs along the nearest beam, below it; a lamp with a plate goes between two beams; what hangs by a rod or a
+// cord that meets a beam hangs from that.
 void hang_among_beams(const Plan& plan, Placed& p) {
     constexpr float kRod = 0.08f;  // half of what covers its end
     const bool rail = p.piece.klass == "track_light", plate = p.piece.klass == "ceiling_lamp";
     const float spacing = plan.depth / static_cast<float>(beam_count(plan)), offset = p.position.z - beam_z(plan, 0);
-    const float beam = beam_z(plan, std::clamp(static_cast<int>(std::lround(offset / spacing)), 0, beam_count(plan) - 1));
+    const float beam = beam_z(plan,
+                              std::clamp(static_cast<int>(std::lround(offset / spacing)), 0, beam_count(plan) - 1));
     const int gap = std::clamp(static_cast<int>(std::floor(offset / spacing)), 0, beam_count(plan) - 2);
     const bool meets = std::abs(p.position.z - beam) < kBeamWidth / 2 + (plate ? p.piece.size_m.z / 2 : kRod);
     if (!rail && !meets) return;
@@ -46,7 +47,8 @@ bool Layout::free_on_top(const Placed& p, int self) const {
     if (!plan_.holds(box) || (plan_.beams && box.y1 > plan_.height - kBeams)) return false;
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
         const Placed& other = placed_[static_cast<std::size_t>(i)];
-        if (i != self && i != p.on && !other.flat && !shelters(placed_, i, p) && overlap(box, footprint_of(other))) return false;
+        if (i != self && i != p.on && !other.flat && !shelters(placed_, i, p) && overlap(box, footprint_of(other)))
+            return false;
     }
     return true;
 }
@@ -74,7 +76,10 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
         for (int tries = 0; tries < (asked ? 30 : 14); ++tries) {
             // Televisions and the like stand in the middle, small things anywhere; pictures lean at the back.
             const bool middle = over || (size.x > 0.55f && tries == 0);
-            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = leans ? -slack_z : middle ? 0.f : dice_.uniform(-slack_z, slack_z);
+            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = leans ? -slack_z
+                                                                                 : middle
+                                                                                     ? 0.f
+                                                                                     : dice_.uniform(-slack_z, slack_z);
             const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
             p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
             p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : dice_.uniform(-0.3f, 0.3f));
@@ -84,7 +89,8 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     return {};
 }
 
-std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw, const PromptObject& from) {
+std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Vec2f at, float yaw,
+                                     const PromptObject& from) {
     const Placed& a = placed_[static_cast<std::size_t>(anchor)];
     if (a.piece.surfaces.empty()) return {};
     Placed p;
@@ -97,15 +103,17 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
     for (const Vec2f corner : corners_of(box))
         if (distance_to(table, corner) > 0.005f) return {};
     for (std::size_t i = 0; i < placed_.size(); ++i)
-        if (static_cast<int>(i) != anchor && !placed_[i].flat && !shelters(placed_, static_cast<int>(i), p) && overlap(box, footprint_of(placed_[i]))) return {};
+        if (static_cast<int>(i) != anchor && !placed_[i].flat && !shelters(placed_, static_cast<int>(i), p) &&
+            overlap(box, footprint_of(placed_[i])))
+            return {};
     if (!leaves_way(p)) return {};
     return keep(p, from);
 }
 
 std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<int> window, const PromptObject& from) {
     if (make_piece(request).mount != Mount::surface) return {};
-    constexpr float kLowest = 0.3f;         // a window down to the floor has no sill
-    constexpr float kSides = 0.14f;         // of the window's width, at either side: there hang its curtains
+    constexpr float kLowest = 0.3f;  // a window down to the floor has no sill
+    constexpr float kSides = 0.14f;  // of the window's width, at either side: there hang its curtains
     const int count = static_cast<int>(plan_.openings.size()), first = count > 0 ? dice_.index(count) : 0;
     for (const float size : {1.f, 0.85f, 0.7f, 0.58f, 0.48f}) {
         PieceRequest smaller = request;
@@ -123,9 +131,12 @@ std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<in
             const float side = std::max(0.06f, kSides * (o.u1 - o.u0)) + extents.x / 2;
             p.yaw = yaw_of(face.inward);
             for (int tries = 0; tries < (o.u1 - o.u0 > 2 * side ? 12 : 0); ++tries) {
-                p.position = face.point(dice_.uniform(o.u0 + side, o.u1 - side), o.y0) + face.inward * ((kSillReach - kRevealDepth) / 2);
+                p.position = face.point(dice_.uniform(o.u0 + side, o.u1 - side), o.y0) +
+                             face.inward * ((kSillReach - kRevealDepth) / 2);
                 const Footprint room_for = footprint_of(p, 0.01f);
-                const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(room_for, footprint_of(other)); });
+                const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
+                    return !other.flat && overlap(room_for, footprint_of(other));
+                });
                 if (free && stands_on_sill(plan_, p) && std::isfinite(as_asked(p, from))) return keep(p, from);
             }
         }
@@ -158,9 +169,10 @@ std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptO
         if (second == low) continue;
         if (!furnishing::lies_on_seats(request.klass) && furnishing::is_seat(p.piece.klass)) continue;
         // Three bowls in a row are a shop.
-        const auto alike =
-            std::count_if(placed_.begin(), placed_.end(), [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
-        if (from.klass.empty() && alike > (request.klass == "candle" || request.klass == "book_stack" ? 1 : 0)) continue;
+        const auto alike = std::count_if(placed_.begin(), placed_.end(),
+                                         [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
+        if (from.klass.empty() && alike > (request.klass == "candle" || request.klass == "book_stack" ? 1 : 0))
+            continue;
         if (const auto index = on_top(i, request, from)) return index;
     }
     return {};
@@ -189,17 +201,19 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         float reach = 0.5f;
         if (above) {
             const Placed& a = placed_[static_cast<std::size_t>(*above)];
-            const float off = dot(a.position - face.origin, face.inward) - (a.piece.mount == Mount::wall ? 0.f : a.piece.size_m.z / 2);
-            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f || std::abs(off) > (a.on >= 0 ? 0.4f : 0.25f)) continue;
+            const float off = dot(a.position - face.origin, face.inward) -
+                              (a.piece.mount == Mount::wall ? 0.f : a.piece.size_m.z / 2);
+            if (std::abs(std::remainder(a.yaw - p.yaw, 2 * kPi)) > 0.1f || std::abs(off) > (a.on >= 0 ? 0.4f : 0.25f))
+                continue;
             wanted_u = dot(a.position - face.origin, face.along);
             reach = std::max(reach, a.piece.size_m.x / 2);
             // A hand above it; asked to be above, low enough to be seen with it.
             const float high = footprint_of(a).y1;
-            y = from.relation == "above" ? std::max(high + 0.12f, std::min(y, high + 0.45f)) : std::max(y, high + 0.15f);
+            y = from.relation == "above" ? std::max(high + 0.12f, std::min(y, high + 0.45f))
+                                         : std::max(y, high + 0.15f);
             if (y + size.y > plan_.height - 0.12f) y = high + 0.05f;
             if (y + size.y > plan_.height - 0.05f) continue;
-        }
-        else if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
+        } else if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
         if (y < 0) continue;
         for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
             if (!wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
@@ -208,10 +222,12 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             const Footprint box = footprint_of(p, 0.03f);
             bool free = plan_.holds(footprint_of(p));
             for (const Placed& other : placed_)
-                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f)) && !hides(other, p);
+                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.05f : 0.f)) &&
+                       !hides(other, p);
             if (!free) continue;
-            float score =
-                wanted_u ? -std::abs(u - *wanted_u) : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f - (face.wall == 2 ? 0.4f : 0.f);
+            float score = wanted_u ? -std::abs(u - *wanted_u)
+                                   : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f -
+                                         (face.wall == 2 ? 0.4f : 0.f);
             if (!wanted_u) {
                 // Where the wall is barest.
                 float bare = 2.f;
@@ -220,14 +236,16 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
                         bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
                 score += 0.8f * bare;
             }
-            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p)) best_score = total, best = p;
+            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                best_score = total, best = p;
         }
     }
     if (best && above) best->with = *above;
     return best ? keep(*best, from) : std::nullopt;
 }
 
-std::optional<int> Layout::over_opening(const std::string& klass, const PieceRequest& request, const PromptObject& from) {
+std::optional<int> Layout::over_opening(const std::string& klass, const PieceRequest& request,
+                                        const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
     if (p.piece.mount == Mount::surface) hang_up(p.piece, 0);
@@ -240,7 +258,8 @@ std::optional<int> Layout::over_opening(const std::string& klass, const PieceReq
         p.position = face.point((o.u0 + o.u1) / 2, o.y1 + kCasing + 0.02f) + face.inward * 0.002f;
         const Footprint box = footprint_of(p);
         if (!plan_.holds(box) || box.y1 > plan_.height - 0.03f) continue;
-        if (std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
+        if (std::none_of(placed_.begin(), placed_.end(),
+                         [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
             return keep(p, from);
     }
     return {};
@@ -260,7 +279,9 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
         constexpr float kDeep = 0.75f;
         const WallFace face = plan_.wall(o.wall);
         const Vec3f before = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kDeep / 2);
-        if (o.kind != Opening::Kind::window && overlap(footprint_of(p), {flat(before), {(o.u1 - o.u0) / 2, kDeep / 2}, yaw_of(face.inward), 0, o.y1})) return {};
+        if (o.kind != Opening::Kind::window &&
+            overlap(footprint_of(p), {flat(before), {(o.u1 - o.u0) / 2, kDeep / 2}, yaw_of(face.inward), 0, o.y1}))
+            return {};
     }
     if (!leaves_way(p)) return {};
     return keep(p, from);
@@ -278,10 +299,13 @@ std::optional<int> Layout::in_upper_corner(const PieceRequest& request, const Pr
         p.yaw = kPi / 2 * static_cast<float>(corner);
         const Vec3f out = right_of(p.yaw) * -1.f - front_of(p.yaw);
         const float gap = 0.004f, across = corner % 2 == 0 ? half.x : half.z, along = corner % 2 == 0 ? half.z : half.x;
-        p.position = {(out.x < 0 ? -1.f : 1.f) * (plan_.width / 2 - across - gap), plan_.height, (out.z < 0 ? -1.f : 1.f) * (plan_.depth / 2 - along - gap)};
+        p.position = {(out.x < 0 ? -1.f : 1.f) * (plan_.width / 2 - across - gap), plan_.height,
+                      (out.z < 0 ? -1.f : 1.f) * (plan_.depth / 2 - along - gap)};
         const Footprint box = footprint_of(p);
         if (!plan_.holds(box)) continue;
-        if (std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); })) return keep(p, from);
+        if (std::none_of(placed_.begin(), placed_.end(),
+                         [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
+            return keep(p, from);
     }
     return {};
 }
@@ -294,22 +318,27 @@ std::optional<int> Layout::beside_on_wall(int anchor, const PieceRequest& reques
     const Vec3f size = p.piece.size_m;
     const bool hung = a.piece.mount == Mount::wall;
     constexpr float kLowest = 1.1f, kHighest = 1.75f;
-    const float y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, kLowest, kHighest) : p.piece.hang_height_m;
+    const float y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, kLowest, kHighest)
+                         : p.piece.hang_height_m;
     for (const WallFace& face : faces_) {
         const float off = dot(a.position - face.origin, face.inward) - (hung ? 0.f : a.piece.size_m.z / 2);
         if (dot(face.inward, front_of(a.yaw)) < 0.99f || std::abs(off) > 0.3f) continue;
         p.yaw = yaw_of(face.inward);
-        const float middle = dot(a.position - face.origin, face.along), way = dot(right_of(a.yaw), face.along) > 0 ? 1.f : -1.f;
+        const float middle = dot(a.position - face.origin, face.along),
+                    way = dot(right_of(a.yaw), face.along) > 0 ? 1.f : -1.f;
         if (middle < 0 || middle > face.length) continue;
         // A hand beside it; beside a bed over its nightstand.
         for (const float gap : {hung ? 0.1f : 0.22f, 0.16f, 0.08f, 0.3f, 0.42f}) {
             const float u = middle + way * static_cast<float>(side) * (a.piece.size_m.x / 2 + size.x / 2 + gap);
-            if (u < size.x / 2 + 0.05f || u > face.length - size.x / 2 - 0.05f || !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
+            if (u < size.x / 2 + 0.05f || u > face.length - size.x / 2 - 0.05f ||
+                !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y))
+                continue;
             p.position = face.point(u, y) + face.inward * 0.002f;
             const Footprint box = footprint_of(p, 0.02f);
             bool free = plan_.holds(footprint_of(p));
             for (const Placed& other : placed_)
-                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.03f : 0.f)) && !hides(other, p);
+                free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.03f : 0.f)) &&
+                       !hides(other, p);
             if (!free || !leaves_way(p) || !std::isfinite(as_asked(p, from))) continue;
             p.with = anchor;
             return keep(p, from);
@@ -333,9 +362,12 @@ int Layout::in_windows(const PieceRequest& request, const PromptObject& from) {
             p.piece = make_piece(r);
             p.sill = window;
             p.yaw = yaw_of(face.inward);
-            p.position = face.point((o.u0 + o.u1) / 2, o.y1 - p.piece.size_m.y) - face.inward * (kRevealDepth - kOffFrame);
+            p.position = face.point((o.u0 + o.u1) / 2, o.y1 - p.piece.size_m.y) -
+                         face.inward * (kRevealDepth - kOffFrame);
             const Footprint box = footprint_of(p);
-            if (std::any_of(placed_.begin(), placed_.end(), [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); })) continue;
+            if (std::any_of(placed_.begin(), placed_.end(),
+                            [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
+                continue;
             if (!hangs_in_window(plan_, p)) continue;
             keep(p, from);
             ++hung;
@@ -350,7 +382,9 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     int hung = 0;
     for (const Opening& o : plan_.openings) {
         // No cloth hangs before a porthole, and none hides an arch that was asked for.
-        if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round || (o.shape == Opening::Shape::arched && from.klass.empty())) continue;
+        if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round ||
+            (o.shape == Opening::Shape::arched && from.klass.empty()))
+            continue;
         const WallFace face = plan_.wall(o.wall);
         const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
         const auto hang = [&](float margin, float low) {
@@ -359,7 +393,8 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
             Placed p;
             p.piece = make_piece(r);
             p.yaw = yaw_of(face.inward);
-            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) + face.inward * kOffWall;
+            p.position = face.point((o.u0 + o.u1) / 2, p.piece.mount == Mount::wall ? top - p.piece.size_m.y : low) +
+                         face.inward * kOffWall;
             if (p.piece.mount != Mount::wall) p.position = p.position + face.inward * (p.piece.size_m.z / 2);
             const Footprint box = footprint_of(p);
             bool free = plan_.holds(box);
@@ -368,7 +403,9 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
             to_wall.half.y += kOffWall / 2;
             to_wall.center = to_wall.center - flat(face.inward) * (kOffWall / 2);
             for (const Placed& other : placed_)
-                free = free && (other.flat || !overlap(other.piece.mount == Mount::wall && other.sill < 0 ? to_wall : box, footprint_of(other)));
+                free = free &&
+                       (other.flat || !overlap(other.piece.mount == Mount::wall && other.sill < 0 ? to_wall : box,
+                                               footprint_of(other)));
             free = free && leaves_way(p);
             if (free) keep(p, from);
             return free;
@@ -376,7 +413,8 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
         // To the floor; else to the sill, or to what stands below; at last narrower.
         bool done = hang(kCurtainMargin, 0.02f);
         for (const float margin : {kCurtainMargin, 0.18f, 0.08f})
-            for (const float low : {0.02f, o.y0 - 0.12f, o.y0 - 0.02f, o.y0 + 0.15f, o.y0 + 0.4f}) done = done || hang(margin, std::max(0.02f, low));
+            for (const float low : {0.02f, o.y0 - 0.12f, o.y0 - 0.02f, o.y0 + 0.15f, o.y0 + 0.4f})
+                done = done || hang(margin, std::max(0.02f, low));
         hung += done;
     }
     return hung;

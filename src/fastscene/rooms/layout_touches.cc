@@ -1,4 +1,5 @@
-// What makes a room lived in: small things on tops, a laid table, radiators, and more on walls and floors that are bare.
+// What makes a room lived in: small things on tops, a laid table, radiators, and more on walls and floors that are
+// bare.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,25 +16,91 @@ struct Habit {
     float probability;
 };
 // Worktops of rooms where nobody cooks.
-constexpr Habit kAtWashing[] = {{"kitchen_counter", "towel_stack", 0.9f}, {"kitchen_counter", "bottles", 0.8f}, {"kitchen_counter", "storage_box", 0.7f}, {"kitchen_counter", "plant_small", 0.5f}};
+constexpr Habit kAtWashing[] = {{"kitchen_counter", "towel_stack", 0.9f},
+                                {"kitchen_counter", "bottles", 0.8f},
+                                {"kitchen_counter", "storage_box", 0.7f},
+                                {"kitchen_counter", "plant_small", 0.5f}};
 constexpr Habit kHabits[] = {
-    {"coffee_table", "tray", 0.45f},      {"coffee_table", "magazines", 0.5f},     {"coffee_table", "cup", 0.4f},         {"coffee_table", "cup", 0.3f},           {"coffee_table", "candle", 0.3f},
-    {"side_table", "cup", 0.5f},          {"side_table", "photo_frame", 0.35f},    {"side_table", "book_stack", 0.3f},    {"nightstand", "alarm_clock", 0.6f},     {"nightstand", "cup", 0.4f},
-    {"nightstand", "photo_frame", 0.35f}, {"nightstand", "book_stack", 0.4f},      {"dresser", "photo_frame", 0.7f},      {"dresser", "photo_frame", 0.5f},        {"dresser", "bottles", 0.4f},
-    {"dresser", "storage_box", 0.4f},     {"dresser", "tray", 0.3f},               {"dresser", "table_lamp", 0.4f},       {"dresser", "vase", 0.5f},               {"sideboard", "sculpture", 0.55f},
-    {"sideboard", "photo_frame", 0.6f},   {"sideboard", "photo_frame", 0.45f},     {"sideboard", "tray", 0.45f},          {"sideboard", "table_lamp", 0.4f},       {"sideboard", "book_stack", 0.5f},
-    {"sideboard", "bottles", 0.3f},       {"sideboard", "plant_small", 0.5f},      {"sideboard", "vase", 0.4f},           {"console_table", "vase", 0.6f},         {"console_table", "photo_frame", 0.5f},
-    {"console_table", "bowl", 0.5f},      {"console_table", "table_lamp", 0.5f},   {"cabinet", "storage_box", 0.5f},      {"cabinet", "vase", 0.6f},               {"cabinet", "sculpture", 0.4f},
-    {"bookshelf", "storage_box", 0.5f},   {"tv_stand", "storage_box", 0.35f},      {"tv_stand", "sculpture", 0.35f},      {"tv_stand", "plant_small", 0.4f},       {"desk", "cup", 0.4f},
-    {"desk", "photo_frame", 0.4f},        {"desk", "globe", 0.25f},                {"fireplace", "photo_frame", 0.6f},    {"fireplace", "candle", 0.7f},           {"fireplace", "candle", 0.5f},
-    {"fireplace", "vase", 0.5f},          {"fireplace", "sculpture", 0.4f},        {"fireplace", "clock", 0.f},           {"piano", "photo_frame", 0.6f},          {"piano", "vase", 0.4f},
-    {"kitchen_counter", "kettle", 0.8f},  {"kitchen_counter", "toaster", 0.65f},   {"kitchen_counter", "utensils", 0.8f}, {"kitchen_counter", "cutting_board", 0.7f}, {"kitchen_counter", "bottles", 0.7f},
-    {"kitchen_counter", "bowl", 0.6f},    {"kitchen_counter", "pot", 0.6f},        {"kitchen_counter", "plant_small", 0.5f}, {"kitchen_counter", "storage_box", 0.4f}, {"kitchen_island", "bowl", 0.8f},
-    {"kitchen_island", "cutting_board", 0.6f}, {"kitchen_island", "bottles", 0.5f}, {"kitchen_island", "plant_small", 0.5f}, {"washbasin", "toiletries", 0.9f},     {"washbasin", "candle", 0.3f},
-    {"washing_machine", "towel_stack", 0.7f}, {"washing_machine", "bottles", 0.7f}, {"washing_machine", "storage_box", 0.5f}, {"bathtub", "toiletries", 0.5f},       {"bench", "towel_stack", 0.25f},
-    {"washbasin", "bottles", 0.5f},       {"washbasin", "plant_small", 0.4f},
-    {"bench", "magazines", 0.3f},         {"bench", "storage_box", 0.3f},          {"shoe_rack", "storage_box", 0.6f},    {"shoe_rack", "bowl", 0.4f},             {"toy_box", "teddy_bear", 0.9f},
-    {"ottoman", "tray", 0.6f},            {"ottoman", "magazines", 0.4f},          {"stool", "plant_small", 0.3f},
+    {"coffee_table", "tray", 0.45f},
+    {"coffee_table", "magazines", 0.5f},
+    {"coffee_table", "cup", 0.4f},
+    {"coffee_table", "cup", 0.3f},
+    {"coffee_table", "candle", 0.3f},
+    {"side_table", "cup", 0.5f},
+    {"side_table", "photo_frame", 0.35f},
+    {"side_table", "book_stack", 0.3f},
+    {"nightstand", "alarm_clock", 0.6f},
+    {"nightstand", "cup", 0.4f},
+    {"nightstand", "photo_frame", 0.35f},
+    {"nightstand", "book_stack", 0.4f},
+    {"dresser", "photo_frame", 0.7f},
+    {"dresser", "photo_frame", 0.5f},
+    {"dresser", "bottles", 0.4f},
+    {"dresser", "storage_box", 0.4f},
+    {"dresser", "tray", 0.3f},
+    {"dresser", "table_lamp", 0.4f},
+    {"dresser", "vase", 0.5f},
+    {"sideboard", "sculpture", 0.55f},
+    {"sideboard", "photo_frame", 0.6f},
+    {"sideboard", "photo_frame", 0.45f},
+    {"sideboard", "tray", 0.45f},
+    {"sideboard", "table_lamp", 0.4f},
+    {"sideboard", "book_stack", 0.5f},
+    {"sideboard", "bottles", 0.3f},
+    {"sideboard", "plant_small", 0.5f},
+    {"sideboard", "vase", 0.4f},
+    {"console_table", "vase", 0.6f},
+    {"console_table", "photo_frame", 0.5f},
+    {"console_table", "bowl", 0.5f},
+    {"console_table", "table_lamp", 0.5f},
+    {"cabinet", "storage_box", 0.5f},
+    {"cabinet", "vase", 0.6f},
+    {"cabinet", "sculpture", 0.4f},
+    {"bookshelf", "storage_box", 0.5f},
+    {"tv_stand", "storage_box", 0.35f},
+    {"tv_stand", "sculpture", 0.35f},
+    {"tv_stand", "plant_small", 0.4f},
+    {"desk", "cup", 0.4f},
+    {"desk", "photo_frame", 0.4f},
+    {"desk", "globe", 0.25f},
+    {"fireplace", "photo_frame", 0.6f},
+    {"fireplace", "candle", 0.7f},
+    {"fireplace", "candle", 0.5f},
+    {"fireplace", "vase", 0.5f},
+    {"fireplace", "sculpture", 0.4f},
+    {"fireplace", "clock", 0.f},
+    {"piano", "photo_frame", 0.6f},
+    {"piano", "vase", 0.4f},
+    {"kitchen_counter", "kettle", 0.8f},
+    {"kitchen_counter", "toaster", 0.65f},
+    {"kitchen_counter", "utensils", 0.8f},
+    {"kitchen_counter", "cutting_board", 0.7f},
+    {"kitchen_counter", "bottles", 0.7f},
+    {"kitchen_counter", "bowl", 0.6f},
+    {"kitchen_counter", "pot", 0.6f},
+    {"kitchen_counter", "plant_small", 0.5f},
+    {"kitchen_counter", "storage_box", 0.4f},
+    {"kitchen_island", "bowl", 0.8f},
+    {"kitchen_island", "cutting_board", 0.6f},
+    {"kitchen_island", "bottles", 0.5f},
+    {"kitchen_island", "plant_small", 0.5f},
+    {"washbasin", "toiletries", 0.9f},
+    {"washbasin", "candle", 0.3f},
+    {"washing_machine", "towel_stack", 0.7f},
+    {"washing_machine", "bottles", 0.7f},
+    {"washing_machine", "storage_box", 0.5f},
+    {"bathtub", "toiletries", 0.5f},
+    {"bench", "towel_stack", 0.25f},
+    {"washbasin", "bottles", 0.5f},
+    {"washbasin", "plant_small", 0.4f},
+    {"bench", "magazines", 0.3f},
+    {"bench", "storage_box", 0.3f},
+    {"shoe_rack", "storage_box", 0.6f},
+    {"shoe_rack", "bowl", 0.4f},
+    {"toy_box", "teddy_bear", 0.9f},
+    {"ottoman", "tray", 0.6f},
+    {"ottoman", "magazines", 0.4f},
+    {"stool", "plant_small", 0.3f},
 };
 
 // What else a room of a type takes where its walls are bare, in order.
@@ -72,7 +139,9 @@ class Touches {
 
   private:
     bool is_settled(std::string_view klass) const { return furnishing::is_settled(l_.spec(), klass); }
-    bool wants(std::string_view klass, float probability) { return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass); }
+    bool wants(std::string_view klass, float probability) {
+        return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass);
+    }
     const std::string& room() const { return l_.spec().room; }
     bool is_sparse() const { return is_one_of(l_.spec().clutter, {"bare", "minimal"}); }
 
@@ -88,7 +157,8 @@ class Touches {
         }
     }
 
-    // Rooms larger than their groups get more: about one piece on the floor for every two square metres, with clutter more.
+    // Rooms larger than their groups get more: about one piece on the floor for every two square metres, with clutter
+    // more.
     void fill_floor() {
         const Filling* filling = nullptr;
         for (const Filling& f : kFillings)
@@ -98,11 +168,15 @@ class Touches {
         const float usual = room() == "living" ? 0.43f : 0.36f;  // sofas leave more floor free than beds and tables
         const int wanted = static_cast<int>(area * (is_sparse() ? 0.5f * usual : usual + 0.24f * clutter_));
         for (const std::string_view klass : filling->pieces) {
-            const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) { return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.klass != "curtain"; });
+            const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) {
+                return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor &&
+                       p.piece.klass != "curtain";
+            });
             if (standing >= wanted) return;
             if (klass.empty() || is_settled(klass)) continue;
             const bool tall = klass == "bookshelf" || klass == "cabinet" || klass == "ladder_shelf";
-            l_.against_wall(l_.request(std::string(klass)), {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
+            l_.against_wall(l_.request(std::string(klass)),
+                            {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }
     }
 
@@ -111,12 +185,16 @@ class Touches {
         if (!wet && wants("picture_ledge", 0.4f)) l_.on_wall(l_.request("picture_ledge"), {});
         for (int i = 0; i < 2; ++i)
             if (!wet && wants("shelf", room() == "kitchen" ? 0.7f : 0.35f)) l_.on_wall(l_.request("shelf"), {});
-        if (!wet && wants("mirror", room() == "hallway" || room() == "bedroom" ? 0.6f : 0.25f) && l_.count("mirror") == 0) l_.on_wall(l_.request("mirror"), {});
-        if (wants("clock", room() == "kitchen" || room() == "hallway" ? 0.6f : 0.2f) && l_.count("clock") == 0) l_.on_wall(l_.request("clock"), {});
+        if (!wet && wants("mirror", room() == "hallway" || room() == "bedroom" ? 0.6f : 0.25f) &&
+            l_.count("mirror") == 0)
+            l_.on_wall(l_.request("mirror"), {});
+        if (wants("clock", room() == "kitchen" || room() == "hallway" ? 0.6f : 0.2f) && l_.count("clock") == 0)
+            l_.on_wall(l_.request("clock"), {});
         // What is still bare gets pictures, with the size of the gap in mind.
         const float around = 2 * (l_.plan().width + l_.plan().depth);
         const int wanted = static_cast<int>(around * (is_sparse() ? 0.05f : wet ? 0.1f : 0.16f + 0.16f * clutter_));
-        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge"); i < wanted && !is_settled("picture"); ++i) {
+        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge");
+             i < wanted && !is_settled("picture"); ++i) {
             PieceRequest r = l_.request("picture");
             const float w = l_.dice().uniform(0.35f, 0.95f);
             r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
@@ -152,28 +230,39 @@ class Touches {
             // One bowl, one vase, one lamp on a top; frames and candles come in groups.
             const auto there = [&](std::string_view thing) {
                 return thing != "photo_frame" && thing != "candle" && thing != "cup" &&
-                       std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) { return p.on == static_cast<int>(i) && p.piece.klass == thing; });
+                       std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
+                           return p.on == static_cast<int>(i) && p.piece.klass == thing;
+                       });
             };
             const bool damp = room() == "bathroom" || room() == "laundry";
             const bool washes = klass == "kitchen_counter" && damp;
             for (const Habit& h : washes ? std::span<const Habit>(kAtWashing) : std::span<const Habit>(kHabits)) {
                 const std::string_view thing = room() == "kids" ? furnishing::for_a_child(h.thing) : h.thing;
-                if (h.on == klass && (damp || thing != "towel_stack") && !there(thing) && put < 5 + static_cast<int>(4 * clutter_) && wants(thing, h.probability)) put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
+                if (h.on == klass && (damp || thing != "towel_stack") && !there(thing) &&
+                    put < 5 + static_cast<int>(4 * clutter_) && wants(thing, h.probability))
+                    put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
             }
         }
     }
 
     // One to four things at a window: herbs in a kitchen, soap in a bathroom, plants and books elsewhere.
     void sills() {
-        static constexpr std::array<std::string_view, 6> kDry{"plant_small", "vase_small", "photo_frame", "book_stack", "plant_small", "candle"},
-            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"}, kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"},
+        static constexpr std::array<std::string_view, 6> kDry{"plant_small", "vase_small",  "photo_frame",
+                                                              "book_stack",  "plant_small", "candle"},
+            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"},
+            kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"},
             kPlaying{"teddy_bear", "toy_blocks", "book_stack", "plant_small", "toy_blocks", "photo_frame"};
-        const auto& things = room() == "kids" ? kPlaying : room() == "kitchen" ? kCooking : room() == "bathroom" || room() == "laundry" ? kWet : kDry;
+        const auto& things = room() == "kids"                              ? kPlaying
+                             : room() == "kitchen"                         ? kCooking
+                             : room() == "bathroom" || room() == "laundry" ? kWet
+                                                                           : kDry;
         for (int window = 0; window < static_cast<int>(l_.plan().openings.size()); ++window) {
             const Opening& o = l_.plan().openings[static_cast<std::size_t>(window)];
-            if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_))) continue;
+            if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_)))
+                continue;
             // Things gather: one for every half metre or so, with some left out.
-            const int most = std::clamp(static_cast<int>((o.u1 - o.u0) / 0.5f), 1, 4), first = l_.dice().index(static_cast<int>(things.size()));
+            const int most = std::clamp(static_cast<int>((o.u1 - o.u0) / 0.5f), 1, 4),
+                      first = l_.dice().index(static_cast<int>(things.size()));
             for (int i = 0; i < most; ++i) {
                 const std::string klass(things[static_cast<std::size_t>(first + i) % things.size()]);
                 if (wants(klass, 0.75f)) l_.on_sill(l_.request(klass), window);

@@ -10,16 +10,18 @@ namespace fastscene {
 namespace {
 
 constexpr float kCell = 0.1f;
-constexpr float kBodyRadius = 0.27f;      // a walkway of about 0.55 m
-constexpr float kEyeRadius = 0.65f;  // air that the camera wants around it
-constexpr float kEyeBand = 0.7f;          // heights that count for that: as Layout::camera_position has it
-constexpr float kHead = 1.75f;            // of who walks
-constexpr float kStepOver = 1.2f;         // what hangs higher is walked under (or beside: wall lamps, pictures)
+constexpr float kBodyRadius = 0.27f;  // a walkway of about 0.55 m
+constexpr float kEyeRadius = 0.65f;   // air that the camera wants around it
+constexpr float kEyeBand = 0.7f;      // heights that count for that: as Layout::camera_position has it
+constexpr float kHead = 1.75f;        // of who walks
+constexpr float kStepOver = 1.2f;     // what hangs higher is walked under (or beside: wall lamps, pictures)
 
 }  // namespace
 
 Ways::Ways(const Plan& plan)
-    : plan_(&plan), columns_(std::max(1, static_cast<int>(plan.width / kCell))), rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
+    : plan_(&plan),
+      columns_(std::max(1, static_cast<int>(plan.width / kCell))),
+      rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i) {
             const Vec2f p = center(i, j);
@@ -45,7 +47,8 @@ Ways::Ways(const Plan& plan)
 }
 
 Vec2f Ways::center(int i, int j) const {
-    return {(static_cast<float>(i) + 0.5f) * kCell - plan_->width / 2, (static_cast<float>(j) + 0.5f) * kCell - plan_->depth / 2};
+    return {(static_cast<float>(i) + 0.5f) * kCell - plan_->width / 2,
+            (static_cast<float>(j) + 0.5f) * kCell - plan_->depth / 2};
 }
 
 int Ways::cell_near(Vec2f p) const {
@@ -60,7 +63,8 @@ void Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     // One steps over a toy.
     constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
-    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.klass != "curtain";
+    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver &&
+                      placed.piece.klass != "curtain";
     const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
     if (!feet && !eyes) return;
     for (int j = 0; j < rows_; ++j)

@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-inline constexpr float kEyeHeight = 1.5f;   // of the camera, metres above the floor
+inline constexpr float kEyeHeight = 1.5f;  // of the camera, metres above the floor
 
 struct Placed;
 
@@ -38,8 +38,8 @@ class Ways {
     const Plan* plan_;
     int columns_, rows_;
     std::vector<Clear> cells_;
-    std::vector<int> starts_;   // cells before the door
-    std::vector<int> goals_;    // … and before a doorway, which must be reached too
+    std::vector<int> starts_;  // cells before the door
+    std::vector<int> goals_;   // … and before a doorway, which must be reached too
     bool open_ = false;
 };
 

@@ -11,10 +11,36 @@ namespace {
 bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
 // Hangs where it is asked to: what stands below it is placed first.
 bool is_hung(std::string_view klass) {
-    return is_one_of(klass, {"picture", "mirror", "shelf", "picture_ledge", "clock", "wall_lamp", "neon_sign", "whiteboard", "chalkboard",
-                             "pin_board", "tapestry", "macrame", "flag", "antlers", "deer_head", "world_map", "dartboard", "chandelier",
-                             "pendant_lamp", "ceiling_lamp", "ceiling_fan", "paper_lantern", "bulb_pendant", "track_light", "disco_ball",
-                             "hanging_plant", "bunting", "garland", "christmas_stocking", "coat_hooks"});
+    return is_one_of(klass, {"picture",
+                             "mirror",
+                             "shelf",
+                             "picture_ledge",
+                             "clock",
+                             "wall_lamp",
+                             "neon_sign",
+                             "whiteboard",
+                             "chalkboard",
+                             "pin_board",
+                             "tapestry",
+                             "macrame",
+                             "flag",
+                             "antlers",
+                             "deer_head",
+                             "world_map",
+                             "dartboard",
+                             "chandelier",
+                             "pendant_lamp",
+                             "ceiling_lamp",
+                             "ceiling_fan",
+                             "paper_lantern",
+                             "bulb_pendant",
+                             "track_light",
+                             "disco_ball",
+                             "hanging_plant",
+                             "bunting",
+                             "garland",
+                             "christmas_stocking",
+                             "coat_hooks"});
 }
 
 }  // namespace
@@ -34,22 +60,32 @@ bool is_small(std::string_view klass) {
 
 bool is_seat(std::string_view klass) {
     return is_bed(klass) || is_easy_chair(klass) ||
-           is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf", "hammock", "chaise_longue", "throne"});
+           is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf",
+                             "hammock", "chaise_longue", "throne"});
 }
 
 bool hangs_over(std::string_view klass) {
-    return is_seat(klass) || klass.ends_with("table") || is_one_of(klass, {"dining_table_round", "desk", "kitchen_island", "bathtub", "pool_table", "rug", "piano", "grand_piano"});
+    return is_seat(klass) || klass.ends_with("table") ||
+           is_one_of(klass, {"dining_table_round", "desk", "kitchen_island", "bathtub", "pool_table", "rug", "piano",
+                             "grand_piano"});
 }
 
-bool is_hung_screen(const PromptObject& wish) { return wish.klass == "tv" && wish.relation == "on" && wish.relation_to == "wall"; }
+bool is_hung_screen(const PromptObject& wish) {
+    return wish.klass == "tv" && wish.relation == "on" && wish.relation_to == "wall";
+}
 
-bool is_blind(std::string_view klass) { return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"}); }
+bool is_blind(std::string_view klass) {
+    return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"});
+}
 
 bool lights_from_above(std::string_view klass) {
-    return is_one_of(klass, {"pendant_lamp", "chandelier", "ceiling_lamp", "ceiling_fan", "paper_lantern", "bulb_pendant", "track_light"});
+    return is_one_of(klass, {"pendant_lamp", "chandelier", "ceiling_lamp", "ceiling_fan", "paper_lantern",
+                             "bulb_pendant", "track_light"});
 }
 
-bool lies_about(std::string_view klass) { return is_one_of(klass, {"clothes_heap", "paper_litter", "drop_cloth", "rubble", "pizza_boxes"}); }
+bool lies_about(std::string_view klass) {
+    return is_one_of(klass, {"clothes_heap", "paper_litter", "drop_cloth", "rubble", "pizza_boxes"});
+}
 bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat", "dog"}); }
 
 bool Ask::at_shell() const {
@@ -60,21 +96,27 @@ bool Ask::at_piece() const { return !relation.empty() && !at.empty() && !at_shel
 
 Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     for (const PromptObject& o : spec.objects)
-        asks_.push_back(
-            {&o, o.relation, o.relation_to, o.relation_and, o.forbidden || is_shell(o.klass) || o.relation == "in the next room" ? 0 : o.count});
+        asks_.push_back({&o, o.relation, o.relation_to, o.relation_and,
+                         o.forbidden || is_shell(o.klass) || o.relation == "in the next room" ? 0 : o.count});
     const auto ask_for = [&](const std::string& klass) {
-        const auto i =
-            std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) { return a.left > 0 && a.wish->klass == klass && a.relation.empty(); });
+        const auto i = std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) {
+            return a.left > 0 && a.wish->klass == klass && a.relation.empty();
+        });
         return i == asks_.end() ? nullptr : &*i;
     };
     // A screen opposite the sofa is what every living room has: it gets its stand there.
     for (Ask& ask : asks_)
-        if (ask.wish->klass == "tv" && ((ask.at == "sofa" && (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing")) || is_hung_screen(*ask.wish)))
+        if (ask.wish->klass == "tv" &&
+            ((ask.at == "sofa" &&
+              (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing")) ||
+             is_hung_screen(*ask.wish)))
             ask.relation = ask.at = "";
-    // "a table on the rug" is a rug under the table, "a sofa under a painting" a painting above the sofa: what is placed second is bound.
+    // "a table on the rug" is a rug under the table, "a sofa under a painting" a painting above the sofa: what is
+    // placed second is bound.
     for (Ask& ask : asks_) {
         if (ask.left <= 0) continue;
-        const bool on_rug = ask.relation == "on" && ask.at == "rug", below_hung = ask.relation == "under" && is_hung(ask.at);
+        const bool on_rug = ask.relation == "on" && ask.at == "rug",
+                   below_hung = ask.relation == "under" && is_hung(ask.at);
         Ask* other = on_rug || below_hung ? ask_for(ask.at) : nullptr;
         if (!other || other == &ask || (on_rug && is_small(ask.wish->klass))) continue;
         other->relation = on_rug ? "under" : "above";
@@ -90,7 +132,8 @@ bool is_settled(const PromptSpec& spec, std::string_view klass) {
 }
 
 bool Wishes::forbids(std::string_view klass) const {
-    return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+    return std::any_of(spec_.objects.begin(), spec_.objects.end(),
+                       [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
 }
 
 const PromptObject* Wishes::next(std::string_view klass) {
@@ -112,7 +155,8 @@ int Wishes::count(std::string_view klass) const {
 }
 
 bool Wishes::asked(std::string_view klass) const {
-    return std::any_of(spec_.objects.begin(), spec_.objects.end(), [&](const PromptObject& o) { return !o.forbidden && o.klass == klass; });
+    return std::any_of(spec_.objects.begin(), spec_.objects.end(),
+                       [&](const PromptObject& o) { return !o.forbidden && o.klass == klass; });
 }
 
 }  // namespace fastscene::furnishing

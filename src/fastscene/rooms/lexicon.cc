@@ -13,9 +13,10 @@ extern const std::string_view kLexiconText;  // lexicon.tsv
 
 namespace {
 
-constexpr std::string_view kKinds[] = {"room", "style", "object", "structure", "color", "material", "pattern", "time", "weather", "light",
-                                       "size", "mood", "count", "negation", "relation", "detail", "nuance", "filler", "function",
-                                       "scope", "bound", "unit", "other"};
+constexpr std::string_view kKinds[] = {"room",     "style",    "object",   "structure", "color",  "material",
+                                       "pattern",  "time",     "weather",  "light",     "size",   "mood",
+                                       "count",    "negation", "relation", "detail",    "nuance", "filler",
+                                       "function", "scope",    "bound",    "unit",      "other"};
 
 std::vector<std::string_view> split(std::string_view line, char mark) {
     std::vector<std::string_view> parts;
@@ -45,18 +46,21 @@ void read_line(std::string_view line, LexiconTable& lexicon) {
         lexicon.colors.emplace(column[0], number_from_hex(column[4]));
         return;
     }
-    lexicon.words.emplace(lexicon_key(column[0], column[5]), Word{static_cast<WordKind>(kind - std::begin(kKinds)), std::string(column[2]), column[3] != "~", std::string(column[4])});
+    lexicon.words.emplace(lexicon_key(column[0], column[5]),
+                          Word{static_cast<WordKind>(kind - std::begin(kKinds)), std::string(column[2]),
+                               column[3] != "~", std::string(column[4])});
 }
 
 // Whether people put spaces into such words as they like: "bed side table", "livingroom".
 bool is_spelt_freely(const Word& word) {
-    return word.kind == WordKind::object || word.kind == WordKind::room || word.kind == WordKind::structure || word.kind == WordKind::material ||
-           word.kind == WordKind::style || word.kind == WordKind::detail;
+    return word.kind == WordKind::object || word.kind == WordKind::room || word.kind == WordKind::structure ||
+           word.kind == WordKind::material || word.kind == WordKind::style || word.kind == WordKind::detail;
 }
 
 void english_forms(const std::string& term, std::vector<std::string>& out) {
     const auto ends = [&](std::string_view e) { return term.size() > e.size() + 1 && term.ends_with(e); };
-    if (ends("ves")) out.push_back(term.substr(0, term.size() - 3) + "f"), out.push_back(term.substr(0, term.size() - 3) + "fe");
+    if (ends("ves"))
+        out.push_back(term.substr(0, term.size() - 3) + "f"), out.push_back(term.substr(0, term.size() - 3) + "fe");
     if (ends("ies")) out.push_back(term.substr(0, term.size() - 3) + "y");
     if (ends("es")) out.push_back(term.substr(0, term.size() - 2));
     if (ends("s") && !ends("ss")) out.push_back(term.substr(0, term.size() - 1));
@@ -85,10 +89,12 @@ void italian_forms(const std::string& term, std::vector<std::string>& out) {
 }
 
 std::optional<Word> find(const std::string& term, Language language) {
-    if (const auto at = lexicon_table().words.find(lexicon_key(term, language)); at != lexicon_table().words.end()) return at->second;
+    if (const auto at = lexicon_table().words.find(lexicon_key(term, language)); at != lexicon_table().words.end())
+        return at->second;
     if (!language.empty()) return {};
     // Digits; more than 99 of a thing is no room.
-    if (term.size() <= 2 && term[0] >= '1' && term[0] <= '9' && std::all_of(term.begin(), term.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    if (term.size() <= 2 && term[0] >= '1' && term[0] <= '9' &&
+        std::all_of(term.begin(), term.end(), [](char c) { return c >= '0' && c <= '9'; }))
         return Word{WordKind::count, term};
     if (color_named(term)) return Word{WordKind::color, term};
     return {};
@@ -133,15 +139,20 @@ std::optional<Word> look_up(const std::string& term, Language language) {
     if (auto word = find(term, {})) return word;
     const auto space = term.rfind(' ');
     const auto last = space == std::string::npos ? std::nullopt : find(term.substr(space + 1), {});
-    const bool things = last && last->kind == WordKind::object;   // "white roses" are no shade of rose
+    const bool things = last && last->kind == WordKind::object;  // "white roses" are no shade of rose
     for (const std::string& form : base_forms(term))
-        if (auto word = find(form, {}); word && !(things && word->kind == WordKind::color) && word->kind != WordKind::function && word->kind != WordKind::count && word->kind != WordKind::relation) return word;
+        if (auto word = find(form, {}); word && !(things && word->kind == WordKind::color) &&
+                                        word->kind != WordKind::function && word->kind != WordKind::count &&
+                                        word->kind != WordKind::relation)
+            return word;
     return {};
 }
 
 bool is_function_word(const std::string& term, Language language) {
     const auto at = lexicon_table().words.find(lexicon_key(term, language));
-    return at != lexicon_table().words.end() && (at->second.kind == WordKind::function || at->second.kind == WordKind::relation || at->second.kind == WordKind::negation);
+    return at != lexicon_table().words.end() &&
+           (at->second.kind == WordKind::function || at->second.kind == WordKind::relation ||
+            at->second.kind == WordKind::negation);
 }
 
 std::optional<std::uint32_t> lexicon_color(std::string_view name) {
@@ -158,7 +169,8 @@ std::string room_title(std::string_view room) {
 }
 
 std::vector<std::string> room_types() {
-    return {"living", "bedroom", "kids", "kitchen", "dining", "bathroom", "study", "hallway", "loft", "laundry", "sunroom", "attic"};
+    return {"living", "bedroom", "kids", "kitchen", "dining",  "bathroom",
+            "study",  "hallway", "loft", "laundry", "sunroom", "attic"};
 }
 
 std::size_t lexicon_size() { return lexicon_table().words.size() + lexicon_table().colors.size(); }

@@ -10,7 +10,21 @@
 namespace fastscene {
 
 enum class WordKind : unsigned char {
-    room, style, object, structure, color, material, pattern, time, weather, light, size, mood, count, negation, relation,
+    room,
+    style,
+    object,
+    structure,
+    color,
+    material,
+    pattern,
+    time,
+    weather,
+    light,
+    size,
+    mood,
+    count,
+    negation,
+    relation,
     detail,    // a part of a piece ("legs", "bedding"): takes adjectives, is no piece of its own
     nuance,    // understood, but nothing in the room shows it ("dusty"), or only its windows do ("ocean view")
     filler,    // speaks of the picture or the room as such ("photo", "interior")
@@ -23,9 +37,9 @@ enum class WordKind : unsigned char {
 
 struct Word {
     WordKind kind;
-    std::string meaning;   // canonical: "armchair", "living", "evening", "3" …
-    bool exact = true;     // false: the nearest thing we have ("chesterfield" is a sofa)
-    std::string adds{};    // what else it says: "material=leather"
+    std::string meaning;      // canonical: "armchair", "living", "evening", "3" …
+    bool exact = true;        // false: the nearest thing we have ("chesterfield" is a sofa)
+    std::string adds{};       // what else it says: "material=leather"
     bool also_color = false;  // "fern", "midnight": a color when it stands before another word's noun
 };
 
@@ -39,11 +53,13 @@ std::optional<Word> look_up(const std::string& term, Language language = {});
 bool is_function_word(const std::string& term, Language language);
 inline constexpr std::size_t kLongestTerm = 6;  // words
 
-// A known single word at Damerau-Levenshtein distance 1 (of eight letters or more: 2), if there is exactly one meaning. A word
-// with the same first letter comes before others, what can be shown before what cannot. Of four letters, two may have changed places.
+// A known single word at Damerau-Levenshtein distance 1 (of eight letters or more: 2), if there is exactly one meaning.
+// A word with the same first letter comes before others, what can be shown before what cannot. Of four letters, two may
+// have changed places.
 std::optional<std::string> nearest_term(const std::string& word, Language language = {});
 // A term of as many words, those that are not `known` misspelt so: "cofee table", "night stnad".
-std::optional<std::string> nearest_phrase(const std::vector<std::string>& words, const std::vector<bool>& known, Language language = {});
+std::optional<std::string> nearest_phrase(const std::vector<std::string>& words, const std::vector<bool>& known,
+                                          Language language = {});
 // The term with the same letters and other spaces: "bed side lamp", "livingroom"; singular or plural.
 std::optional<std::string> respelled(const std::string& words, Language language = {});
 

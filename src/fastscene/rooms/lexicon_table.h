@@ -11,7 +11,8 @@ namespace fastscene {
 struct LexiconTable {
     std::map<std::string, Word, std::less<>> words;            // "armchair", "de:sessel"
     std::map<std::string, std::uint32_t, std::less<>> colors;  // English names
-    std::map<std::string, std::string, std::less<>> letters;   // "bedsidelamp" -> "bedside lamp", "de:…" likewise; furniture and rooms only
+    std::map<std::string, std::string, std::less<>>
+        letters;  // "bedsidelamp" -> "bedside lamp", "de:…" likewise; furniture and rooms only
 };
 
 const LexiconTable& lexicon_table();

@@ -1,4 +1,5 @@
-// What was meant by words that are misspelt: a letter wrong, or spaces where others put none ("bed side lamp", "cofee table").
+// What was meant by words that are misspelt: a letter wrong, or spaces where others put none ("bed side lamp", "cofee
+// table").
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,9 +9,9 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kShortestWord = 4;    // letters of a word that may hold a typo
-constexpr std::size_t kLong = 8;        // from here on two letters may be wrong
-constexpr std::size_t kFewLetters = 6;  // of a term that may be spelt with other spaces
+constexpr std::size_t kShortestWord = 4;  // letters of a word that may hold a typo
+constexpr std::size_t kLong = 8;          // from here on two letters may be wrong
+constexpr std::size_t kFewLetters = 6;    // of a term that may be spelt with other spaces
 
 // Damerau-Levenshtein distance (optimal string alignment), or more than `most`.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t most) {
@@ -21,7 +22,8 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t most) {
         next[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                next[j] = std::min(next[j], before[j - 2] + 1);
         }
         before = std::exchange(row, next);
     }
@@ -38,15 +40,17 @@ std::size_t reach(std::string_view word, std::string_view meant) {
 bool is_near(std::string_view word, std::string_view meant, std::size_t& far) {
     const std::size_t most = reach(word, meant);
     if (most == 0) return false;
-    if (word.size() == kShortestWord && (meant.size() != kShortestWord || !std::is_permutation(word.begin(), word.end(), meant.begin()))) return false;
+    if (word.size() == kShortestWord &&
+        (meant.size() != kShortestWord || !std::is_permutation(word.begin(), word.end(), meant.begin())))
+        return false;
     far = distance(word, meant, most);
     return far > 0 && far <= most;
 }
 
 // How gladly a typo is read as this word; smaller is better.
 int rank_of(const Word& word, char first_letter, const std::string& term, std::size_t far) {
-    const bool shown =
-        word.kind != WordKind::nuance && word.kind != WordKind::filler && word.kind != WordKind::function && word.kind != WordKind::relation;
+    const bool shown = word.kind != WordKind::nuance && word.kind != WordKind::filler &&
+                       word.kind != WordKind::function && word.kind != WordKind::relation;
     return 4 * static_cast<int>(far) + (shown ? 0 : 2) + (term[0] == first_letter ? 0 : 1);
 }
 
@@ -89,9 +93,12 @@ const std::vector<Term>& terms_of(Language language, std::size_t words) {
 }
 
 // The last word of a term may stand in the plural.
-bool fits(const std::vector<std::string>& words, const std::vector<bool>& known, const std::vector<std::string>& term, Language language) {
+bool fits(const std::vector<std::string>& words, const std::vector<bool>& known, const std::vector<std::string>& term,
+          Language language) {
     std::size_t far = 0;
-    const auto fit = [&](const std::string& word, std::size_t k) { return word == term[k] || (!known[k] && is_near(word, term[k], far)); };
+    const auto fit = [&](const std::string& word, std::size_t k) {
+        return word == term[k] || (!known[k] && is_near(word, term[k], far));
+    };
     const std::size_t last = words.size() - 1;
     for (std::size_t k = 0; k < last; ++k)
         if (!fit(words[k], k)) return false;
@@ -107,10 +114,12 @@ std::optional<std::string> nearest_term(const std::string& word, Language langua
     Word best_word{WordKind::other, ""};
     int best_rank = 99;
     bool ambiguous = false;
-    const auto consider = [&](const std::string& term, const std::string& spelt, const Word& candidate, std::size_t far) {
+    const auto consider = [&](const std::string& term, const std::string& spelt, const Word& candidate,
+                              std::size_t far) {
         const int rank = rank_of(candidate, word[0], spelt, far);
         if (rank > best_rank) return;
-        const bool same = best && rank == best_rank && best_word.kind == candidate.kind && best_word.meaning == candidate.meaning;
+        const bool same = best && rank == best_rank && best_word.kind == candidate.kind &&
+                          best_word.meaning == candidate.meaning;
         ambiguous = rank == best_rank && best && !same;
         if (rank < best_rank) best = term, best_word = candidate, best_rank = rank;
     };
@@ -119,7 +128,8 @@ std::optional<std::string> nearest_term(const std::string& word, Language langua
         if (is_near(word, term.term, far)) consider(term.term, term.term, *term.word, far);
     if (language.empty())
         for (const auto& [name, rgb] : lexicon_table().colors)
-            if (is_near(word, name, far) && !lexicon_table().words.contains(name)) consider(name, name, Word{WordKind::color, name}, far);
+            if (is_near(word, name, far) && !lexicon_table().words.contains(name))
+                consider(name, name, Word{WordKind::color, name}, far);
     // "coffetable", without its space too.
     if (!best && word.size() >= kLong && language.empty())
         for (const auto& [key, term] : lexicon_table().letters)
@@ -128,7 +138,8 @@ std::optional<std::string> nearest_term(const std::string& word, Language langua
     return ambiguous ? std::nullopt : best;  // two meanings are as near: do not guess
 }
 
-std::optional<std::string> nearest_phrase(const std::vector<std::string>& words, const std::vector<bool>& known, Language language) {
+std::optional<std::string> nearest_phrase(const std::vector<std::string>& words, const std::vector<bool>& known,
+                                          Language language) {
     if (std::all_of(known.begin(), known.end(), [](bool k) { return k; })) return {};
     std::optional<std::string> found;
     std::string meaning;

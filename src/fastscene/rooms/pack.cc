@@ -53,13 +53,15 @@ std::string license_of(const std::string& header) {
     return header.find("United States") != std::string::npos ? "CC BY 3.0 US" : "CC BY 3.0";
 }
 
-std::optional<PackModel> model_from(const Properties& p, const std::string& number_sign, const std::string& pack, const std::string& license) {
+std::optional<PackModel> model_from(const Properties& p, const std::string& number_sign, const std::string& pack,
+                                    const std::string& license) {
     constexpr float kMetresPerUnit = 0.01f;  // catalogues are in centimetres
     const auto key = [&](const char* name) { return std::string(name) + number_sign; };
     PackModel m;
     m.name = text(p, key("name"));
     m.path = text(p, key("model"));
-    m.size_m = Vec3f{number(p, key("width"), 0), number(p, key("height"), 0), number(p, key("depth"), 0)} * kMetresPerUnit;
+    m.size_m = Vec3f{number(p, key("width"), 0), number(p, key("height"), 0), number(p, key("depth"), 0)} *
+               kMetresPerUnit;
     if (m.name.empty() || m.path.empty() || !(m.size_m.x > 0 && m.size_m.y > 0 && m.size_m.z > 0)) return {};
     if (m.path.front() == '/') m.path.erase(0, 1);
     m.klass = class_of(m.name);
@@ -107,14 +109,17 @@ void FurniturePack::read_archive(std::size_t archive, bool free_only) {
         models_.push_back(std::move(*model));
     }
     for (const std::string& name : zip.names()) {
-        if (!name.starts_with("PluginFurnitureCatalog_") || !name.ends_with(".properties") || model_at.empty()) continue;
+        if (!name.starts_with("PluginFurnitureCatalog_") || !name.ends_with(".properties") || model_at.empty())
+            continue;
         for (const auto& [key, value] : packs::read_properties(zip.read(name)))
             if (key.starts_with("name#"))
-                if (const auto at = model_at.find(key.substr(4)); at != model_at.end()) by_name_.emplace(folded(value), at->second);
+                if (const auto at = model_at.find(key.substr(4)); at != model_at.end())
+                    by_name_.emplace(folded(value), at->second);
     }
 }
 
-std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, Assets assets, std::vector<std::string>& complaints) {
+std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, Assets assets,
+                                                         std::vector<std::string>& complaints) {
     if (assets == Assets::none) return nullptr;
     const std::string remedy = "install it with: apt-get install --no-install-recommends sweethome3d-furniture";
     std::error_code code;
@@ -123,7 +128,8 @@ std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder,
         if (entry.path().extension() == ".sh3f") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     if (files.empty()) {
-        complaints.push_back("no furniture pack in " + folder.string() + ": only the built-in pieces are used; " + remedy);
+        complaints.push_back("no furniture pack in " + folder.string() + ": only the built-in pieces are used; " +
+                             remedy);
         return nullptr;
     }
     auto pack = std::make_shared<FurniturePack>();
@@ -136,7 +142,9 @@ std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder,
             complaints.push_back("furniture pack: " + std::string(error.what()) + "; it goes on without this one");
         }
     if (pack->models_.empty()) {
-        if (complaints.empty()) complaints.push_back("furniture pack: no usable model in " + folder.string() + ": only the built-in pieces are used; " + remedy);
+        if (complaints.empty())
+            complaints.push_back("furniture pack: no usable model in " + folder.string() +
+                                 ": only the built-in pieces are used; " + remedy);
         return nullptr;
     }
     pack->fingerprint_ = hash.add(assets == Assets::all ? "all" : "cc0").hex();
@@ -171,7 +179,8 @@ const PackModel* FurniturePack::choose(const std::string& klass, std::uint64_t s
 
 bool FurniturePack::only_with_attribution(const std::string& klass) const {
     const auto classes = packs::catalogue_classes(klass);
-    return std::any_of(classes.begin(), classes.end(), [&](const std::string& name) { return excluded_.contains(name); });
+    return std::any_of(classes.begin(), classes.end(),
+                       [&](const std::string& name) { return excluded_.contains(name); });
 }
 
 }  // namespace fastscene

@@ -1,5 +1,5 @@
-// Pack: furniture beyond our own, read from Debian's sweethome3d-furniture (.sh3f files: zip archives of a catalogue with
-// names in many languages, OBJ models and pictures). Optional: rooms are made without it too.
+// Pack: furniture beyond our own, read from Debian's sweethome3d-furniture (.sh3f files: zip archives of a catalogue
+// with names in many languages, OBJ models and pictures). Optional: rooms are made without it too.
 #pragma once
 
 #include <filesystem>
@@ -21,18 +21,18 @@ Assets assets_named(const std::string& name);
 
 // An entry of a catalogue.
 struct PackModel {
-    std::string klass;                   // "grand_piano"
-    std::string name;                    // "Grand piano"
-    std::string category;                // "Living room"
-    std::size_t archive = 0;             // index of its .sh3f
-    std::string path;                    // of the .obj inside
-    Vec3f size_m;                        // x, y (height), z (depth)
-    float elevation_m = 0.f;             // of its lower edge above the floor
-    std::optional<float> top_m;          // where things are dropped on it
-    std::optional<Mat3f> rotation;       // of the model before it is scaled to its size
-    bool opening = false;                // doors, windows, stairs: they belong into walls and floors
-    std::string credit;                  // "Grand piano by Jane Doe, Blend Swap (CC0)": for credits.txt
-    bool free = false;                   // CC0: nothing has to be named
+    std::string klass;              // "grand_piano"
+    std::string name;               // "Grand piano"
+    std::string category;           // "Living room"
+    std::size_t archive = 0;        // index of its .sh3f
+    std::string path;               // of the .obj inside
+    Vec3f size_m;                   // x, y (height), z (depth)
+    float elevation_m = 0.f;        // of its lower edge above the floor
+    std::optional<float> top_m;     // where things are dropped on it
+    std::optional<Mat3f> rotation;  // of the model before it is scaled to its size
+    bool opening = false;           // doors, windows, stairs: they belong into walls and floors
+    std::string credit;             // "Grand piano by Jane Doe, Blend Swap (CC0)": for credits.txt
+    bool free = false;              // CC0: nothing has to be named
 };
 
 class FurniturePack {
@@ -40,14 +40,17 @@ class FurniturePack {
     // Where Debian installs it, or $FASTSCENE_FURNITURE_DIR.
     static std::filesystem::path default_folder();
 
-    // Reads the catalogues; null with Assets::none or without any readable archive. What is missing or damaged is told in `complaints`.
-    static std::shared_ptr<const FurniturePack> open(const std::filesystem::path& folder, Assets assets, std::vector<std::string>& complaints);
+    // Reads the catalogues; null with Assets::none or without any readable archive. What is missing or damaged is told
+    // in `complaints`.
+    static std::shared_ptr<const FurniturePack> open(const std::filesystem::path& folder, Assets assets,
+                                                     std::vector<std::string>& complaints);
 
-    // Whether a folded term names something in the catalogue, in any of its languages; singular or plural. The class: "grand_piano".
+    // Whether a folded term names something in the catalogue, in any of its languages; singular or plural. The class:
+    // "grand_piano".
     std::optional<std::string> class_named(const std::string& term) const;
 
-    // The model to use for a class of the lexicon or the catalogue: the pack's if it has a good one, and a better one than
-    // our own builder of that class, if there is one. `seed` chooses among several. Null: none.
+    // The model to use for a class of the lexicon or the catalogue: the pack's if it has a good one, and a better one
+    // than our own builder of that class, if there is one. `seed` chooses among several. Null: none.
     const PackModel* choose(const std::string& klass, std::uint64_t seed) const;
     // Whether a model exists that `assets` of this pack excluded: "… needs --assets all".
     bool only_with_attribution(const std::string& klass) const;
@@ -70,9 +73,9 @@ class FurniturePack {
 
     std::vector<ZipFile> archives_;
     std::vector<PackModel> models_;
-    std::multimap<std::string, std::size_t> by_name_;   // folded, all languages
+    std::multimap<std::string, std::size_t> by_name_;  // folded, all languages
     std::multimap<std::string, std::size_t> by_class_;
-    std::map<std::string, std::string> excluded_;       // class -> credit, of models left out for their license
+    std::map<std::string, std::string> excluded_;  // class -> credit, of models left out for their license
     std::string fingerprint_;
     mutable std::mutex mutex_;
     mutable std::map<const PackModel*, std::shared_ptr<const Piece>> loaded_;

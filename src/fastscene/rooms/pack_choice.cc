@@ -144,15 +144,18 @@ bool fits_a_room(const PackModel& model) {
 Mount mount_of(const PackModel& m) {
     const float top = m.elevation_m + m.size_m.y;
     if (m.elevation_m > 1.4f &&
-        (m.category == "Lights" || has_word(m.klass, "ceiling") || has_word(m.klass, "hanging") || has_word(m.klass, "chandelier")) && top > 2.1f &&
-        !has_word(m.klass, "wall"))
+        (m.category == "Lights" || has_word(m.klass, "ceiling") || has_word(m.klass, "hanging") ||
+         has_word(m.klass, "chandelier")) &&
+        top > 2.1f && !has_word(m.klass, "wall"))
         return Mount::ceiling;
     if (m.elevation_m > 0.09f && !is_one_of(m.klass, {"towel", "toilet_brush"})) return Mount::wall;
     // Small, but it stands on the floor.
     if (m.category == "Characters" ||
-        is_one_of(m.klass, {"dustbin",      "slippers",    "bootie",   "sneakers", "basketball", "soccer_ball", "briefcase",  "potty",
-                            "extinguisher", "umbrella",    "cat",      "dog",      "bulldog",    "siamese_cat", "suitcase",   "toilet_brush",
-                            "doormat",      "woman_shoes", "mocassin", "rock",     "gift",       "scooter",     "skateboard", "electronic_scale"}))
+        is_one_of(m.klass,
+                  {"dustbin",   "slippers",    "bootie",       "sneakers",     "basketball", "soccer_ball",
+                   "briefcase", "potty",       "extinguisher", "umbrella",     "cat",        "dog",
+                   "bulldog",   "siamese_cat", "suitcase",     "toilet_brush", "doormat",    "woman_shoes",
+                   "mocassin",  "rock",        "gift",         "scooter",      "skateboard", "electronic_scale"}))
         return Mount::floor;
     const float wide = std::max(m.size_m.x, m.size_m.z);
     return wide < 0.52f && m.size_m.y < 0.6f ? Mount::surface : Mount::floor;
@@ -161,7 +164,8 @@ Mount mount_of(const PackModel& m) {
 }  // namespace packs
 
 std::optional<std::string> stand_in(const std::string& klass) {
-    if (const auto* choice = packs::choice_of(klass); choice && !choice->stand_in.empty()) return std::string(choice->stand_in);
+    if (const auto* choice = packs::choice_of(klass); choice && !choice->stand_in.empty())
+        return std::string(choice->stand_in);
     return {};
 }
 

@@ -27,7 +27,8 @@ ImageRgb8 halved(const ImageRgb8& image) {
             Vec3f sum{};
             for (const int j : {0, 1})
                 for (const int i : {0, 1})
-                    sum += linear_from_srgb8(image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
+                    sum += linear_from_srgb8(
+                        image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
             out.at(x, y) = srgb8_from_linear(sum / 4.f);
         }
     return out;
@@ -39,7 +40,8 @@ std::shared_ptr<const TextureImage> texture_from(ImageRgb8 image) {
     while (std::max(image.width, image.height) > kLargest) image = halved(image);
     TextureImage texture;
     texture.levels.push_back(std::move(image));
-    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) texture.levels.push_back(halved(texture.levels.back()));
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
+        texture.levels.push_back(halved(texture.levels.back()));
     return std::make_shared<const TextureImage>(std::move(texture));
 }
 
@@ -47,11 +49,14 @@ std::shared_ptr<const TextureImage> texture_from(ImageRgb8 image) {
 Material material_from(const ObjMaterial& m) {
     Material out;
     out.name = m.name;
-    for (std::size_t k = 0; k < 3; ++k) out.color_a[k] = std::clamp(linear_from_srgb(std::clamp(m.diffuse[k], 0.f, 1.f)), 0.02f, 0.82f);
-    const float shine = std::max({m.specular.x, m.specular.y, m.specular.z}), bright = std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z});
+    for (std::size_t k = 0; k < 3; ++k)
+        out.color_a[k] = std::clamp(linear_from_srgb(std::clamp(m.diffuse[k], 0.f, 1.f)), 0.02f, 0.82f);
+    const float shine = std::max({m.specular.x, m.specular.y, m.specular.z}),
+                bright = std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z});
     out.roughness = std::clamp(std::sqrt(2.f / (std::max(m.shininess, 0.f) + 2.f)), 0.12f, 0.8f);
     if (shine < 0.05f) out.roughness = std::max(out.roughness, 0.55f);
-    if (shine > 0.6f && bright < 0.35f && bright > 0.02f && m.diffuse_map.empty() && m.opacity > 0.9f && m.shininess > 90.f) {
+    if (shine > 0.6f && bright < 0.35f && bright > 0.02f && m.diffuse_map.empty() && m.opacity > 0.9f &&
+        m.shininess > 90.f) {
         out.metal = 1.f;
         out.color_a = out.color_a + Vec3f{0.25f, 0.25f, 0.25f};
     }
@@ -80,14 +85,14 @@ float metres_per_uv(const ObjGroup& g, const std::vector<Vec3f>& positions) {
 float area_of(const Mesh& m) {
     double sum = 0;
     for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3)
-        sum += length(
-            cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]], m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
+        sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]],
+                            m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
     return static_cast<float>(sum / 2);
 }
 
 bool is_table_like(const PackModel& model) {
-    for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel", "oven", "drawers", "dresser",
-                             "workbench", "trunck", "trunk", "fridge", "box"})
+    for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel",
+                             "oven", "drawers", "dresser", "workbench", "trunck", "trunk", "fridge", "box"})
         if (model.klass.find(word) != std::string::npos && model.klass.find("lamp") == std::string::npos &&
             model.klass.find("pool") == std::string::npos && model.klass.find("football") == std::string::npos &&
             model.klass.find("tennis") == std::string::npos)
@@ -125,7 +130,8 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
     if (piece.mount == Mount::wall) piece.hang_height_m = model.elevation_m;
     const Vec3f center = (low + high) * 0.5f;
     // The origin: center of the base; on the wall, of the back's lower edge; at the ceiling, of the top.
-    const Vec3f origin{center.x, piece.mount == Mount::ceiling ? high.y : low.y, piece.mount == Mount::wall ? low.z : center.z};
+    const Vec3f origin{center.x, piece.mount == Mount::ceiling ? high.y : low.y,
+                       piece.mount == Mount::wall ? low.z : center.z};
     float largest = -1;
     for (ObjGroup& g : obj.groups) {
         Mesh mesh;
@@ -152,7 +158,8 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
         piece.meshes.push_back(std::move(mesh));
     }
     if (model.top_m && is_table_like(model) && piece.mount == Mount::floor)
-        piece.surfaces.push_back({{0, std::min(*model.top_m, model.size_m.y), 0}, {0.42f * model.size_m.x, 0.4f * model.size_m.z}});
+        piece.surfaces.push_back(
+            {{0, std::min(*model.top_m, model.size_m.y), 0}, {0.42f * model.size_m.x, 0.4f * model.size_m.z}});
     return piece;
 }
 
@@ -179,7 +186,8 @@ bool FurniturePack::is_sound(const PackModel& model) const {
 std::vector<std::string> FurniturePack::damage() const {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> reasons;
-    for (const auto& [model, reason] : damaged_) reasons.push_back("furniture pack: " + reason + "; it goes on without this model");
+    for (const auto& [model, reason] : damaged_)
+        reasons.push_back("furniture pack: " + reason + "; it goes on without this model");
     std::sort(reasons.begin(), reasons.end());
     return reasons;
 }
@@ -192,7 +200,8 @@ Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) 
         if (main.image) {
             // The picture keeps its drawing and takes the color on the mean.
             const Vec3f mean = linear_from_srgb8(main.image->levels.back().pixels.front());
-            for (std::size_t k = 0; k < 3; ++k) main.color_a[k] = std::clamp((*request.color)[k] / std::max(mean[k], 0.02f), 0.02f, 6.f);
+            for (std::size_t k = 0; k < 3; ++k)
+                main.color_a[k] = std::clamp((*request.color)[k] / std::max(mean[k], 0.02f), 0.02f, 6.f);
         } else {
             main.color_a = main.color_b = main.color_c = *request.color;
             main.metal = 0;
@@ -204,7 +213,8 @@ Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) 
         piece.size_m = piece.size_m * request.size_factor;
         for (Mesh& mesh : piece.meshes)
             for (Vec3f& p : mesh.positions) p = p * request.size_factor;
-        for (Surface& s : piece.surfaces) s.center = s.center * request.size_factor, s.half = s.half * request.size_factor;
+        for (Surface& s : piece.surfaces)
+            s.center = s.center * request.size_factor, s.half = s.half * request.size_factor;
     }
     return piece;
 }

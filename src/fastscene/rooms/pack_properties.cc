@@ -16,7 +16,12 @@ void append_utf8(std::string& out, unsigned code) {
     }
 }
 
-int hex_digit(char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; }
+int hex_digit(char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
 
 // \uXXXX, \n and Latin-1 bytes become UTF-8.
 std::string decoded(std::string_view raw) {
@@ -36,7 +41,8 @@ std::string decoded(std::string_view raw) {
         std::size_t digits = 0;
         while (digits < 4 && i + 1 < raw.size() && hex_digit(raw[i + 1]) >= 0)
             code = code * 16 + static_cast<unsigned>(hex_digit(raw[++i])), ++digits;
-        if (digits == 4 && !(code >= 0xd800 && code < 0xe000)) append_utf8(out, code);  // half of a pair has no name we could say
+        if (digits == 4 && !(code >= 0xd800 && code < 0xe000))
+            append_utf8(out, code);  // half of a pair has no name we could say
     }
     return out;
 }

@@ -14,7 +14,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f, kNarrowest = 1.9f;
-constexpr float kThreshold = 0.05f, kLintel = 0.14f;   // below and above a window from floor to ceiling
+constexpr float kThreshold = 0.05f, kLintel = 0.14f;  // below and above a window from floor to ceiling
 
 struct Proportions {
     const char* room;
@@ -22,23 +22,27 @@ struct Proportions {
 };
 // Usual inside sizes in metres.
 constexpr Proportions kProportions[] = {
-    {"living", 4.4f, 5.6f, 4.8f, 6.2f},  {"bedroom", 3.8f, 4.6f, 4.0f, 5.0f}, {"kids", 3.4f, 4.2f, 3.8f, 4.6f},    {"kitchen", 3.6f, 4.6f, 4.0f, 5.2f},
-    {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.5f, 3.1f, 3.0f, 3.7f}, {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f},
-    {"loft", 5.4f, 6.6f, 6.0f, 7.2f},    {"laundry", 2.4f, 3.0f, 3.0f, 3.6f},  {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
+    {"living", 4.4f, 5.6f, 4.8f, 6.2f},  {"bedroom", 3.8f, 4.6f, 4.0f, 5.0f}, {"kids", 3.4f, 4.2f, 3.8f, 4.6f},
+    {"kitchen", 3.6f, 4.6f, 4.0f, 5.2f}, {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.5f, 3.1f, 3.0f, 3.7f},
+    {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f}, {"loft", 5.4f, 6.6f, 6.0f, 7.2f},
+    {"laundry", 2.4f, 3.0f, 3.0f, 3.6f}, {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
 };
 
 // Words such as "oak" and "walnut" are woods before they are colors.
 void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> palette) {
     if (wish.material.empty() || wish.material == "wood")
-        if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color); wood && wood->pattern == Pattern::wood)
+        if (const auto wood = wish.color.empty() ? std::nullopt : material_named(wish.color);
+            wood && wood->pattern == Pattern::wood)
             wish.material = wish.color;
     if (wish.material.empty() && wish.pattern.empty() && wish.color == "terracotta") wish.material = "tile";
     // A herringbone is laid of wood, ornaments are those of tiles, when nothing else is said.
     if (wish.material.empty() && is_one_of(wish.pattern, {"herringbone", "zigzag"})) wish.material = "wood";
-    if (wish.material.empty() && is_print(wish.pattern) && !is_one_of(wish.pattern, {"checkered", "striped"})) wish.material = "tile";
+    if (wish.material.empty() && is_print(wish.pattern) && !is_one_of(wish.pattern, {"checkered", "striped"}))
+        wish.material = "tile";
     apply_wish(m, wish, true, palette);
     // Checkered without a word of color: black and white.
-    if (wish.pattern == "checkered" && wish.color.empty() && wish.material != "wood") m.color_a = m.color_c = *color_named("off white"), m.color_b = *color_named("charcoal");
+    if (wish.pattern == "checkered" && wish.color.empty() && wish.material != "wood")
+        m.color_a = m.color_c = *color_named("off white"), m.color_b = *color_named("charcoal");
 }
 
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
@@ -46,20 +50,23 @@ float free_margin(float length, float wanted) { return std::max(0.25f, (length -
 // The end of a door that stands at the left of its wall, with its casing and a hand of wall.
 constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kClearOfDoor = kDoorMargin + kDoorWidth + 0.3f;
 
-// What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above a window that
-// ends low enough, and between two windows there must be wall.
+// What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above
+// a window that ends low enough, and between two windows there must be wall.
 struct AtWindows {
     bool below = false, above = false, between = false;
-    float beside = 0;   // metres of wall that what stands on both sides of one takes at each
+    float beside = 0;  // metres of wall that what stands on both sides of one takes at each
 };
-bool is_small_or_hung(std::string_view klass) { return furnishing::is_small(klass) || is_one_of(klass, {"wall_lamp", "shelf", "tapestry", "plant", "floor_lamp"}); }
+bool is_small_or_hung(std::string_view klass) {
+    return furnishing::is_small(klass) || is_one_of(klass, {"wall_lamp", "shelf", "tapestry", "plant", "floor_lamp"});
+}
 AtWindows at_windows(const PromptSpec& spec) {
     AtWindows at;
     for (const PromptObject& o : spec.objects) {
         if (o.forbidden || o.relation_to != "window" || o.klass == "curtain" || o.klass == "rug") continue;
         at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
         at.above = at.above || o.relation == "above";
-        if (o.relation == "on both sides of" && !is_small_or_hung(o.klass)) at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : is_bed(o.klass) ? 1.25f : 1.f);
+        if (o.relation == "on both sides of" && !is_small_or_hung(o.klass))
+            at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : is_bed(o.klass) ? 1.25f : 1.f);
         at.between = at.between || (o.relation == "between" && o.relation_and == "window");
     }
     return at;
@@ -93,19 +100,25 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     const AtWindows asked = at_windows(spec);
     const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
     if (paired && add_window_pair(spec, plan, wish, dice)) {
-        plan.bay = false;   // its recess is an alcove then
+        plan.bay = false;  // its recess is an alcove then
         return;
     }
-    const bool large =
-        (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) || spec.mood == "airy" || spec.light == "bright";
+    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) ||
+                       spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
-    int count = wish ? std::clamp(wish->count, 1, 4) : spec.room == "sunroom" || is_loft(spec) ? 3 : dice.chance(0.45f) ? 2 : 1;
+    int count = wish                                      ? std::clamp(wish->count, 1, 4)
+                : spec.room == "sunroom" || is_loft(spec) ? 3
+                : dice.chance(0.45f)                      ? 2
+                                                          : 1;
     if (spec.room == "hallway" && !wish) count = 1;
     const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
     if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
     // Blinds and shutters are square, and so are their windows.
-    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return !o.forbidden && furnishing::is_blind(o.klass); });
-    if (blinds && shape_of(wish) != Opening::Shape::square) spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
+    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) {
+        return !o.forbidden && furnishing::is_blind(o.klass);
+    });
+    if (blinds && shape_of(wish) != Opening::Shape::square)
+        spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
     const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;
@@ -136,20 +149,25 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         window.shape = bay || blinds ? Opening::Shape::square : shape_of(wish);
         float width = usual;
         if (asked.beside > 0 && !bay) width = std::clamp(length - 2 * asked.beside, 0.7f, usual);
-        if (window.shape == Opening::Shape::arched) {   // upright, up to the ceiling
+        if (window.shape == Opening::Shape::arched) {  // upright, up to the ceiling
             width = std::min(usual, large ? 1.5f : small ? 0.7f : 1.2f);
             window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
-        } else if (window.shape == Opening::Shape::round) {   // a porthole at the height of the eyes, a larger one about there
+        } else if (window.shape ==
+                   Opening::Shape::round) {  // a porthole at the height of the eyes, a larger one about there
             constexpr float kEyes = 1.55f;
-            width = std::min(usual, wish->words.starts_with("porthole") ? (large ? 0.75f : 0.6f) : large ? 1.5f : small ? 0.7f : 1.05f);
-            window.y0 = std::max(window.y0 < 1.f ? 0.5f : window.y0 - 0.2f, kEyes - width / 2), window.y1 = window.y0 + width;
+            width = std::min(usual, wish->words.starts_with("porthole") ? (large ? 0.75f : 0.6f)
+                                    : large                             ? 1.5f
+                                    : small                             ? 0.7f
+                                                                        : 1.05f);
+            window.y0 = std::max(window.y0 < 1.f ? 0.5f : window.y0 - 0.2f, kEyes - width / 2),
+            window.y1 = window.y0 + width;
         }
         const float slack = wants_corners(spec) || asked.beside > 0 ? 0.f : free_margin(length, width) - 0.25f;
         window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
             window.u1 = high - 0.3f;
-            if (window.shape == Opening::Shape::round) window.shape = Opening::Shape::square;   // what is left is narrow
+            if (window.shape == Opening::Shape::round) window.shape = Opening::Shape::square;  // what is left is narrow
             window.u0 = std::max(std::max(low, 0.f) + kClearOfDoor, window.u1 - width);
             if (!(window.u1 - window.u0 >= 0.5f)) {
                 if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
@@ -170,19 +188,28 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     door.requested = wish != nullptr;
     const auto [low, high] = plan.free_span(2, 2.1f);
     for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
-    const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.wall == 2; });
-    const float margin = wants_corners(spec) && !shared ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin) : kDoorMargin;
+    const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(),
+                                    [](const Opening& o) { return o.wall == 2; });
+    const float margin = wants_corners(spec) && !shared
+                             ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
+                             : kDoorMargin;
     door.u0 = dice.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
-    if (shape_of(wish) != Opening::Shape::square) door.shape = Opening::Shape::arched, door.y1 = std::min(plan.height - 0.2f, 2.2f);
+    if (shape_of(wish) != Opening::Shape::square)
+        door.shape = Opening::Shape::arched, door.y1 = std::min(plan.height - 0.2f, 2.2f);
     plan.openings.push_back(door);
 }
 
 // Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.
 float room_for_wishes(const PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{{{"bed", 4.5f}, {"bed_single", 3.f}, {"canopy_bed", 8.f}, {"four_poster_bed", 8.f}, {"floor_bed", 4.5f}, {"bunk_bed", 7.f}, {"loft_bed", 7.f}, {"cabin_bed", 7.f}, {"daybed", 3.f}, {"chaise_longue", 2.4f}, {"sofa", 3.f}, {"loveseat", 2.4f}, {"armchair", 1.5f}, {"chair", 0.7f}, {"desk", 2.f},
-        {"dining_table", 4.f}, {"piano", 3.f}, {"grand_piano", 5.f}, {"wardrobe", 1.6f}, {"bookshelf", 1.f}, {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
+    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{
+        {{"bed", 4.5f},           {"bed_single", 3.f},     {"canopy_bed", 8.f}, {"four_poster_bed", 8.f},
+         {"floor_bed", 4.5f},     {"bunk_bed", 7.f},       {"loft_bed", 7.f},   {"cabin_bed", 7.f},
+         {"daybed", 3.f},         {"chaise_longue", 2.4f}, {"sofa", 3.f},       {"loveseat", 2.4f},
+         {"armchair", 1.5f},      {"chair", 0.7f},         {"desk", 2.f},       {"dining_table", 4.f},
+         {"piano", 3.f},          {"grand_piano", 5.f},    {"wardrobe", 1.6f},  {"bookshelf", 1.f},
+         {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
     float wanted = 0;
     for (const PromptObject& o : spec.objects)
         if (!o.forbidden) wanted += 1.2f * o.size_m.x * static_cast<float>(o.count);
@@ -196,10 +223,10 @@ float room_for_wishes(const PromptSpec& spec) {
 }  // namespace
 
 bool is_shell(std::string_view klass) {
-    static constexpr std::array<std::string_view, 17> kShell{"window", "bay_window",  "skylight", "door",   "doorway",
-                                                             "wall",   "floor",       "ceiling",  "beams",  "sloped_ceiling",
-                                                             "alcove", "wainscoting", "moulding", "column", "mezzanine",
-                                                             "fittings", "recessed_lights"};
+    static constexpr std::array<std::string_view, 17> kShell{
+        "window",   "bay_window", "skylight",  "door",           "doorway",        "wall",
+        "floor",    "ceiling",    "beams",     "sloped_ceiling", "alcove",         "wainscoting",
+        "moulding", "column",     "mezzanine", "fittings",       "recessed_lights"};
     return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
 }
 
@@ -210,16 +237,19 @@ void report_unbuilt(PromptSpec& spec) {
     static constexpr std::array<std::string_view, 1> kUnbuilt{"mezzanine"};
     for (const PromptObject& wish : spec.objects)
         if (!wish.forbidden && std::find(kUnbuilt.begin(), kUnbuilt.end(), wish.klass) != kUnbuilt.end())
-            for (int i = 0; i < wish.count; ++i) spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
+            for (int i = 0; i < wish.count; ++i)
+                spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
 }
 
-// "A bedroom in lavender and white": cloth, rug, curtains and small things are of these colors, too, or beside a neutral.
+// "A bedroom in lavender and white": cloth, rug, curtains and small things are of these colors, too, or beside a
+// neutral.
 void dress_in(const std::vector<std::string>& names, Style& style) {
     std::vector<Vec3f> colors;
     for (const std::string& name : names)
         if (const auto color = color_named(name)) colors.push_back(*color);
     if (colors.empty()) return;
-    const Vec3f first = colors.front(), second = colors.size() > 1 ? colors[1] : *color_named("ivory"), light{0.72f, 0.7f, 0.66f};
+    const Vec3f first = colors.front(), second = colors.size() > 1 ? colors[1] : *color_named("ivory"),
+                light{0.72f, 0.7f, 0.66f};
     const auto tint = [](Material& m, Vec3f color) {
         const float ratio = luminance(m.color_b) / std::max(0.02f, luminance(m.color_a));
         m.color_a = m.color_c = color;
@@ -228,7 +258,8 @@ void dress_in(const std::vector<std::string>& names, Style& style) {
     tint(style.fabric2, first);
     tint(style.fabric, second);
     tint(style.curtain, lerp(first, light, 0.65f));
-    // White on white shows nothing: in rooms of neutrals alone rugs, pictures and small things stay as the style has them.
+    // White on white shows nothing: in rooms of neutrals alone rugs, pictures and small things stay as the style has
+    // them.
     const auto neutral = [](Vec3f c) { return std::max({c.x, c.y, c.z}) - std::min({c.x, c.y, c.z}) < 0.12f; };
     std::erase_if(colors, neutral);
     if (colors.empty()) return;
@@ -267,17 +298,25 @@ void apply_accents(const std::vector<std::string>& accents, Style& style) {
 
 // Some pieces are at home in one style: who names none, but a rocking chair, means no glass and chrome.
 void suggest_style(PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, const char*>, 10> kAtHome{{{"rocking_chair", "rustic"}, {"cobweb", "rustic"}, {"barrel", "rustic"},
-                                                                                      {"gears", "industrial"}, {"pipes", "industrial"},
-                                                                                      {"hammock", "boho"}, {"suit_of_armor", "classic"}, {"throne", "classic"},
-                                                                                      {"hanging_chair", "boho"}, {"lounge_chair", "mid-century"}}};
+    static constexpr std::array<std::pair<std::string_view, const char*>, 10> kAtHome{
+        {{"rocking_chair", "rustic"},
+         {"cobweb", "rustic"},
+         {"barrel", "rustic"},
+         {"gears", "industrial"},
+         {"pipes", "industrial"},
+         {"hammock", "boho"},
+         {"suit_of_armor", "classic"},
+         {"throne", "classic"},
+         {"hanging_chair", "boho"},
+         {"lounge_chair", "mid-century"}}};
     for (const PromptObject& o : spec.objects)
         for (const auto& [klass, style] : kAtHome)
-            if (spec.style.empty() && !o.forbidden && o.klass == klass && !(klass == "cobweb" && spec.clutter == "abandoned")) {
+            if (spec.style.empty() && !o.forbidden && o.klass == klass &&
+                !(klass == "cobweb" && spec.clutter == "abandoned")) {
                 spec.style = style;
                 spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
             }
-    if (spec.style.empty() && spec.clutter == "abandoned") {   // what was left decades ago is not of today
+    if (spec.style.empty() && spec.clutter == "abandoned") {  // what was left decades ago is not of today
         spec.style = spec.room == "loft" ? "industrial" : "classic";
         spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
     }
@@ -303,22 +342,34 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         const auto has = [&](std::initializer_list<const char*> classes) {
             return std::any_of(classes.begin(), classes.end(), [&](const char* c) { return wish_for(spec, c); });
         };
-        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single", "bunk_bed", "loft_bed", "cabin_bed"}) ? "kids" : has({"bed", "canopy_bed", "four_poster_bed", "floor_bed", "nightstand"}) ? "bedroom" : has({"toilet", "bathtub", "shower", "vanity"}) ? "bathroom"
-                    : has({"kitchen_counter", "kitchen_island", "fridge"}) ? "kitchen" : has({"washing_machine"}) ? "laundry" : has({"dining_table"}) ? "dining"
-                    : has({"desk", "office_chair"}) ? "study" : "living";
+        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single", "bunk_bed", "loft_bed", "cabin_bed"})
+                        ? "kids"
+                    : has({"bed", "canopy_bed", "four_poster_bed", "floor_bed", "nightstand"}) ? "bedroom"
+                    : has({"toilet", "bathtub", "shower", "vanity"})                           ? "bathroom"
+                    : has({"kitchen_counter", "kitchen_island", "fridge"})                     ? "kitchen"
+                    : has({"washing_machine"})                                                 ? "laundry"
+                    : has({"dining_table"})                                                    ? "dining"
+                    : has({"desk", "office_chair"})                                            ? "study"
+                                                                                               : "living";
         spec.assumed.push_back("room: " + room_title(spec.room));
     }
     suggest_style(spec);
     if (spec.style.empty()) {
         // What most people like; concrete, chrome and tiles from the south only when they are asked for.
-        static const std::vector<std::string> kUsual{"modern", "scandinavian", "japandi", "classic", "boho", "rustic", "mid-century"};
-        static const std::vector<std::string> kCozy{"scandinavian", "rustic"}, kForChildren{"modern", "scandinavian", "boho", "mid-century"},
-            kUrban{"modern", "industrial"}, kBright{"scandinavian", "classic", "boho", "modern"}, kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
-        const std::vector<std::string>& choice = spec.mood == "cozy" ? kCozy : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
-                                                : spec.light == "neon"                                   ? kUrban
-                                                : !spec.colors.empty()                                   ? kPainted
-                                                : spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy" ? kBright
-                                                                                                         : kUsual;
+        static const std::vector<std::string> kUsual{"modern", "scandinavian", "japandi",    "classic",
+                                                     "boho",   "rustic",       "mid-century"};
+        static const std::vector<std::string> kCozy{"scandinavian", "rustic"},
+            kForChildren{"modern", "scandinavian", "boho", "mid-century"}, kUrban{"modern", "industrial"},
+            kBright{"scandinavian", "classic", "boho", "modern"},
+            kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
+        const std::vector<std::string>& choice = spec.mood == "cozy"                              ? kCozy
+                                                 : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
+                                                 : spec.light == "neon"                           ? kUrban
+                                                 : !spec.colors.empty()                           ? kPainted
+                                                 : spec.light == "bright" || spec.weather == "sunny" ||
+                                                         spec.mood == "airy"
+                                                     ? kBright
+                                                     : kUsual;
         spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
@@ -327,7 +378,9 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const Proportions* size = &kProportions[0];
     for (const Proportions& p : kProportions)
         if (spec.room == p.room) size = &p;
-    const float factor = spec.size == "large" ? std::max(1.18f, room_for_wishes(spec)) : spec.size == "small" ? 0.88f : room_for_wishes(spec);
+    const float factor = spec.size == "large"   ? std::max(1.18f, room_for_wishes(spec))
+                         : spec.size == "small" ? 0.88f
+                                                : room_for_wishes(spec);
     plan.width = dice.uniform(size->width_low, size->width_high) * factor;
     plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
     if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
@@ -337,7 +390,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     take_measures(spec, plan);
     // What is asked to hang above a door needs wall there.
     for (const PromptObject& o : spec.objects)
-        if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway")) plan.height = std::max(plan.height, 2.75f);
+        if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway"))
+            plan.height = std::max(plan.height, 2.75f);
     plan.beams = plan.style.beams || wish_for(spec, "beams");
     plan.accent = spec.room != "hallway" && dice.chance(0.6f);
 
@@ -345,8 +399,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     if (spec.room == "kids" || spec.mood == "colorful") {
         plan.accent = true;
         plan.style.accent_wall = plan.style.wall;
-        plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c =
-            lerp(plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
+        plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(
+            plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
     }
 
     const bool wet = spec.room == "bathroom" || spec.room == "laundry";
@@ -356,10 +410,13 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
-    const auto stands_before = [](const PromptObject& wish) { return wish.klass == "wall" && !wish.forbidden && wish.relation == "behind" && !wish.relation_to.empty(); };
+    const auto stands_before = [](const PromptObject& wish) {
+        return wish.klass == "wall" && !wish.forbidden && wish.relation == "behind" && !wish.relation_to.empty();
+    };
     for (PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
-        if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() && wish.material.empty()) {
+        if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() &&
+            wish.material.empty()) {
             wish.pattern = wallpaper_of(plan.style.name);
             spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
         }
@@ -367,8 +424,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.klass == "wall") {
             // "a brick wall" is one wall; "white walls" are all.
             const bool one = wish.words == "wall" || wish.words == "accent wall";
-            const bool accent =
-                one && (wish.material == "brick" || wish.material == "wood" || wish.material == "stone" || wish.words == "accent wall");
+            const bool accent = one && (wish.material == "brick" || wish.material == "wood" ||
+                                        wish.material == "stone" || wish.words == "accent wall");
             if (!accent && wish.material.empty()) plan.accent = false;
             apply_wish(accent ? plan.style.accent_wall : plan.style.wall, wish, true, plan.style.palette);
             if (accent || wish.material == "brick") plan.accent = true;
@@ -392,7 +449,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         dress_in(spec.colors, plan.style);
     }
     if (spec.clutter == "abandoned") leave_to_decay(plan);
-    if (spec.clutter == "renovation") {   // one wall is still raw
+    if (spec.clutter == "renovation") {  // one wall is still raw
         plan.style.accent_wall = plan.style.wall;
         print_on(plan.style.accent_wall, "peeling", PrintGround::paper, {}, {});
         plan.accent = true;

@@ -17,49 +17,52 @@
 namespace fastscene {
 
 inline constexpr float kWallThickness = 0.22f;
-// A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how far it stands proud.
+// A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how
+// far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
-inline constexpr float kRevealDepth = 0.12f;   // of a window: from the wall's face to the frame
-inline constexpr float kBeamDepth = 0.18f;     // from the ceiling down
+inline constexpr float kRevealDepth = 0.12f;  // of a window: from the wall's face to the frame
+inline constexpr float kBeamDepth = 0.18f;    // from the ceiling down
 inline constexpr float kBeamWidth = 0.16f;
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.
 inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;
 
-inline constexpr const char* kNeon = "neon strip";   // the name of their materials
+inline constexpr const char* kNeon = "neon strip";  // the name of their materials
 
-// A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its left end as seen from inside.
+// A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its
+// left end as seen from inside.
 struct Opening {
     enum class Kind : unsigned char { window, door, doorway } kind = Kind::window;
     int wall = 0;
-    float u0 = 0, u1 = 0, y0 = 0, y1 = 0;   // of the box about it, whatever its shape
+    float u0 = 0, u1 = 0, y0 = 0, y1 = 0;  // of the box about it, whatever its shape
     bool requested = false;
     enum class Shape : unsigned char { square, arched, round } shape = Shape::square;
 };
 // How high an arch rises above where it springs; a wide one is flatter than half a circle, and legs are left below it.
 inline float arch_rise(const Opening& o) {
-    constexpr float kLegs = 0.5f;   // share of the height that stays upright
+    constexpr float kLegs = 0.5f;  // share of the height that stays upright
     return std::min(0.5f * (o.u1 - o.u0), (1.f - kLegs) * (o.y1 - o.y0));
 }
 
 // The inner face of a wall.
 struct WallFace {
-    Vec3f origin;   // its left end at the floor, as seen from inside
-    Vec3f along;    // unit, to the right as seen from inside
-    Vec3f inward;   // unit, into the room
+    Vec3f origin;  // its left end at the floor, as seen from inside
+    Vec3f along;   // unit, to the right as seen from inside
+    Vec3f inward;  // unit, into the room
     float length;
-    int wall = -1;      // the wall it is a part of; -1: the side of a block
-    float from = 0;     // where on that wall its u begins
+    int wall = -1;   // the wall it is a part of; -1: the side of a block
+    float from = 0;  // where on that wall its u begins
     Vec3f point(float u, float y) const { return origin + along * u + Vec3f{0, y, 0}; }
 };
 
 // Whether wishes of this class are for the shell: make_plan heeds them, or says in spec.not_placed why it cannot.
 bool is_shell(std::string_view klass);
 
-// A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast, a column.
+// A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast,
+// a column.
 struct Block {
     enum class Kind : unsigned char { corner, breast, column } kind = Kind::corner;
-    Vec2f low, high;   // x, z
+    Vec2f low, high;  // x, z
 };
 
 // A window in a sloped ceiling above wall 1 or 3: from z0 to z1, and from s0 to s1 metres up the slope.
@@ -71,23 +74,24 @@ struct Skylight {
 struct NextRoom;
 
 struct Plan {
-    float width = 4, depth = 5, height = 2.7f;   // inside
+    float width = 4, depth = 5, height = 2.7f;  // inside
     std::vector<Opening> openings;
-    Style style;                                 // with the prompt's wishes for walls, floor and so on worked in
-    bool measured = false;                       // width or depth were said: nothing adds to them
-    bool accent = false;                         // one wall has the accent material
-    int accent_wall = 0;                         // that one
+    Style style;            // with the prompt's wishes for walls, floor and so on worked in
+    bool measured = false;  // width or depth were said: nothing adds to them
+    bool accent = false;    // one wall has the accent material
+    int accent_wall = 0;    // that one
     bool beams = false;
-    bool tray = false;         // the ceiling steps down along the walls
-    bool neon = false;         // strips of colored light below the ceiling
+    bool tray = false;                // the ceiling steps down along the walls
+    bool neon = false;                // strips of colored light below the ceiling
     std::optional<Vec3f> neon_color;  // an albedo of that hue; nothing: pink and blue
-    bool recessed_lights = false;   // small lamps sunk into the ceiling
-    bool coffers = false;      // a grid of beams in the color of the trim
-    bool bay = false;          // the recess of the far wall is all window
-    bool panelling = false;    // walls are panelled to the height of a chair's back
+    bool recessed_lights = false;     // small lamps sunk into the ceiling
+    bool coffers = false;             // a grid of beams in the color of the trim
+    bool bay = false;                 // the recess of the far wall is all window
+    bool panelling = false;           // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;
-    std::vector<PromptObject> asked_parts;   // what of is_shell the prompt asks for
-    // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0 = flat.
+    std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
+    // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0
+    // = flat.
     float knee = 0, slope_run = 0;
     std::vector<Skylight> skylights;
     std::shared_ptr<const NextRoom> next;  // behind the doorway
@@ -104,18 +108,20 @@ struct Plan {
     // Distance to the nearest wall or block on the floor, and to any of them or a sloped ceiling in space.
     float wall_distance(Vec2f point) const;
     float air_around(Vec3f point) const;
-    // The longest part of a wall (u0, u1) before which nothing stands and above which the ceiling is at least this high.
+    // The longest part of a wall (u0, u1) before which nothing stands and above which the ceiling is at least this
+    // high.
     std::pair<float, float> free_span(int wall, float height) const;
 };
 
 // The room one sees through the doorway. Its own near wall (2) is the back of ours.
 struct NextRoom {
     Plan plan;
-    std::string type;          // "dining" …
-    Rigid room_from_next;      // from its room frame into ours
+    std::string type;      // "dining" …
+    Rigid room_from_next;  // from its room frame into ours
 };
 
-// The shape of the room beyond a box, by room type, style and wishes: blocks, slopes, coffers, panelling. Before the openings.
+// The shape of the room beyond a box, by room type, style and wishes: blocks, slopes, coffers, panelling. Before the
+// openings.
 void shape_plan(PromptSpec& spec, Plan& plan, Random& dice);
 // Skylights, and a doorway to a next room where a wall is left for it. After windows and door.
 void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
@@ -123,14 +129,16 @@ void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
 // Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
 inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }
 // Its middle in z.
-inline float beam_z(const Plan& plan, int i) { return plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(beam_count(plan)) - 0.5f); }
+inline float beam_z(const Plan& plan, int i) {
+    return plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(beam_count(plan)) - 0.5f);
+}
 
 // Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
 // Adds to spec.assumed what it chose.
 Plan make_plan(PromptSpec& spec, Random& dice);
 
-// Walls, floor, ceiling, mouldings, window frames, door: meshes in the room frame. Materials and objects are appended to
-// `room` (objects still with room-frame poses), portals too.
+// Walls, floor, ceiling, mouldings, window frames, door: meshes in the room frame. Materials and objects are appended
+// to `room` (objects still with room-frame poses), portals too.
 void build_shell(const Plan& plan, Room& room);
 
 }  // namespace fastscene

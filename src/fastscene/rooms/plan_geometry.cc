@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kShortestFace = 0.3f;   // shorter faces take nothing
+constexpr float kShortestFace = 0.3f;  // shorter faces take nothing
 
 // The part of a wall that a block stands at, along u; empty when it does not touch the wall.
 std::pair<float, float> shadow(const WallFace& face, const Block& block) {
@@ -72,7 +72,8 @@ std::vector<WallFace> Plan::faces() const {
 }
 
 const PromptObject* Plan::asked(std::string_view klass) const {
-    const auto found = std::find_if(asked_parts.begin(), asked_parts.end(), [&](const PromptObject& o) { return o.klass == klass; });
+    const auto found = std::find_if(asked_parts.begin(), asked_parts.end(),
+                                    [&](const PromptObject& o) { return o.klass == klass; });
     return found != asked_parts.end() ? &*found : nullptr;
 }
 
@@ -82,14 +83,15 @@ float Plan::ceiling_at(Vec2f p) const {
 }
 
 bool Plan::holds(const Footprint& box) const {
-    if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f && std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f &&
-          box.y0 > -0.01f))
+    if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f &&
+          std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f && box.y0 > -0.01f))
         return false;
     for (const Vec2f corner : corners_of(box))
         if (!(box.y1 < ceiling_at(corner) + 0.01f)) return false;
     for (const Block& b : blocks) {
         const float proud = b.kind == Block::Kind::column ? kCapitalReach : 0.f;
-        if (overlap(box, {(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f + Vec2f{proud, proud}, 0, 0, height})) return false;
+        if (overlap(box, {(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f + Vec2f{proud, proud}, 0, 0, height}))
+            return false;
     }
     return true;
 }
@@ -103,8 +105,9 @@ float Plan::wall_distance(Vec2f p) const {
 float Plan::air_around(Vec3f p) const {
     float near = std::min({wall_distance({p.x, p.z}), p.y, height - p.y});
     if (knee > 0)
-        near = std::min(near, (ceiling_at({p.x, p.z}) < height ? ceiling_at({p.x, p.z}) - p.y
-                                                               : knee + (width / 2 - std::abs(p.x)) * (height - knee) / slope_run - p.y) *
+        near = std::min(near, (ceiling_at({p.x, p.z}) < height
+                                   ? ceiling_at({p.x, p.z}) - p.y
+                                   : knee + (width / 2 - std::abs(p.x)) * (height - knee) / slope_run - p.y) *
                                   slope_run / std::hypot(slope_run, height - knee));
     return near;
 }

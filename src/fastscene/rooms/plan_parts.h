@@ -25,16 +25,20 @@ Shelves shelves_of(std::string_view room);
 // Tiles for a bathroom or laundry, as the style has them.
 void tile_wet_room(Plan& plan, Random& dice);
 
-// What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and windows.
+// What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and
+// windows.
 void choose_ceiling(const PromptSpec& spec, Plan& plan);
 
 // The shape that a window, a door or a doorway was asked in.
 inline Opening::Shape shape_of(const PromptObject* wish) {
     if (!wish || wish->pattern.empty()) return Opening::Shape::square;
-    return wish->pattern == "arched" ? Opening::Shape::arched : wish->pattern == "round" ? Opening::Shape::round : Opening::Shape::square;
+    return wish->pattern == "arched"  ? Opening::Shape::arched
+           : wish->pattern == "round" ? Opening::Shape::round
+                                      : Opening::Shape::square;
 }
 
-// Color, material and pattern wishes of a surface. A print takes its second color from the palette, where the prompt says none.
+// Color, material and pattern wishes of a surface. A print takes its second color from the palette, where the prompt
+// says none.
 void apply_wish(Material& m, const PromptObject& wish, bool boarded = false, std::span<const Vec3f> palette = {});
 // "gold taps", "black hardware": the metal of taps, handles, frames and lamps.
 void apply_fittings(Style& style, const PromptObject& wish);
@@ -43,15 +47,17 @@ void cover_everything(const PromptObject& everything, Plan& plan);
 // "not brown", and no other color said: another one is chosen, and told in spec.assumed.
 void avoid_colors(PromptSpec& spec);
 
-// Sizes of the room that were said in metres, as far as rooms go; and, once the room has its shape, what became of them.
+// Sizes of the room that were said in metres, as far as rooms go; and, once the room has its shape, what became of
+// them.
 void take_measures(const PromptSpec& spec, Plan& plan);
 void tell_measures(PromptSpec& spec, const Plan& plan);
 
 // Something is to stand in every corner: no corner is left out of the room, and doors and windows keep off them.
 inline bool wants_corners(const PromptSpec& spec) {
     constexpr int kMost = 3;  // of three, one may stand beside the door
-    return std::any_of(spec.objects.begin(), spec.objects.end(),
-                       [](const PromptObject& o) { return !o.forbidden && o.relation == "in the corner" && o.count >= kMost; });
+    return std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) {
+        return !o.forbidden && o.relation == "in the corner" && o.count >= kMost;
+    });
 }
 inline constexpr float kCornerMargin = 0.95f;
 

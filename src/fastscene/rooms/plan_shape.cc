@@ -1,5 +1,5 @@
-// The shape of rooms beyond a box: chimney breasts, the corner of an L, alcoves and bays, columns, slopes with skylights,
-// coffers, panelling, and a doorway to a next room.
+// The shape of rooms beyond a box: chimney breasts, the corner of an L, alcoves and bays, columns, slopes with
+// skylights, coffers, panelling, and a doorway to a next room.
 #include <algorithm>
 #include <cmath>
 
@@ -22,9 +22,12 @@ struct Habits {
     float breast, corner, bay, alcove, doorway;
 };
 constexpr Habits kShapeHabits[] = {
-    {"living", 0.28f, 0.2f, 0.14f, 0.12f, 0.5f}, {"bedroom", 0.1f, 0.2f, 0.18f, 0.22f, 0.15f}, {"kids", 0.1f, 0.25f, 0.2f, 0.2f, 0.f},    {"kitchen", 0.f, 0.2f, 0.f, 0.f, 0.5f},
-    {"dining", 0.3f, 0.15f, 0.25f, 0.1f, 0.55f}, {"bathroom", 0.f, 0.1f, 0.f, 0.1f, 0.f},     {"study", 0.3f, 0.15f, 0.2f, 0.15f, 0.25f}, {"hallway", 0.f, 0.f, 0.f, 0.4f, 0.85f},
-    {"loft", 0.f, 0.2f, 0.f, 0.f, 0.3f},         {"laundry", 0.f, 0.1f, 0.f, 0.1f, 0.15f},     {"sunroom", 0.f, 0.f, 0.f, 0.f, 0.6f},      {"attic", 0.f, 0.f, 0.f, 0.f, 0.f},
+    {"living", 0.28f, 0.2f, 0.14f, 0.12f, 0.5f}, {"bedroom", 0.1f, 0.2f, 0.18f, 0.22f, 0.15f},
+    {"kids", 0.1f, 0.25f, 0.2f, 0.2f, 0.f},      {"kitchen", 0.f, 0.2f, 0.f, 0.f, 0.5f},
+    {"dining", 0.3f, 0.15f, 0.25f, 0.1f, 0.55f}, {"bathroom", 0.f, 0.1f, 0.f, 0.1f, 0.f},
+    {"study", 0.3f, 0.15f, 0.2f, 0.15f, 0.25f},  {"hallway", 0.f, 0.f, 0.f, 0.4f, 0.85f},
+    {"loft", 0.f, 0.2f, 0.f, 0.f, 0.3f},         {"laundry", 0.f, 0.1f, 0.f, 0.1f, 0.15f},
+    {"sunroom", 0.f, 0.f, 0.f, 0.f, 0.6f},       {"attic", 0.f, 0.f, 0.f, 0.f, 0.f},
 };
 const Habits& habits_of(const std::string& room) {
     for (const Habits& h : kShapeHabits)
@@ -34,15 +37,18 @@ const Habits& habits_of(const std::string& room) {
 
 void add_breast(Plan& plan, Random& dice) {
     // Before the far wall, or at a side of long rooms.
-    const float wide = dice.uniform(1.5f, 1.75f), deep = dice.uniform(0.32f, 0.42f), w = plan.width / 2, d = plan.depth / 2;
+    const float wide = dice.uniform(1.5f, 1.75f), deep = dice.uniform(0.32f, 0.42f), w = plan.width / 2,
+                d = plan.depth / 2;
     const int side = dice.index(3);
-    if (side == 0 || plan.depth < 4.4f) plan.blocks.push_back({Block::Kind::breast, {-wide / 2, d - deep}, {wide / 2, d}});
+    if (side == 0 || plan.depth < 4.4f)
+        plan.blocks.push_back({Block::Kind::breast, {-wide / 2, d - deep}, {wide / 2, d}});
     else if (side == 1) plan.blocks.push_back({Block::Kind::breast, {w - deep, 0.2f - wide / 2}, {w, 0.2f + wide / 2}});
     else plan.blocks.push_back({Block::Kind::breast, {-w, 0.2f - wide / 2}, {-w + deep, 0.2f + wide / 2}});
 }
 void add_corner(Plan& plan, Random& dice) {
     if (!plan.measured) plan.width += 0.3f, plan.depth += 0.3f;
-    const float x = plan.width * dice.uniform(0.24f, 0.33f), z = plan.depth * dice.uniform(0.2f, 0.3f), w = plan.width / 2, d = plan.depth / 2;
+    const float x = plan.width * dice.uniform(0.24f, 0.33f), z = plan.depth * dice.uniform(0.2f, 0.3f),
+                w = plan.width / 2, d = plan.depth / 2;
     if (dice.chance(0.5f)) plan.blocks.push_back({Block::Kind::corner, {w - x, d - z}, {w, d}});
     else plan.blocks.push_back({Block::Kind::corner, {-w, d - z}, {-w + x, d}});
 }
@@ -54,7 +60,8 @@ void add_recess(Plan& plan, float wide, float deep) {
     plan.blocks.push_back({Block::Kind::corner, {wide / 2, d - deep}, {w, d}});
 }
 void add_columns(Plan& plan, int count, Random& dice) {
-    const float side = dice.uniform(0.22f, 0.3f), x = (dice.chance(0.5f) ? 1.f : -1.f) * (plan.width / 2 - dice.uniform(1.3f, 1.5f));
+    const float side = dice.uniform(0.22f, 0.3f),
+                x = (dice.chance(0.5f) ? 1.f : -1.f) * (plan.width / 2 - dice.uniform(1.3f, 1.5f));
     for (int i = 0; i < count; ++i) {
         const float z = plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f) * 0.9f;
         plan.blocks.push_back({Block::Kind::column, {x - side / 2, z - side / 2}, {x + side / 2, z + side / 2}});
@@ -80,11 +87,13 @@ void add_skylights(PromptSpec& spec, Plan& plan, Random& dice) {
     const int wanted = wish ? std::min(wish->count, 4) : plan.knee > 0 ? 1 + dice.index(3) : 0;
     if (wish && !(plan.knee > 0)) return report(spec, *wish, wish->count, "only rooms with a sloped ceiling have them");
     if (wish) report(spec, *wish, std::max(0, wish->count - 4), "a roof has at most four");
-    const float slope = std::hypot(plan.slope_run, plan.height - plan.knee), high = std::min(1.2f, slope - 0.7f), wide = 0.85f;
+    const float slope = std::hypot(plan.slope_run, plan.height - plan.knee), high = std::min(1.2f, slope - 0.7f),
+                wide = 0.85f;
     const int first = dice.chance(0.5f) ? 1 : 3;
     for (int i = 0; i < wanted; ++i) {
-        const int on_side = (wanted + 1 - i % 2) / 2, place = i / 2;   // how many this slope gets, and which this is
-        const float z = plan.depth * ((static_cast<float>(place) + 0.5f) / static_cast<float>(std::max(1, on_side)) - 0.5f) * 0.8f;
+        const int on_side = (wanted + 1 - i % 2) / 2, place = i / 2;  // how many this slope gets, and which this is
+        const float z = plan.depth *
+                        ((static_cast<float>(place) + 0.5f) / static_cast<float>(std::max(1, on_side)) - 0.5f) * 0.8f;
         const float s0 = 0.5f * (slope - high);
         plan.skylights.push_back({i % 2 == 0 ? first : 4 - first, z - wide / 2, z + wide / 2, s0, s0 + high});
     }
@@ -93,7 +102,8 @@ void add_skylights(PromptSpec& spec, Plan& plan, Random& dice) {
 // What became of the words that ask for a second room.
 void tell_next_room(PromptSpec& spec, const std::string& what) {
     for (PromptWord& word : spec.words)
-        if (word.object < 0 && word.meaning.ends_with(" behind a doorway")) word.fate = PromptWord::Fate::approximated, word.meaning = what;
+        if (word.object < 0 && word.meaning.ends_with(" behind a doorway"))
+            word.fate = PromptWord::Fate::approximated, word.meaning = what;
 }
 
 std::string next_type(const std::string& room, Random& dice) {
@@ -110,7 +120,8 @@ std::string next_type(const std::string& room, Random& dice) {
 void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
     const PromptObject* wish = wish_for(spec, "doorway");
     // Who speaks of windows means those of this room, and who wants no door wants none.
-    const bool windows = wants_corners(spec) || wish_for(spec, "window") || wish_for(spec, "window", true) || wish_for(spec, "door", true);
+    const bool windows = wants_corners(spec) || wish_for(spec, "window") || wish_for(spec, "window", true) ||
+                         wish_for(spec, "door", true);
     const float probability = windows ? 0.f : habits_of(spec.room).doorway;
     const bool beyond = !spec.next_room.empty();
     if (!decide(spec, "doorway", probability, dice) && !beyond) return;
@@ -118,20 +129,23 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
     const int first = dice.index(2);
     const int order[3] = {first == 0 ? 1 : 3, first == 0 ? 3 : 1, 0};
     for (const int w : order) {
-        if (std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) { return o.wall == w; })) continue;
+        if (std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) { return o.wall == w; }))
+            continue;
         const auto [low, high] = plan.free_span(w, 2.3f);
         if (high - low < 2.2f) continue;
         Opening o;
         o.kind = Opening::Kind::doorway;
         o.wall = w;
         o.requested = wish != nullptr;
-        const float wide = std::min(high - low - 1.2f, dice.uniform(0.95f, 1.5f) + (beyond ? 0.3f : 0.f));  // who asks for it wants to see it
+        const float wide = std::min(
+            high - low - 1.2f, dice.uniform(0.95f, 1.5f) + (beyond ? 0.3f : 0.f));  // who asks for it wants to see it
         // Near an end, so that the wall keeps a place for furniture.
         const bool at_end = dice.chance(0.5f);
         o.u0 = at_end ? high - wide - dice.uniform(0.35f, 0.6f) : low + dice.uniform(0.35f, 0.6f);
         o.u1 = o.u0 + wide;
         o.y1 = std::min(plan.height - 0.3f, dice.uniform(2.1f, 2.3f));
-        if (shape_of(wish) != Opening::Shape::square) o.shape = Opening::Shape::arched, o.y1 = std::min(plan.height - 0.2f, o.y1 + 0.25f);
+        if (shape_of(wish) != Opening::Shape::square)
+            o.shape = Opening::Shape::arched, o.y1 = std::min(plan.height - 0.2f, o.y1 + 0.25f);
         const WallFace face = plan.wall(w);
 
         auto next = std::make_shared<NextRoom>();
@@ -156,7 +170,8 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         const float middle = (o.u0 + o.u1) / 2, reach = p.width / 2 - wide / 2 - 0.3f;
         const float center = std::clamp(middle + dice.uniform(-reach, reach), p.width / 2, face.length - p.width / 2);
         const Vec3f out = -face.inward, up{0, 1, 0};
-        next->room_from_next = {Mat3f::from_columns(cross(up, out), up, out), face.point(center, 0) + out * (kWallThickness + p.depth / 2)};
+        next->room_from_next = {Mat3f::from_columns(cross(up, out), up, out),
+                                face.point(center, 0) + out * (kWallThickness + p.depth / 2)};
         // The same hole, seen from there: our `along` is its +x or -x.
         const float x = dot(cross(up, out), face.along) * (middle - center);
         Opening back = o;
@@ -166,7 +181,8 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         back.u1 = back.u0 + wide;
         p.openings.push_back(back);
         for (const int side : {0, dice.chance(0.5f) ? 1 : 3}) {
-            const float length = p.wall(side).length, window = std::min(length - 1.f, wet ? 0.9f : dice.uniform(1.3f, 1.9f));
+            const float length = p.wall(side).length,
+                        window = std::min(length - 1.f, wet ? 0.9f : dice.uniform(1.3f, 1.9f));
             p.openings.push_back({Opening::Kind::window, side, (length - window) / 2, (length + window) / 2,
                                   wet                       ? 1.25f
                                   : next->type == "kitchen" ? 1.05f
@@ -189,40 +205,53 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     const Habits& habit = habits_of(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
     const bool lit_from_above = slopes_for_skylight(spec);
-    const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) && (is_attic(spec) || wish_for(spec, "sloped_ceiling"));
-    if (lit_from_above && !sloped) spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
+    const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) &&
+                        (is_attic(spec) || wish_for(spec, "sloped_ceiling"));
+    if (lit_from_above && !sloped)
+        spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
     if (sloped || lit_from_above) {
         constexpr float kNarrowest = 3.4f, kAttic = 4.9f;  // between two slopes; a hallway below a skylight stays one
-        plan.width = plan.measured ? std::max(plan.width, kNarrowest) : std::max(plan.width + 0.7f, sloped ? kAttic : kNarrowest);
+        plan.width = plan.measured ? std::max(plan.width, kNarrowest)
+                                   : std::max(plan.width + 0.7f, sloped ? kAttic : kNarrowest);
         if (!(spec.size_m.y > 0)) plan.height = std::max(plan.height, 2.7f);
         plan.knee = std::min(dice.uniform(1.05f, 1.3f), plan.height - 0.9f);
         plan.slope_run = std::min(dice.uniform(1.35f, 1.7f), plan.width / 2 - 0.8f);
-        if (const PromptObject* wish = wish_for(spec, "alcove")) report(spec, *wish, wish->count, "not below a sloped ceiling");
-        if (const PromptObject* wish = wish_for(spec, "bay_window")) report(spec, *wish, wish->count, "not below a sloped ceiling");
+        if (const PromptObject* wish = wish_for(spec, "alcove"))
+            report(spec, *wish, wish->count, "not below a sloped ceiling");
+        if (const PromptObject* wish = wish_for(spec, "bay_window"))
+            report(spec, *wish, wish->count, "not below a sloped ceiling");
     } else {
         // One of these: a room with all of them has no walls left.
         const bool asked_bay = wish_for(spec, "bay_window"), asked_alcove = wish_for(spec, "alcove");
         float roll = dice.uniform();
         constexpr float kTight = 10.f;  // square metres: no corner to leave out
-        if (asked_bay || asked_alcove || wants_corners(spec) || (plan.measured && plan.width * plan.depth < kTight)) roll = 2.f;
+        if (asked_bay || asked_alcove || wants_corners(spec) || (plan.measured && plan.width * plan.depth < kTight))
+            roll = 2.f;
         // A bay's panes are square: who asks for arches or portholes has none by chance.
-        if (wish_for(spec, "bay_window", true) || shape_of(wish_for(spec, "window")) != Opening::Shape::square) roll = std::max(roll, habit.breast + habit.corner + habit.bay);
+        if (wish_for(spec, "bay_window", true) || shape_of(wish_for(spec, "window")) != Opening::Shape::square)
+            roll = std::max(roll, habit.breast + habit.corner + habit.bay);
         const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
                     niche = dice.uniform(0.45f, 0.55f);
         if (roll < habit.breast) add_breast(plan, dice);
         else if ((roll -= habit.breast) < habit.corner) add_corner(plan, dice);
         else if ((roll -= habit.corner) < habit.bay || asked_bay) add_recess(plan, wide, recess), plan.bay = true;
-        else if ((roll -= habit.bay) < habit.alcove || asked_alcove) add_recess(plan, std::min(wide, plan.width - 0.9f), niche);
-        if (asked_bay && asked_alcove) report(spec, *wish_for(spec, "alcove"), wish_for(spec, "alcove")->count, "the bay takes its place");
+        else if ((roll -= habit.bay) < habit.alcove || asked_alcove)
+            add_recess(plan, std::min(wide, plan.width - 0.9f), niche);
+        if (asked_bay && asked_alcove)
+            report(spec, *wish_for(spec, "alcove"), wish_for(spec, "alcove")->count, "the bay takes its place");
         for (const char* klass : {"bay_window", "alcove"})
-            if (const PromptObject* wish = wish_for(spec, klass)) report(spec, *wish, wish->count - 1, "a room has one");
+            if (const PromptObject* wish = wish_for(spec, klass))
+                report(spec, *wish, wish->count - 1, "a room has one");
         const PromptObject* columns = wish_for(spec, "column");
-        if (decide(spec, "column", is_loft(spec) ? 0.65f : 0.f, dice)) add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, dice);
+        if (decide(spec, "column", is_loft(spec) ? 0.65f : 0.f, dice))
+            add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, dice);
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
-    if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = is_one_of(spec.room, {"living", "dining", "study", "hallway"}) && dice.chance(0.6f);
-    plan.panelling =
-        decide(spec, "wainscoting", old && !is_one_of(spec.room, {"bathroom", "laundry", "kitchen", "sunroom", "loft"}) ? 0.6f : 0.f, dice);
+    if (!plan.beams && rich && !(plan.knee > 0))
+        plan.coffers = is_one_of(spec.room, {"living", "dining", "study", "hallway"}) && dice.chance(0.6f);
+    plan.panelling = decide(
+        spec, "wainscoting",
+        old && !is_one_of(spec.room, {"bathroom", "laundry", "kitchen", "sunroom", "loft"}) ? 0.6f : 0.f, dice);
 }
 
 void open_plan(PromptSpec& spec, Plan& plan, Random& dice) {

@@ -1,4 +1,5 @@
-// What walls and floors are made of before the prompt's own wishes: no two rooms of a style are painted alike, and wet rooms are tiled.
+// What walls and floors are made of before the prompt's own wishes: no two rooms of a style are painted alike, and wet
+// rooms are tiled.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,17 +16,23 @@ struct Paints {
     std::array<const char*, 5> colors;
 };
 constexpr Paints kPaints[] = {
-    {"modern", {"white", "white", "light gray", "greige", "off white"}},       {"scandinavian", {"white", "white", "light sage", "light duck egg", "linen"}},
-    {"japandi", {"greige", "oatmeal", "linen", "light clay", "off white"}},    {"industrial", {"ash", "off white", "stone", "gray", "ash"}},
-    {"classic", {"ivory", "light sage", "light sky", "champagne", "ivory"}},   {"boho", {"cream", "light terracotta", "cream", "light dusty pink", "sand"}},
-    {"rustic", {"cream", "cream", "light olive", "linen", "wheat"}},           {"mid-century", {"off white", "light mustard", "off white", "light teal", "cream"}},
-    {"mediterranean", {"ivory", "white", "off white", "white", "cream"}}, {"art deco", {"champagne", "blush", "champagne", "light emerald", "ivory"}},
+    {"modern", {"white", "white", "light gray", "greige", "off white"}},
+    {"scandinavian", {"white", "white", "light sage", "light duck egg", "linen"}},
+    {"japandi", {"greige", "oatmeal", "linen", "light clay", "off white"}},
+    {"industrial", {"ash", "off white", "stone", "gray", "ash"}},
+    {"classic", {"ivory", "light sage", "light sky", "champagne", "ivory"}},
+    {"boho", {"cream", "light terracotta", "cream", "light dusty pink", "sand"}},
+    {"rustic", {"cream", "cream", "light olive", "linen", "wheat"}},
+    {"mid-century", {"off white", "light mustard", "off white", "light teal", "cream"}},
+    {"mediterranean", {"ivory", "white", "off white", "white", "cream"}},
+    {"art deco", {"champagne", "blush", "champagne", "light emerald", "ivory"}},
 };
 
 // Libraries and studies may be dark: the lamp and the books shine in them.
 constexpr std::pair<std::string_view, std::array<const char*, 3>> kDeepPaints[] = {
-    {"classic", {"bottle green", "burgundy", "navy"}}, {"art deco", {"bottle green", "navy", "petrol"}}, {"mid-century", {"petrol", "forest", "tobacco"}},
-    {"modern", {"charcoal", "petrol", "slate"}},       {"rustic", {"forest", "umber", "brick"}},         {"industrial", {"charcoal", "slate", "umber"}},
+    {"classic", {"bottle green", "burgundy", "navy"}}, {"art deco", {"bottle green", "navy", "petrol"}},
+    {"mid-century", {"petrol", "forest", "tobacco"}},  {"modern", {"charcoal", "petrol", "slate"}},
+    {"rustic", {"forest", "umber", "brick"}},          {"industrial", {"charcoal", "slate", "umber"}},
 };
 
 struct Tiles {
@@ -98,7 +105,8 @@ void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice) {
     if (!spec.colors.empty() || spec.mood == "airy" || spec.light == "bright") return;
     for (const Paints& paints : kPaints)
         if (plan.style.name == paints.style)
-            if (const auto color = color_named(paints.colors[static_cast<std::size_t>(dice.index(static_cast<int>(paints.colors.size())))]))
+            if (const auto color = color_named(
+                    paints.colors[static_cast<std::size_t>(dice.index(static_cast<int>(paints.colors.size())))]))
                 plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = as_wall(*color);
 }
 
@@ -109,7 +117,8 @@ void deepen_paint(const PromptSpec& spec, Plan& plan) {
     const int which = dice.index(3);
     for (const auto& [style, colors] : kDeepPaints)
         if (deep && plan.style.name == style) {
-            plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = *color_named(colors[static_cast<std::size_t>(which)]);
+            plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = *color_named(
+                colors[static_cast<std::size_t>(which)]);
             plan.accent = false;
         }
 }
@@ -120,7 +129,8 @@ void tile_wet_room(Plan& plan, Random& dice) {
         cover(plan.style.accent_wall, tiles.wall, tiles.color, tiles.grout, tiles.size_m);
         plan.accent = true;
         // All around, or one wall; dark tiles all around make a cave.
-        if (luminance(plan.style.accent_wall.color_a) > 0.25f && dice.chance(0.5f)) plan.style.wall = plan.style.accent_wall;
+        if (luminance(plan.style.accent_wall.color_a) > 0.25f && dice.chance(0.5f))
+            plan.style.wall = plan.style.accent_wall;
         cover(plan.style.floor, tiles.floor, tiles.floor_a, tiles.floor_b, tiles.floor_m);
     }
 }
@@ -132,15 +142,18 @@ Shelves shelves_of(std::string_view room) {
 
 void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     const auto speaks_of = [&](std::string_view klass) {
-        return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) { return o.klass == klass; });
+        return std::any_of(spec.objects.begin(), spec.objects.end(),
+                           [&](const PromptObject& o) { return o.klass == klass; });
     };
     // Dice of its own: what the ceiling is like changes nothing else.
     Random dice(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
     const float boards = dice.uniform(), tray = dice.uniform(), spots = dice.uniform();
     plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
-    const auto row = std::find_if(std::begin(kCeilings), std::end(kCeilings), [&](const Ceiling& c) { return plan.style.name == c.style; });
+    const auto row = std::find_if(std::begin(kCeilings), std::end(kCeilings),
+                                  [&](const Ceiling& c) { return plan.style.name == c.style; });
     if (row == std::end(kCeilings) || speaks_of("ceiling") || !spec.everything.klass.empty()) return;
-    const bool wet = spec.room == "bathroom" || spec.room == "laundry", flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
+    const bool wet = spec.room == "bathroom" || spec.room == "laundry",
+               flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
     if (boards < row->boards && !wet) {
         const std::string name = std::string(row->color) + " ceiling boards";
         Material& m = plan.style.ceiling;
@@ -153,7 +166,8 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
         return;
     }
     // Below the step there is room for curtain rods, and no corner of the room cuts it.
-    const bool high = std::all_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) { return o.y1 < plan.height - kTrayStep - 0.2f; });
+    const bool high = std::all_of(plan.openings.begin(), plan.openings.end(),
+                                  [&](const Opening& o) { return o.y1 < plan.height - kTrayStep - 0.2f; });
     plan.tray = flat && high && !wet && plan.blocks.empty() && plan.width > 2.8f && tray < row->tray;
     // Who speaks of lamps in the ceiling, this way or that, has those.
     if (!speaks_of("recessed_lights") && !speaks_of("ceiling_lamp"))

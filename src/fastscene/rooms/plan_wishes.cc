@@ -29,13 +29,15 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded, std::span<c
         m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
     }
     const auto second = wish.color2.empty() ? std::nullopt : color_named(wish.color2);
-    print_on(m, wish.pattern, wish.material == "carpet" ? PrintGround::rug : PrintGround::paper, second, wish.color.empty() ? palette : std::span<const Vec3f>{});
+    print_on(m, wish.pattern, wish.material == "carpet" ? PrintGround::rug : PrintGround::paper, second,
+             wish.color.empty() ? palette : std::span<const Vec3f>{});
 }
 
 void apply_fittings(Style& style, const PromptObject& wish) {
     // "gold" is a color and a metal: of taps it is the metal.
     std::optional<Material> metal = wish.material.empty() ? std::nullopt : material_named(wish.material);
-    if (!metal && is_one_of(wish.color, {"gold", "golden", "brass", "copper", "silver", "chrome"})) metal = material_named(wish.color);
+    if (!metal && is_one_of(wish.color, {"gold", "golden", "brass", "copper", "silver", "chrome"}))
+        metal = material_named(wish.color);
     if (!metal && !wish.color.empty()) {
         metal = material_named("iron");
         metal->name = wish.color + " metal";
@@ -51,16 +53,19 @@ void cover_everything(const PromptObject& everything, Plan& plan) {
     if (everything.color.empty()) return;
     PromptObject color;
     color.color = everything.color;
-    for (Material* m : {&s.trim, &s.wood, &s.wood2, &s.fabric, &s.fabric2, &s.leather, &s.curtain, &s.rug}) apply_wish(*m, color);
+    for (Material* m : {&s.trim, &s.wood, &s.wood2, &s.fabric, &s.fabric2, &s.leather, &s.curtain, &s.rug})
+        apply_wish(*m, color);
     // Shades of it, so that shapes stay apart.
     const Vec3f base = *color_named(everything.color);
     constexpr std::array<float, 6> kShades{1.f, 0.75f, 1.2f, 0.6f, 0.9f, 1.1f};
     for (std::size_t i = 0; i < s.palette.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) s.palette[i][c] = std::clamp(base[c] * kShades[i % kShades.size()], 0.03f, 0.85f);
+        for (std::size_t c = 0; c < 3; ++c)
+            s.palette[i][c] = std::clamp(base[c] * kShades[i % kShades.size()], 0.03f, 0.85f);
 }
 
 void avoid_colors(PromptSpec& spec) {
-    static constexpr std::array<const char*, 6> kOthers{"off white", "sage", "slate blue", "terracotta", "charcoal", "mustard"};
+    static constexpr std::array<const char*, 6> kOthers{"off white",  "sage",     "slate blue",
+                                                        "terracotta", "charcoal", "mustard"};
     constexpr float kApart = 0.3f;  // in linear albedo
     for (PromptObject& o : spec.objects) {
         const auto not_this = o.not_color.empty() || !o.color.empty() ? std::nullopt : color_named(o.not_color);
@@ -80,7 +85,8 @@ constexpr float kLeastSide = 2.2f, kMostSide = 10.f, kLeastHeight = 2.1f, kMostH
 
 std::string metres(float value) {
     const int centimetres = static_cast<int>(std::lround(value * 100));
-    return std::to_string(centimetres / 100) + "." + std::to_string(centimetres / 10 % 10) + std::to_string(centimetres % 10) + " m";
+    return std::to_string(centimetres / 100) + "." + std::to_string(centimetres / 10 % 10) +
+           std::to_string(centimetres % 10) + " m";
 }
 
 }  // namespace
@@ -101,14 +107,16 @@ void take_measures(const PromptSpec& spec, Plan& plan) {
 void tell_measures(PromptSpec& spec, const Plan& plan) {
     constexpr float kOff = 0.05f;
     const Vec3f& said = spec.size_m;
-    const bool kept = (!(said.x > 0) || std::abs(said.x - plan.width) < kOff) && (!(said.z > 0) || std::abs(said.z - plan.depth) < kOff) &&
+    const bool kept = (!(said.x > 0) || std::abs(said.x - plan.width) < kOff) &&
+                      (!(said.z > 0) || std::abs(said.z - plan.depth) < kOff) &&
                       (!(said.y > 0) || std::abs(said.y - plan.height) < kOff) &&
                       (!(spec.area_m2 > 0) || std::abs(spec.area_m2 - plan.width * plan.depth) < 0.02f * spec.area_m2);
     if (kept) return;
     for (PromptWord& word : spec.words)
         if (word.measure && word.object < 0) {
             word.fate = PromptWord::Fate::approximated;
-            word.meaning = "the room is " + metres(plan.width) + " by " + metres(plan.depth) + ", " + metres(plan.height) + " high";
+            word.meaning = "the room is " + metres(plan.width) + " by " + metres(plan.depth) + ", " +
+                           metres(plan.height) + " high";
         }
 }
 

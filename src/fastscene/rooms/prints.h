@@ -15,9 +15,11 @@ enum class PrintGround : std::uint8_t { paper, cloth, curtain, rug };
 // Whether a pattern of this name can be drawn: "striped", "floral", "dots" …; "plain" is none.
 bool is_print(std::string_view name);
 
-// Draws it on the material's main color. Its second color is `second` where one was said, else it is taken from `palette` (may be empty) or is a shade
-// of the ground. Tiles stay tiles: laid in a herringbone, or with an ornament on each. Does nothing for other names.
-void print_on(Material& m, std::string_view name, PrintGround ground, std::optional<Vec3f> second, std::span<const Vec3f> palette);
+// Draws it on the material's main color. Its second color is `second` where one was said, else it is taken from
+// `palette` (may be empty) or is a shade of the ground. Tiles stay tiles: laid in a herringbone, or with an ornament on
+// each. Does nothing for other names.
+void print_on(Material& m, std::string_view name, PrintGround ground, std::optional<Vec3f> second,
+              std::span<const Vec3f> palette);
 
 // The pattern of a wallpaper of which nothing else was said, by style.
 std::string_view wallpaper_of(std::string_view style);

@@ -32,7 +32,8 @@ std::string described(const PromptObject& object) {
                                       {"style", &object.style}})
         if (!value->empty()) text += std::string(", ") + name + " " + *value;
     if (object.count > 1) text += ", " + std::to_string(object.count) + " of them";
-    if (!object.relation.empty()) text += ", " + object.relation + (object.relation_to.empty() ? "" : " the " + object.relation_to);
+    if (!object.relation.empty())
+        text += ", " + object.relation + (object.relation_to.empty() ? "" : " the " + object.relation_to);
     return text;
 }
 
@@ -62,13 +63,15 @@ void collect(const Matches& matches, PromptSpec& spec) {
 }  // namespace
 
 bool PromptSpec::names_a_room() const {
-    return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() || !weather.empty() || !mood.empty() ||
-           !light.empty() || !clutter.empty() || !structure.empty() || !everything.klass.empty() || size_m != Vec3f{} || area_m2 > 0;
+    return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() ||
+           !weather.empty() || !mood.empty() || !light.empty() || !clutter.empty() || !structure.empty() ||
+           !everything.klass.empty() || size_m != Vec3f{} || area_m2 > 0;
 }
 
 std::vector<PromptWord> PromptSpec::words_with(PromptWord::Fate fate) const {
     std::vector<PromptWord> out;
-    std::copy_if(words.begin(), words.end(), std::back_inserter(out), [&](const PromptWord& w) { return w.fate == fate; });
+    std::copy_if(words.begin(), words.end(), std::back_inserter(out),
+                 [&](const PromptWord& w) { return w.fate == fate; });
     return out;
 }
 
@@ -81,7 +84,8 @@ PromptSpec understand_prompt(const std::string& text, bool strict, std::shared_p
     const Tongue tongue = tongue_of(tokens);
     spec.language = tongue.language;
     spec.unread = tongue.unread;
-    if (!spec.unread.empty()) spec.assumed.push_back("language: " + spec.unread + " is not read; only words that English shares with it are");
+    if (!spec.unread.empty())
+        spec.assumed.push_back("language: " + spec.unread + " is not read; only words that English shares with it are");
     Reading r{spec, match(tokens, tongue, spec.pack.get()), tongue.language};
     settle_quantities(r.m);
     settle_double_meanings(r);
@@ -103,7 +107,8 @@ PromptSpec understand_prompt(const std::string& text, bool strict, std::shared_p
         for (const PromptWord& w : unknown) list += (list.empty() ? "" : ", ") + w.words;
         throw UsageError("--strict: expected only words that are understood, found {}", list);
     }
-    if (strict && !spec.names_a_room()) throw UsageError("--strict: expected a prompt about a room, found \"{}\"", text);
+    if (strict && !spec.names_a_room())
+        throw UsageError("--strict: expected a prompt about a room, found \"{}\"", text);
     return spec;
 }
 
@@ -136,31 +141,53 @@ std::string why_not(const PromptSpec& spec, const PromptWord& word) {
     if (object.placed == 0) return (word.words == object.words ? "" : "of the " + object.words + ": ") + lacking.reason;
     // Some stand, others do not: the number was not kept.
     if (word.meaning.starts_with("count ") || (!object.counted && word.words == object.words))
-        return std::to_string(lacking.pieces) + " of " + std::to_string(object.count) + " " + object.words + ": " + lacking.reason;
+        return std::to_string(lacking.pieces) + " of " + std::to_string(object.count) + " " + object.words + ": " +
+               lacking.reason;
     return {};
 }
 
-Json entry(const PromptWord& word, const char* key, const std::string& value) { return {{"words", word.words}, {key, value}}; }
+Json entry(const PromptWord& word, const char* key, const std::string& value) {
+    return {{"words", word.words}, {key, value}};
+}
 
 }  // namespace
 
 Json to_json(const PromptSpec& spec) {
     Json objects = Json::array();
     for (const PromptObject& o : spec.objects)
-        objects.push_back({{"class", o.klass}, {"words", o.words}, {"count", o.count}, {"placed", o.placed}, {"color", o.color}, {"color2", o.color2}, {"material", o.material}, {"pattern", o.pattern},
-                           {"holder_color", o.holder_color}, {"holder_material", o.holder_material}, {"back_color", o.back_color}, {"back_material", o.back_material},
-                           {"size", o.size}, {"size_m", Json{o.size_m.x, o.size_m.y, o.size_m.z}}, {"not_color", o.not_color}, {"style", o.style}, {"relation", o.relation}, {"relation_to", o.relation_to}, {"relation_and", o.relation_and}, {"forbidden", o.forbidden}});
-    Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(), not_understood = Json::array(),
-         assumed = Json::array();
+        objects.push_back({{"class", o.klass},
+                           {"words", o.words},
+                           {"count", o.count},
+                           {"placed", o.placed},
+                           {"color", o.color},
+                           {"color2", o.color2},
+                           {"material", o.material},
+                           {"pattern", o.pattern},
+                           {"holder_color", o.holder_color},
+                           {"holder_material", o.holder_material},
+                           {"back_color", o.back_color},
+                           {"back_material", o.back_material},
+                           {"size", o.size},
+                           {"size_m", Json{o.size_m.x, o.size_m.y, o.size_m.z}},
+                           {"not_color", o.not_color},
+                           {"style", o.style},
+                           {"relation", o.relation},
+                           {"relation_to", o.relation_to},
+                           {"relation_and", o.relation_and},
+                           {"forbidden", o.forbidden}});
+    Json understood = Json::array(), approximated = Json::array(), not_placed = Json::array(),
+         not_understood = Json::array(), assumed = Json::array();
     for (const PromptWord& w : spec.words) {
-        if (const std::string reason = why_not(spec, w); !reason.empty()) not_placed.push_back(entry(w, "reason", reason));
+        if (const std::string reason = why_not(spec, w); !reason.empty())
+            not_placed.push_back(entry(w, "reason", reason));
         else if (w.fate == PromptWord::Fate::understood) understood.push_back(entry(w, "meaning", w.meaning));
         else if (w.fate == PromptWord::Fate::approximated) approximated.push_back(entry(w, "meaning", w.meaning));
         else not_understood.push_back(w.words);
     }
     for (const std::string& line : spec.assumed) {
         const auto colon = line.find(": ");
-        assumed.push_back({{"what", line.substr(0, colon)}, {"value", colon == std::string::npos ? "" : line.substr(colon + 2)}});
+        assumed.push_back(
+            {{"what", line.substr(0, colon)}, {"value", colon == std::string::npos ? "" : line.substr(colon + 2)}});
     }
     const auto metres = [](Vec3f size) { return Json{size.x, size.y, size.z}; };
     return {{"text", spec.text},

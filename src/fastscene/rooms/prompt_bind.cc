@@ -13,34 +13,72 @@ namespace {
 // Words for brightness that are shades of color before a noun ("dark wooden floor", "light curtains").
 bool is_shade(const Match& m) {
     return (m.is(WordKind::light) || m.is(WordKind::mood)) &&
-           (m.words == "dark" || m.words == "bright" || m.words == "light" || m.words == "dim" || m.words == "dunkel" || m.words == "hell" ||
-            m.words == "sombre" || m.words == "clair" || m.words == "claire" || m.words == "oscuro" || m.words == "scuro");
+           (m.words == "dark" || m.words == "bright" || m.words == "light" || m.words == "dim" || m.words == "dunkel" ||
+            m.words == "hell" || m.words == "sombre" || m.words == "clair" || m.words == "claire" ||
+            m.words == "oscuro" || m.words == "scuro");
 }
 bool is_and(const Match& m) {
-    return m.is(WordKind::function) &&
-           (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" || m.words == "e" || m.words == "or");
+    return m.is(WordKind::function) && (m.words == "and" || m.words == "und" || m.words == "et" || m.words == "y" ||
+                                        m.words == "e" || m.words == "or");
 }
 bool is_article(const Match& m) { return m.is(WordKind::count) && m.word->meaning == "1"; }
 
 // "in", "of", "painted in" … lead an adjective that follows its noun.
 bool leads_back(const Match& m) {
-    static constexpr std::array<std::string_view, 41> kLeads{"in", "of", "with", "painted", "painted in", "made of", "made from", "made out of",
-                                                             "upholstered in", "covered with", "covered in", "finished in", "clad in", "done in",
-                                                             "is", "are", "built from", "crafted from", "carved from", "decorated in", "from",
-                                                             "wrapped in", "lined with", "dressed in", "aus", "mit", "en", "de", "di", "con",
-                                                             "in the", "decorated with", "as", "was", "that is", "which is", "that are",
-                                                             "which are", "should be", "must be", "be"};
+    static constexpr std::array<std::string_view, 41> kLeads{"in",
+                                                             "of",
+                                                             "with",
+                                                             "painted",
+                                                             "painted in",
+                                                             "made of",
+                                                             "made from",
+                                                             "made out of",
+                                                             "upholstered in",
+                                                             "covered with",
+                                                             "covered in",
+                                                             "finished in",
+                                                             "clad in",
+                                                             "done in",
+                                                             "is",
+                                                             "are",
+                                                             "built from",
+                                                             "crafted from",
+                                                             "carved from",
+                                                             "decorated in",
+                                                             "from",
+                                                             "wrapped in",
+                                                             "lined with",
+                                                             "dressed in",
+                                                             "aus",
+                                                             "mit",
+                                                             "en",
+                                                             "de",
+                                                             "di",
+                                                             "con",
+                                                             "in the",
+                                                             "decorated with",
+                                                             "as",
+                                                             "was",
+                                                             "that is",
+                                                             "which is",
+                                                             "that are",
+                                                             "which are",
+                                                             "should be",
+                                                             "must be",
+                                                             "be"};
     return m.is(WordKind::function) && std::find(kLeads.begin(), kLeads.end(), m.words) != kLeads.end();
 }
 
 bool is_brown(std::string_view material) {
-    static constexpr std::array<std::string_view, 12> kBrown{"wood",    "oak",    "walnut", "pine",     "leather", "planks",
-                                                             "parquet", "rattan", "teak",   "mahogany", "maple",   "birch"};
+    static constexpr std::array<std::string_view, 12> kBrown{"wood",    "oak",      "walnut",  "pine",
+                                                             "leather", "planks",   "parquet", "rattan",
+                                                             "teak",    "mahogany", "maple",   "birch"};
     return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
 }
 
 bool is_lamp(std::string_view klass) {
-    return klass.ends_with("_lamp") || is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"});
+    return klass.ends_with("_lamp") ||
+           is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"});
 }
 
 // What "dark" and "light" mean for a thing of this material.
@@ -51,9 +89,11 @@ std::string shade_of(std::string_view word, const PromptObject& object) {
 }
 
 bool can_be_counted(const Match& noun) {
-    static constexpr std::array<std::string_view, 6> kCounted{"window", "door", "bay_window", "skylight", "column", "alcove"};
+    static constexpr std::array<std::string_view, 6> kCounted{"window",   "door",   "bay_window",
+                                                              "skylight", "column", "alcove"};
     if (noun.word->meaning == "kitchen_counter") return false;  // a kitchen has one run of units
-    return noun.is(WordKind::object) || std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
+    return noun.is(WordKind::object) ||
+           std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
 }
 
 // "a stack of books", "a row of boots": where one piece is many such things.
@@ -68,13 +108,19 @@ UnitPart part_of_units(const PromptObject& object, const Match& noun, const Matc
     if (!is_one_of(object.klass, {"kitchen_counter", "kitchen_island"})) return UnitPart::fronts;
     const std::string& w = noun.words;
     if (is_one_of(w, {"backsplash", "splashback"})) return UnitPart::back;
-    const bool counter = w.find("counter") != std::string::npos && w.find("bar") == std::string::npos, top = w.find("top") != std::string::npos || w.ends_with("counters");
+    const bool counter = w.find("counter") != std::string::npos && w.find("bar") == std::string::npos,
+               top = w.find("top") != std::string::npos || w.ends_with("counters");
     const bool material = adjective.is(WordKind::material);
     // Nobody's doors are of marble.
-    if (material && is_one_of(adjective.word->meaning, {"marble", "granite", "stone", "slate", "concrete", "terrazzo"})) return UnitPart::top;
+    if (material && is_one_of(adjective.word->meaning, {"marble", "granite", "stone", "slate", "concrete", "terrazzo"}))
+        return UnitPart::top;
     if ((counter || w.starts_with("work")) && (top || material)) return UnitPart::top;
-    static constexpr std::array<std::string_view, 13> kFronts{"cabinet", "cupboard", "unit", "kitchenette", "island", "breakfast bar", "bar", "counter", "worktop", "kuche", "cuisine", "cocina", "cucina"};
-    const bool fronts = noun.word->exact || std::any_of(kFronts.begin(), kFronts.end(), [&](std::string_view part) { return w.find(part) != std::string::npos; });
+    static constexpr std::array<std::string_view, 13> kFronts{
+        "cabinet", "cupboard", "unit",  "kitchenette", "island", "breakfast bar", "bar",
+        "counter", "worktop",  "kuche", "cuisine",     "cocina", "cucina"};
+    const bool fronts = noun.word->exact || std::any_of(kFronts.begin(), kFronts.end(), [&](std::string_view part) {
+                            return w.find(part) != std::string::npos;
+                        });
     return fronts ? UnitPart::fronts : UnitPart::other;
 }
 
@@ -84,7 +130,8 @@ void give_part(Reading& r, std::size_t at, const Match& noun, UnitPart part, Pro
     std::string& color = part == UnitPart::top ? object.holder_color : object.back_color;
     std::string& material = part == UnitPart::top ? object.holder_material : object.back_material;
     const std::string whose = part == UnitPart::top ? " of the worktop" : " of the wall behind it";
-    if (part == UnitPart::other || a.is(WordKind::pattern)) return r.tell_near(at, "of the " + noun.words + ", as the units have it", object.id);
+    if (part == UnitPart::other || a.is(WordKind::pattern))
+        return r.tell_near(at, "of the " + noun.words + ", as the units have it", object.id);
     PromptObject alike = object;
     alike.material = material;
     const std::string what = is_shade(a) ? shade_of(a.words, alike) : a.word->meaning;
@@ -103,13 +150,16 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
     if (a.noun >= 0 || !a.word || a.settled || a.word->adds == "seats") return;
     a.noun = static_cast<int>(noun);
     if (n.is(WordKind::detail)) {
-        if (!a.is(WordKind::count) && !is_article(a)) r.tell_near(at, "of the " + n.words + ", which are as the piece has them");
+        if (!a.is(WordKind::count) && !is_article(a))
+            r.tell_near(at, "of the " + n.words + ", which are as the piece has them");
         return;
     }
     PromptObject& object = r.object_of(noun);
     const std::string whose = " of " + object.klass;
     if (a.negated && !n.negated) {
-        if (!a.is(WordKind::color)) return r.tell_near(at, "not " + a.word->meaning + ": the " + object.words + " is as the style has it", object.id);
+        if (!a.is(WordKind::color))
+            return r.tell_near(at, "not " + a.word->meaning + ": the " + object.words + " is as the style has it",
+                               object.id);
         object.not_color = a.word->meaning;
         return r.tell(at, "not " + a.word->meaning + whose, object.id);
     }
@@ -123,7 +173,8 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (!a.word->exact) r.tell_near(at, std::string(name) + " " + object.*field + whose, object.id);
     };
     if (a.is(WordKind::color) || a.is(WordKind::material) || a.is(WordKind::pattern) || is_shade(a))
-        if (const UnitPart part = part_of_units(object, n, a); part != UnitPart::fronts) return give_part(r, at, n, part, object);
+        if (const UnitPart part = part_of_units(object, n, a); part != UnitPart::fronts)
+            return give_part(r, at, n, part, object);
     // Flowers and their vase are one piece, whose own color is the flowers'.
     const bool of_holder = object.klass == "bouquet" && is_one_of(n.word->meaning, {"vase", "vase_small"});
     if (of_holder && a.is(WordKind::color)) {
@@ -142,18 +193,22 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (object.color.empty()) object.color = added_by(*a.word, "color");
         if (object.pattern.empty()) object.pattern = added_by(*a.word, "pattern");
     } else if (a.is(WordKind::pattern) && !object.pattern.empty() && a.words.starts_with("pattern")) {
-        r.tell(at, "pattern " + object.pattern + whose, object.id);   // "trellis patterned"
+        r.tell(at, "pattern " + object.pattern + whose, object.id);  // "trellis patterned"
     } else if (a.is(WordKind::pattern)) {
         take(&PromptObject::pattern, "pattern");
-        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_print(a.word->meaning) || a.word->meaning == "plain";
+        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_print(a.word->meaning) ||
+                           a.word->meaning == "plain";
         if (!shown) r.tell_near(at, "pattern " + a.word->meaning + whose + ": no paper of ours has it", object.id);
     } else if (a.is(WordKind::size) && a.words == "open") {
-        r.tell_near(at, "of the " + object.words + ": as such pieces are", object.id);  // rooms are large when they are open, shelves are not
+        r.tell_near(at, "of the " + object.words + ": as such pieces are",
+                    object.id);  // rooms are large when they are open, shelves are not
     } else if (a.is(WordKind::size)) {
         if (object.size.empty()) object.size = a.word->meaning == "small" ? "small" : "large";
         constexpr float kLongTable = 2.2f;
         if (object.klass == "dining_table" && a.words == "long" && !(object.size_m.x > 0)) object.size_m.x = kLongTable;
-        if (object.klass == "window" && object.pattern.empty() && is_one_of(a.words, {"floor to ceiling", "full height"})) object.pattern = kFullHeight;
+        if (object.klass == "window" && object.pattern.empty() &&
+            is_one_of(a.words, {"floor to ceiling", "full height"}))
+            object.pattern = kFullHeight;
         r.tell(at, "size " + object.size + whose, object.id);
     } else if (a.is(WordKind::style)) {
         object.style = a.word->meaning;
@@ -165,19 +220,23 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (r.spec.light == a.words) r.tell(at, "light: " + a.words, object.id);
         else r.tell_near(at, "light: contradicts " + r.spec.light + ", which came first");
     } else if (is_shade(a)) {
-        if (object.color.empty()) object.color = shade_of(a.words, object), r.tell(at, "color " + object.color + whose, object.id);
+        if (object.color.empty())
+            object.color = shade_of(a.words, object), r.tell(at, "color " + object.color + whose, object.id);
         else r.tell_near(at, "the color" + whose + " stays " + object.color, object.id);
     } else if (a.is(WordKind::count)) {
         // "a dozen red roses" are one bouquet, "two bouquets of roses" are two.
         const bool flowers = object.klass == "bouquet" && n.word->meaning == "bouquet" &&
-                             !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements", "floral arrangement", "floral arrangements", "centerpiece", "centerpieces", "posy", "posies"});
+                             !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements",
+                                                  "floral arrangement", "floral arrangements", "centerpiece",
+                                                  "centerpieces", "posy", "posies"});
         if (is_article(a) && (a.words == "a" || a.words == "an")) {
             if (!object.counted) object.count = 1;
         } else if (flowers) {
             if (!object.counted) object.count = 1;
             r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
-        } else if (is_heap(a.words) && is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack",
-                                                                "firewood", "paper_litter"})) {
+        } else if (is_heap(a.words) &&
+                   is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack",
+                                            "firewood", "paper_litter"})) {
             if (!object.counted) object.count = 1, object.counted = true;
             r.tell(at, object.klass + " is one", object.id);
         } else if (can_be_counted(n)) {
@@ -193,20 +252,22 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
 bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     if (connector == 0 || connector + 1 >= r.m.size()) return false;
     const Match &left = r.m[connector - 1], &right = r.m[connector + 1];
-    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left)) || right.is(WordKind::count) || right.is(WordKind::function))
+    if (!(is_adjective(left) || left.is(WordKind::nuance) || is_shade(left)) || right.is(WordKind::count) ||
+        right.is(WordKind::function))
         return false;
     if (left.comma) return false;
     // "with white linen, blue walls": a material ends its own phrase.
     if (left.is(WordKind::material) && !right.is(WordKind::material) && connector + 1 != noun) return false;
     // "emerald tiles and brass taps": tiles are a surface, said as a noun.
-    if (left.is(WordKind::material) && is_one_of(left.words, {"tiles", "bricks", "tiling", "planks", "floorboards", "paneling", "panels"}))
+    if (left.is(WordKind::material) &&
+        is_one_of(left.words, {"tiles", "bricks", "tiling", "planks", "floorboards", "paneling", "panels"}))
         return false;
     if (connector + 1 == noun) return false;
     // "in red and blue curtains": what "in" leads belongs to the noun before.
     std::size_t k = connector;
     while (k > 0 && (is_adjective(r.m[k - 1]) || r.m[k - 1].is(WordKind::nuance) || is_shade(r.m[k - 1]))) --k;
-    if (k > 0 && leads_back(r.m[k - 1]) && r.m[k - 1].words != "with" && r.m[k - 1].words != "mit" && r.m[k - 1].words != "avec" &&
-        r.m[k - 1].words != "con") {
+    if (k > 0 && leads_back(r.m[k - 1]) && r.m[k - 1].words != "with" && r.m[k - 1].words != "mit" &&
+        r.m[k - 1].words != "avec" && r.m[k - 1].words != "con") {
         for (std::size_t j = k - 1; j-- > 0;)
             if (is_noun(r.m[j])) return false;
             else if (r.m[j].comma || r.m[j].is(WordKind::room)) break;
@@ -241,7 +302,8 @@ void bind_before(Reading& r, std::size_t noun) {
     for (std::size_t i = begin; i < noun; ++i)
         if (r.m[i].is(WordKind::material)) give(r, i, noun);
     for (std::size_t i = begin; i < noun; ++i)
-        if (is_adjective(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::style) || is_shade(r.m[i])) give(r, i, noun);
+        if (is_adjective(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::style) || is_shade(r.m[i]))
+            give(r, i, noun);
     // "two windows and a door": an article alone says one.
     if (begin > 0 && r.m[begin - 1].is(WordKind::count) && is_noun(r.m[noun])) give(r, begin - 1, noun);
 }
@@ -250,18 +312,22 @@ void bind_before(Reading& r, std::size_t noun) {
 void bind_after(Reading& r, std::size_t noun) {
     for (std::size_t i = noun + 1; i < r.m.size(); ++i) {
         if (r.m[i].comma || is_noun(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::relation)) break;
-        if (r.m[i].is(WordKind::function) && !(leads_back(r.m[i]) && i + 1 < r.m.size() && r.m[i + 1].is(WordKind::material))) break;
+        if (r.m[i].is(WordKind::function) &&
+            !(leads_back(r.m[i]) && i + 1 < r.m.size() && r.m[i + 1].is(WordKind::material)))
+            break;
         if (is_adjective(r.m[i]) || is_shade(r.m[i])) give(r, i, noun);
     }
 }
 
 // … between a noun and an adjective that looks back at it.
 bool may_stand_between(const Match& m) {
-    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || is_shade(m) || is_and(m) || is_article(m) || m.is_function("but") ||
-           m.is_function("that") || m.is_function("which") || m.is_function("the");
+    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || is_shade(m) || is_and(m) ||
+           is_article(m) || m.is_function("but") || m.is_function("that") || m.is_function("which") ||
+           m.is_function("the");
 }
 
-// The noun that an adjective nobody took looks back at: "sofa in dark blue", "the walls are white", "bed with white linen".
+// The noun that an adjective nobody took looks back at: "sofa in dark blue", "the walls are white", "bed with white
+// linen".
 std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
     std::size_t i = at;
     bool led = false;
@@ -270,14 +336,17 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         if (is_noun(before)) return led ? std::optional(i - 1) : std::nullopt;
         if (leads_back(before)) led = true;
         else if (before.is(WordKind::negation) && r.m[i].negated) led = true;  // "not brown", "aren't white"
-        else if (!may_stand_between(before) && !(before.comma && i < at && ((!led && is_adjective(r.m[i])) || r.m[i].is(WordKind::negation))))
+        else if (!may_stand_between(before) &&
+                 !(before.comma && i < at && ((!led && is_adjective(r.m[i])) || r.m[i].is(WordKind::negation))))
             return {};
         --i;
     }
     return {};
 }
 
-bool is_tablecloth(const std::string& words) { return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"}); }
+bool is_tablecloth(const std::string& words) {
+    return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"});
+}
 // Tables that a cloth is drawn for.
 bool is_laid(std::string_view klass) { return is_one_of(klass, {"dining_table", "dining_table_round"}); }
 
@@ -305,7 +374,8 @@ void pass_on_cloth(Reading& r) {
         // A tablecloth is a table's, wherever that is named.
         const bool of_table = is_tablecloth(r.m[i].words);
         for (std::size_t k = 0; k < r.m.size() && of_table && !owner; ++k)
-            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).klass)) owner = k;
+            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).klass))
+                owner = k;
         if (of_table && owner) lay_cloth(r, i, *owner);
         if (of_table && !owner) r.tell_near(i, "no table was named that it could lie on");
         if (of_table) continue;
@@ -338,9 +408,11 @@ void pass_on_cloth(Reading& r) {
 // "a rattan chair" is one to lounge in; at a table or a desk, or where there are many, it is a chair like others.
 void name_lounge_chairs(Reading& r) {
     const auto sits_up = [](const Match& m) {
-        static constexpr std::array<std::string_view, 9> kUpright{"dining", "kitchen",        "study",           "dining_table", "dining_table_round",
-                                                                  "desk",   "kitchen_island", "kitchen_counter", "piano"};
-        return (m.is(WordKind::room) || m.is(WordKind::object)) && std::find(kUpright.begin(), kUpright.end(), m.word->meaning) != kUpright.end();
+        static constexpr std::array<std::string_view, 9> kUpright{
+            "dining", "kitchen",        "study",           "dining_table", "dining_table_round",
+            "desk",   "kitchen_island", "kitchen_counter", "piano"};
+        return (m.is(WordKind::room) || m.is(WordKind::object)) &&
+               std::find(kUpright.begin(), kUpright.end(), m.word->meaning) != kUpright.end();
     };
     if (std::any_of(r.m.begin(), r.m.end(), sits_up)) return;
     for (PromptObject& o : r.spec.objects)
@@ -351,7 +423,8 @@ void name_lounge_chairs(Reading& r) {
 bool leads_to_a_room(const Reading& r, std::size_t at) {
     for (std::size_t k = at + 1; k < r.m.size(); ++k) {
         if (r.m[k].is(WordKind::room)) return !r.m[k].negated;
-        if (!modifies(r.m[k]) && !r.m[k].is(WordKind::mood) && !r.m[k].is(WordKind::light) && !is_and(r.m[k])) return false;
+        if (!modifies(r.m[k]) && !r.m[k].is(WordKind::mood) && !r.m[k].is(WordKind::light) && !is_and(r.m[k]))
+            return false;
     }
     return false;
 }
@@ -359,8 +432,8 @@ bool leads_to_a_room(const Reading& r, std::size_t at) {
 }  // namespace
 
 bool modifies(const Match& m) {
-    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) || m.is(WordKind::unit) || is_shade(m) ||
-           (!m.word && !m.comma);
+    return is_adjective(m) || m.is(WordKind::nuance) || m.is(WordKind::style) || m.is(WordKind::count) ||
+           m.is(WordKind::unit) || is_shade(m) || (!m.word && !m.comma);
 }
 
 void bind_adjectives(Reading& r) {

@@ -15,7 +15,8 @@ void choose(Reading& r, std::size_t i, std::string PromptSpec::*field, const cha
     if (m.negated) return r.tell(i, "not " + title);
     std::string& value = r.spec.*field;
     if (value.empty()) value = m.word->meaning;
-    if (value != m.word->meaning) return r.tell_near(i, std::string(name) + ": contradicts " + value + ", which came first");
+    if (value != m.word->meaning)
+        return r.tell_near(i, std::string(name) + ": contradicts " + value + ", which came first");
     if (m.word->exact) r.tell(i, std::string(name) + ": " + title);
     else r.tell_near(i, std::string(name) + ": " + title);
 }
@@ -33,24 +34,31 @@ bool is_floor(const std::string& material) {
     return std::find(kFloors.begin(), kFloors.end(), material) != kFloors.end();
 }
 bool is_wall(const std::string& material) {
-    static constexpr std::array<std::string_view, 7> kWalls{"brick", "tile", "concrete", "stone", "plaster", "wood", "marble"};
+    static constexpr std::array<std::string_view, 7> kWalls{"brick",   "tile", "concrete", "stone",
+                                                            "plaster", "wood", "marble"};
     return std::find(kWalls.begin(), kWalls.end(), material) != kWalls.end();
 }
 // Tiles of other rooms lie on the floor.
 bool has_tiled_walls(const Reading& r) {
-    const auto room = std::find_if(r.m.begin(), r.m.end(), [](const Match& m) { return m.is(WordKind::room) && !m.negated; });
+    const auto room = std::find_if(r.m.begin(), r.m.end(),
+                                   [](const Match& m) { return m.is(WordKind::room) && !m.negated; });
     const std::string klass = !r.spec.room.empty() ? r.spec.room : room == r.m.end() ? "" : room->word->meaning;
     return klass.empty() || klass == "bathroom" || klass == "kitchen" || klass == "laundry";
 }
-bool is_free(const Match& m) { return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern)); }
+bool is_free(const Match& m) {
+    return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern));
+}
 
-// The colors and the pattern of a material that stands as a noun: "black and white checkered tiles", "tiled in turquoise".
+// The colors and the pattern of a material that stands as a noun: "black and white checkered tiles", "tiled in
+// turquoise".
 std::vector<std::size_t> adjectives_of_surface(const Reading& r, std::size_t i) {
     std::vector<std::size_t> out;
     const auto joins = [&](std::size_t k) { return r.m[k].is_function("and") && k > 0 && is_free(r.m[k - 1]); };
-    for (std::size_t k = i; k-- > 0 && (is_free(r.m[k]) || r.m[k].is(WordKind::nuance) || r.m[k].is(WordKind::size) || joins(k));)
+    for (std::size_t k = i;
+         k-- > 0 && (is_free(r.m[k]) || r.m[k].is(WordKind::nuance) || r.m[k].is(WordKind::size) || joins(k));)
         if (is_free(r.m[k])) out.insert(out.begin(), k);
-    for (std::size_t k = i + 1; adjectives_follow(r.language) && k < r.m.size() && is_free(r.m[k]); ++k) out.push_back(k);  // "azulejos azules"
+    for (std::size_t k = i + 1; adjectives_follow(r.language) && k < r.m.size() && is_free(r.m[k]); ++k)
+        out.push_back(k);  // "azulejos azules"
     const std::size_t behind = i + 2;
     const bool in = behind < r.m.size() && r.m[i + 1].is_function("in") && is_free(r.m[behind]);
     if (in && (behind + 1 == r.m.size() || !is_noun(r.m[behind + 1]))) out.push_back(behind);
@@ -78,23 +86,30 @@ void read_surface(Reading& r, std::size_t i) {
     const std::string material = r.m[i].word->meaning;
     if (r.m[i].negated) return r.tell(i, "no " + material);
     const std::vector<std::size_t> adjectives = adjectives_of_surface(r, i);
-    const bool checkered = std::any_of(adjectives.begin(), adjectives.end(), [&](std::size_t k) { return r.m[k].word->meaning == "checkered"; });
-    const bool terracotta = std::any_of(adjectives.begin(), adjectives.end(), [&](std::size_t k) { return r.m[k].word->meaning == "terracotta"; });
+    const bool checkered = std::any_of(adjectives.begin(), adjectives.end(),
+                                       [&](std::size_t k) { return r.m[k].word->meaning == "checkered"; });
+    const bool terracotta = std::any_of(adjectives.begin(), adjectives.end(),
+                                        [&](std::size_t k) { return r.m[k].word->meaning == "terracotta"; });
     const bool floor = is_floor(material) || (material == "tile" && (checkered || terracotta || !has_tiled_walls(r)));
     if (is_furnitures(r, i) || (!floor && !is_wall(material))) {
         r.spec.accents.push_back(material);
         r.m[i].settled = true;
         const char* where = shows_in(material);
-        return *where ? r.tell(i, std::string("accent material: of ") + where) : r.tell_near(i, "accent material: nothing in the room shows it");
+        return *where ? r.tell(i, std::string("accent material: of ") + where)
+                      : r.tell_near(i, "accent material: nothing in the room shows it");
     }
     PromptObject& surface = r.add_object(floor ? "floor" : "wall", r.m[i].words);
     surface.material = material;
     surface.color = added_by(*r.m[i].word, "color");
     for (const std::size_t k : adjectives) {
         const std::string& what = r.m[k].word->meaning;
-        std::string& field = r.m[k].is(WordKind::pattern) ? surface.pattern : surface.color.empty() ? surface.color : surface.color2;
+        std::string& field = r.m[k].is(WordKind::pattern) ? surface.pattern
+                             : surface.color.empty()      ? surface.color
+                                                          : surface.color2;
         r.m[k].noun = static_cast<int>(i);
-        if (field.empty() || (r.m[k].is(WordKind::pattern) && r.m[k].words.starts_with("pattern"))) r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass, surface.id);
+        if (field.empty() || (r.m[k].is(WordKind::pattern) && r.m[k].words.starts_with("pattern")))
+            r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass,
+                   surface.id);
         else r.tell_near(k, "the " + surface.klass + " stays " + field, surface.id);
         if (field.empty()) field = what;
     }
@@ -110,14 +125,17 @@ bool gives_way(const Word& style) { return !style.exact || !added_by(style, "yie
 
 // "minimalist japandi", "a formal art deco room": the style that is named, wherever it stands.
 const Match* named_style(const Reading& r) {
-    const auto named = std::find_if(r.m.begin(), r.m.end(), [](const Match& m) { return m.is(WordKind::style) && m.noun < 0 && !m.negated && !gives_way(*m.word); });
+    const auto named = std::find_if(r.m.begin(), r.m.end(), [](const Match& m) {
+        return m.is(WordKind::style) && m.noun < 0 && !m.negated && !gives_way(*m.word);
+    });
     return named == r.m.end() ? nullptr : &*named;
 }
 
 void read_style(Reading& r, std::size_t i) {
     if (r.m[i].negated) return r.tell(i, "not " + r.m[i].word->meaning);
     const Match* named = gives_way(*r.m[i].word) ? named_style(r) : nullptr;
-    if (named && named->word->meaning != r.m[i].word->meaning) r.tell_near(i, "style: " + named->word->meaning + ", which is named");
+    if (named && named->word->meaning != r.m[i].word->meaning)
+        r.tell_near(i, "style: " + named->word->meaning + ", which is named");
     else choose(r, i, &PromptSpec::style, "style", r.m[i].word->meaning);
     // "minimalist" speaks of how much there is, too.
     if (const std::string clutter = added_by(*r.m[i].word, "clutter"); !clutter.empty() && r.spec.clutter.empty()) {
@@ -129,7 +147,8 @@ void read_style(Reading& r, std::size_t i) {
 // Whether what the windows show was only guessed so far, from the name of a place.
 bool outlook_is_a_guess(const Reading& r, std::size_t i) {
     return std::none_of(r.m.begin(), r.m.begin() + static_cast<std::ptrdiff_t>(i), [](const Match& m) {
-        return m.is(WordKind::nuance) && !m.negated && m.word->meaning == "outside" && m.word->adds.starts_with("view=") && m.word->exact;
+        return m.is(WordKind::nuance) && !m.negated && m.word->meaning == "outside" &&
+               m.word->adds.starts_with("view=") && m.word->exact;
     });
 }
 
@@ -152,8 +171,11 @@ void read_nuance(Reading& r, std::size_t i) {
     } else if (what == "outside") {
         // "overlooking the garden", "facing a forest": the word itself only leads on to what is seen.
         std::size_t next = i + 1;
-        while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is(WordKind::function)) && !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what)) ++next;
-        const bool leads = next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what && r.m[next].word->adds.starts_with(kView);
+        while (next < r.m.size() && (modifies(r.m[next]) || r.m[next].is(WordKind::function)) &&
+               !(r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what))
+            ++next;
+        const bool leads = next < r.m.size() && r.m[next].is(WordKind::nuance) && r.m[next].word->meaning == what &&
+                           r.m[next].word->adds.starts_with(kView);
         if (leads) r.tell(i, "what the windows show");
         else r.tell_near(i, "what lies outside");
     } else if (what == "next room") {
@@ -161,13 +183,16 @@ void read_nuance(Reading& r, std::size_t i) {
         if (r.m[i].word->exact) r.tell(i, title);
         else r.tell_near(i, title);
     } else if (what == "house") r.tell(i, "the house around the room");
-    else if (what == "structure") r.tell(i, r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
+    else if (what == "structure")
+        r.tell(i,
+               r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
     else if (what == "round" || what == "arched") r.tell(i, "shape: " + what);
     else if (what == "bunk stairs") r.tell(i, "stairs up to the bunk, a drawer in each step");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[std::min(noun_from(r, i + 1), r.m.size() - 1)].words);
     else if (r.m[i].words == "framed") r.tell(i, "pictures hang in frames");
     else if (r.m[i].words == "colored" && i > 0 && r.m[i - 1].is(WordKind::color)) r.tell(i, "of that color");
-    else if (r.m[i].words == "turned" && i + 1 < r.m.size() && (r.m[i + 1].is_function("into") || r.m[i + 1].words == "into"))
+    else if (r.m[i].words == "turned" && i + 1 < r.m.size() &&
+             (r.m[i + 1].is_function("into") || r.m[i + 1].words == "into"))
         r.tell(i, "what the room was before");
     else if (what == "windowless") r.tell(i, "without: window");
     else if (what == "asleep") r.tell(i, "lies there asleep");
@@ -198,7 +223,8 @@ void read_one(Reading& r, std::size_t i) {
     switch (m.word->kind) {
         case WordKind::room:
             // A second room of another kind is not made; the studio and the loft have room for both.
-            if (r.spec.room != m.word->meaning && is_same_room(r.spec.room, m.word->meaning) && !m.negated) r.tell(i, "room: " + room_title(r.spec.room));
+            if (r.spec.room != m.word->meaning && is_same_room(r.spec.room, m.word->meaning) && !m.negated)
+                r.tell(i, "room: " + room_title(r.spec.room));
             else choose(r, i, &PromptSpec::room, "room", room_title(m.word->meaning));
             break;
         case WordKind::style: read_style(r, i); break;
@@ -206,9 +232,12 @@ void read_one(Reading& r, std::size_t i) {
         case WordKind::weather: choose(r, i, &PromptSpec::weather, "weather", m.word->meaning); break;
         case WordKind::light: choose(r, i, &PromptSpec::light, "light", m.word->meaning); break;
         case WordKind::mood: {
-            const bool clutter = is_one_of(m.word->meaning, {"cluttered", "bare", "empty", "minimal"}) || is_state(m.word->meaning);
-            if (m.word->meaning == "messy" && stands_before_piece(r, i)) m.word->meaning = "cluttered";   // "a messy desk" is no mess on the floor
-            if (clutter && m.word->meaning != "cluttered" && stands_before_piece(r, i)) return r.tell_near(i, "of a piece: as such pieces are");
+            const bool clutter = is_one_of(m.word->meaning, {"cluttered", "bare", "empty", "minimal"}) ||
+                                 is_state(m.word->meaning);
+            if (m.word->meaning == "messy" && stands_before_piece(r, i))
+                m.word->meaning = "cluttered";  // "a messy desk" is no mess on the floor
+            if (clutter && m.word->meaning != "cluttered" && stands_before_piece(r, i))
+                return r.tell_near(i, "of a piece: as such pieces are");
             choose(r, i, clutter ? &PromptSpec::clutter : &PromptSpec::mood, "mood", m.word->meaning);
             break;
         }
@@ -226,7 +255,7 @@ void read_one(Reading& r, std::size_t i) {
             break;
         case WordKind::material: read_surface(r, i); break;  // those that are no surface
         case WordKind::pattern:
-            if (m.word->meaning == "herringbone" && !m.negated) {   // "a study in oak and herringbone"
+            if (m.word->meaning == "herringbone" && !m.negated) {  // "a study in oak and herringbone"
                 PromptObject& floor = r.add_object("floor", m.words);
                 floor.pattern = m.word->meaning;
                 r.tell(i, "pattern herringbone of the floor", floor.id);
@@ -234,11 +263,16 @@ void read_one(Reading& r, std::size_t i) {
             break;
         case WordKind::size:
             if (m.negated) r.tell(i, "not " + m.word->meaning);
-            else if (r.spec.size.empty()) r.spec.size = m.words == "narrow" ? "narrow" : m.word->meaning == "small" ? "small" : "large", r.tell(i, "size of the room: " + r.spec.size);
+            else if (r.spec.size.empty())
+                r.spec.size = m.words == "narrow"          ? "narrow"
+                              : m.word->meaning == "small" ? "small"
+                                                           : "large",
+                r.tell(i, "size of the room: " + r.spec.size);
             else r.tell_near(i, "the room stays " + r.spec.size);
             break;
         case WordKind::count:
-            if ((m.word->meaning != "1" || m.word->adds == "seats") && !m.listed) r.tell_near(i, "counts nothing that can be placed");
+            if ((m.word->meaning != "1" || m.word->adds == "seats") && !m.listed)
+                r.tell_near(i, "counts nothing that can be placed");
             break;
         case WordKind::negation: r.tell(i, "without what follows"); break;
         case WordKind::detail:
@@ -283,14 +317,18 @@ void read_globals(Reading& r) {
     }
     // "City lights" are seen by night, when no hour is said.
     for (const Match& m : r.m) {
-        const std::string time = m.is(WordKind::nuance) && m.word->meaning == "outside" && !m.negated ? added_by(*m.word, "time") : "";
+        const std::string time = m.is(WordKind::nuance) && m.word->meaning == "outside" && !m.negated
+                                     ? added_by(*m.word, "time")
+                                     : "";
         if (time.empty() || !r.spec.time.empty()) continue;
         r.spec.time = time;
         r.spec.assumed.push_back("time: " + time + ", as " + m.words + " suggests");
     }
     // Whose room it is says how it looks: "grandma's kitchen", "a bachelor's flat".
     for (const Match& m : r.m) {
-        const auto word = m.is(WordKind::nuance) && m.word->meaning == "owner" && !m.negated && r.spec.style.empty() ? look_up(m.words) : std::nullopt;
+        const auto word = m.is(WordKind::nuance) && m.word->meaning == "owner" && !m.negated && r.spec.style.empty()
+                              ? look_up(m.words)
+                              : std::nullopt;
         const std::string style = word ? added_by(*word, "style") : "";
         if (style.empty()) continue;
         r.spec.style = style;

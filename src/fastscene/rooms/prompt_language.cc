@@ -44,7 +44,8 @@ char32_t next_letter(const std::string& text, std::size_t& at) {
     const auto c = static_cast<unsigned char>(text[at]);
     const std::size_t length = c < 0x80 ? 1 : c < 0xe0 ? 2 : c < 0xf0 ? 3 : 4;
     char32_t code = length == 1 ? c : c & (0x7fu >> length);
-    for (std::size_t k = 1; k < length && at + k < text.size(); ++k) code = (code << 6) | (static_cast<unsigned char>(text[at + k]) & 0x3f);
+    for (std::size_t k = 1; k < length && at + k < text.size(); ++k)
+        code = (code << 6) | (static_cast<unsigned char>(text[at + k]) & 0x3f);
     at += length;
     return code;
 }
@@ -67,24 +68,27 @@ std::string_view script_of(const std::vector<std::string>& tokens) {
 }
 
 std::size_t little_words(const std::vector<std::string>& tokens, Language language) {
-    return static_cast<std::size_t>(
-        std::count_if(tokens.begin(), tokens.end(), [&](const std::string& t) { return t != "," && is_function_word(t, language); }));
+    return static_cast<std::size_t>(std::count_if(
+        tokens.begin(), tokens.end(), [&](const std::string& t) { return t != "," && is_function_word(t, language); }));
 }
 
 // The read language of most of its words.
 Language read_language(const std::vector<std::string>& tokens) {
     const auto known = [&](Language language) {
-        return std::count_if(tokens.begin(), tokens.end(), [&](const std::string& t) { return t != "," && look_up(t, language).has_value(); });
+        return std::count_if(tokens.begin(), tokens.end(),
+                             [&](const std::string& t) { return t != "," && look_up(t, language).has_value(); });
     };
     Language best;
     auto most = known({});
-    const auto articles = std::count_if(tokens.begin(), tokens.end(), [](const std::string& t) { return t == "a" || t == "an"; });
+    const auto articles = std::count_if(tokens.begin(), tokens.end(),
+                                        [](const std::string& t) { return t == "a" || t == "an"; });
     const std::size_t english = little_words(tokens, {}) + static_cast<std::size_t>(articles);
     for (const Language language : kRead) {
         // A borrowed word or two ("salon", "futon") make no foreign sentence: more must be understood than in English.
         // Nor do they where the little words are English: "a bedrom with a bleu duvet".
         const std::size_t little = little_words(tokens, language);
-        if (const auto words = known(language); little > 0 && little >= english && words > most) most = words, best = language;
+        if (const auto words = known(language); little > 0 && little >= english && words > most)
+            most = words, best = language;
     }
     return best;
 }
@@ -95,7 +99,8 @@ Tongue tongue_of(const std::vector<std::string>& tokens) {
     if (const std::string_view script = script_of(tokens); !script.empty()) return {{}, script};
     const Language read = read_language(tokens);
     const auto words = std::count_if(tokens.begin(), tokens.end(), [](const std::string& t) { return t != ","; });
-    const auto english = std::count_if(tokens.begin(), tokens.end(), [](const std::string& t) { return t != "," && look_up(t).has_value(); });
+    const auto english = std::count_if(tokens.begin(), tokens.end(),
+                                       [](const std::string& t) { return t != "," && look_up(t).has_value(); });
     if (3 * english > 2 * words) return {read, {}};
     // Little words tell languages of a family apart: Portuguese shares its nouns with Spanish, not "uma" and "com".
     std::size_t most = 0;
@@ -104,7 +109,8 @@ Tongue tongue_of(const std::vector<std::string>& tokens) {
     constexpr std::size_t kFewest = 2;  // one may be a borrowed word ("en suite")
     std::string_view unread;
     for (const auto& [language, name] : kUnread)
-        if (const std::size_t little = little_words(tokens, language); little > most && little >= kFewest) most = little, unread = name;
+        if (const std::size_t little = little_words(tokens, language); little > most && little >= kFewest)
+            most = little, unread = name;
     return unread.empty() ? Tongue{read, {}} : Tongue{{}, unread};
 }
 

@@ -47,8 +47,10 @@ std::optional<Unit> unit_at(const std::vector<std::string>& tokens, std::size_t 
 // Width, height, depth by the word that says so ("wide", "3 m high").
 enum class Extent : unsigned char { any, width, height, length, depth };
 Extent extent_of(const Match& m) {
-    static constexpr std::array<std::pair<std::string_view, Extent>, 4> kExtents{
-        {{"extent=width", Extent::width}, {"extent=height", Extent::height}, {"extent=length", Extent::length}, {"extent=depth", Extent::depth}}};
+    static constexpr std::array<std::pair<std::string_view, Extent>, 4> kExtents{{{"extent=width", Extent::width},
+                                                                                  {"extent=height", Extent::height},
+                                                                                  {"extent=length", Extent::length},
+                                                                                  {"extent=depth", Extent::depth}}};
     for (const auto& [adds, extent] : kExtents)
         if (m.word && m.word->adds == adds) return extent;
     return Extent::any;
@@ -71,8 +73,8 @@ std::optional<std::size_t> owner_behind(const Reading& r, std::size_t at) {
 std::optional<std::size_t> owner_before(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0;) {
         if (takes_measure(r.m[k])) return k;
-        const bool goes_on =
-            r.m[k].is(WordKind::function) || r.m[k].comma || modifies(r.m[k]) || r.m[k].is(WordKind::detail) || !r.m[k].metres.empty();
+        const bool goes_on = r.m[k].is(WordKind::function) || r.m[k].comma || modifies(r.m[k]) ||
+                             r.m[k].is(WordKind::detail) || !r.m[k].metres.empty();
         if (!goes_on) return {};
     }
     return {};
@@ -111,7 +113,8 @@ Vec3f piece_size(const PromptObject& object, const std::vector<float>& metres, E
         if (extent == Extent::height || (extent == Extent::any && stands_tall(object.klass))) return {0, v, 0};
         const bool bed = object.klass.starts_with("bed");
         if (extent == Extent::depth || (extent == Extent::length && bed)) return {0, 0, v};
-        if ((object.klass == "tv" || object.klass == "monitor") && extent == Extent::any) return {v * 0.87f, 0, 0};  // a screen's diagonal, 16:9
+        if ((object.klass == "tv" || object.klass == "monitor") && extent == Extent::any)
+            return {v * 0.87f, 0, 0};  // a screen's diagonal, 16:9
         return {v, 0, 0};
     }
     const auto [low, high] = std::minmax(metres[0], metres[1]);
@@ -128,10 +131,13 @@ void give_room(Reading& r, std::size_t at, Extent extent) {
         said = in_metres(metres[0]) + "²";
     } else if (metres.size() == 1) {
         (extent == Extent::height ? size.y : extent == Extent::width ? size.x : size.z) = metres[0];
-        said = in_metres(metres[0]) + (extent == Extent::height ? " high" : extent == Extent::width ? " wide" : " long");
+        said = in_metres(metres[0]) + (extent == Extent::height  ? " high"
+                                       : extent == Extent::width ? " wide"
+                                                                 : " long");
     } else {
         size = {metres[0], metres.size() > 2 ? metres[2] : size.y, metres[1]};
-        said = in_metres(size.x) + " by " + in_metres(size.z) + (metres.size() > 2 ? ", " + in_metres(size.y) + " high" : "");
+        said = in_metres(size.x) + " by " + in_metres(size.z) +
+               (metres.size() > 2 ? ", " + in_metres(size.y) + " high" : "");
     }
     r.tell(at, "size of the room: " + said);
 }
@@ -153,14 +159,17 @@ void bind_measure(Reading& r, std::size_t at) {
     if (!owner) owner = owner_before(r, at);
     r.m[at].settled = true;
     r.m[at].measure = true;
-    if (at + 1 < r.m.size() && r.m[at + 1].is(WordKind::relation)) return r.tell_near(at, "how far: as far as such pieces stand apart");
+    if (at + 1 < r.m.size() && r.m[at + 1].is(WordKind::relation))
+        return r.tell_near(at, "how far: as far as such pieces stand apart");
     const bool ceiling = owner && has_object(r.m[*owner]) && r.object_of(*owner).klass == "ceiling";
     if (ceiling && r.m[at].metres.size() == 1) return give_room(r, at, Extent::height);
     if (r.m[at].area || !owner || !has_object(r.m[*owner])) {
-        if (!owner && !r.m[at].area && r.m[at].metres.size() == 1) return r.tell_near(at, "the size of nothing that was named");
+        if (!owner && !r.m[at].area && r.m[at].metres.size() == 1)
+            return r.tell_near(at, "the size of nothing that was named");
         return give_room(r, at, extent);
     }
-    if (r.m[*owner].is(WordKind::structure)) return r.tell_near(at, "the " + r.m[*owner].words + ": as large as the room has it", r.m[*owner].object);
+    if (r.m[*owner].is(WordKind::structure))
+        return r.tell_near(at, "the " + r.m[*owner].words + ": as large as the room has it", r.m[*owner].object);
     give_piece(r, at, *owner, extent);
 }
 
@@ -179,14 +188,15 @@ std::vector<std::string> with_numbers_apart(const std::vector<std::string>& toke
         std::vector<std::string> parts;
         for (const char c : token) {
             const bool number = is_digit(c) || c == '.';
-            if (parts.empty() || number != (is_digit(parts.back().back()) || parts.back().back() == '.')) parts.emplace_back();
+            if (parts.empty() || number != (is_digit(parts.back().back()) || parts.back().back() == '.'))
+                parts.emplace_back();
             parts.back() += c;
         }
-        const bool apart =
-            parts.size() > 1 && is_digit(token[0]) && !look_up(token) && std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
-                const auto word = is_digit(part[0]) ? std::nullopt : look_up(part);
-                return is_digit(part[0]) || part == "x" || (word && word->kind == WordKind::unit);
-            });
+        const bool apart = parts.size() > 1 && is_digit(token[0]) && !look_up(token) &&
+                           std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
+                               const auto word = is_digit(part[0]) ? std::nullopt : look_up(part);
+                               return is_digit(part[0]) || part == "x" || (word && word->kind == WordKind::unit);
+                           });
         // "2x armchair": two of them.
         if (apart && parts.size() == 2 && parts[1] == "x") parts.pop_back();
         if (apart) out.insert(out.end(), parts.begin(), parts.end());
@@ -211,7 +221,8 @@ bool speaks_of_parts(const std::vector<std::string>& tokens, std::size_t begin, 
 
 }  // namespace
 
-std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::string>& tokens, std::size_t begin, Language language) {
+std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::string>& tokens, std::size_t begin,
+                                                        Language language) {
     struct Length {
         float value;
         std::optional<Unit> unit;
@@ -222,7 +233,8 @@ std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::s
         auto number = number_of(tokens[at], language);
         if (!number) break;
         std::size_t next = at + 1;
-        if (next + 2 < tokens.size() && tokens[next] == "and" && tokens[next + 1] == "a" && tokens[next + 2] == "half") *number += 0.5f, next += 3;
+        if (next + 2 < tokens.size() && tokens[next] == "and" && tokens[next + 1] == "a" && tokens[next + 2] == "half")
+            *number += 0.5f, next += 3;
         const auto unit = next < tokens.size() ? unit_at(tokens, next, language) : std::nullopt;
         lengths.push_back({*number, unit});
         at = next + (unit ? unit->tokens : 0);
@@ -237,7 +249,10 @@ std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::s
     Match m;
     for (const Length& length : lengths) {
         constexpr float kCentimetresFrom = 60;  // "180x200" are no metres
-        const float unit = length.unit ? length.unit->metres : last ? last->metres : length.value >= kCentimetresFrom ? 0.01f : 1.f;
+        const float unit = length.unit                        ? length.unit->metres
+                           : last                             ? last->metres
+                           : length.value >= kCentimetresFrom ? 0.01f
+                                                              : 1.f;
         m.metres.push_back(length.value * unit);
     }
     m.area = last && last->area;

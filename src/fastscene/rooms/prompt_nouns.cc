@@ -13,8 +13,9 @@ namespace {
 // Whether "the" or its like stands before it, with nothing but adjectives between.
 bool is_definite(const Matches& m, std::size_t i) {
     for (std::size_t k = i; k-- > 0;) {
-        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") || m[k].is_function("this") || m[k].is_function("that") ||
-            m[k].is_function("each") || m[k].is_function("every") || m[k].is_function("both"))
+        if (m[k].is_function("the") || m[k].is_function("its") || m[k].is_function("their") ||
+            m[k].is_function("this") || m[k].is_function("that") || m[k].is_function("each") ||
+            m[k].is_function("every") || m[k].is_function("both"))
             return true;
         if (!is_adjective(m[k]) && !m[k].is(WordKind::nuance)) return false;
     }
@@ -37,7 +38,9 @@ bool may_be_one(const Match& a, const Match& b) {
 int spoken_of_before(const Reading& r, std::size_t i) {
     const std::string& klass = r.m[i].word->meaning;
     for (std::size_t k = i; k-- > 0;)
-        if (has_object(r.m[k]) && r.m[k].word->meaning == klass && r.m[k].is(WordKind::object) && may_be_one(r.m[k], r.m[i])) return r.m[k].object;
+        if (has_object(r.m[k]) && r.m[k].word->meaning == klass && r.m[k].is(WordKind::object) &&
+            may_be_one(r.m[k], r.m[i]))
+            return r.m[k].object;
     // "each bed" after "twin beds"
     const std::string noun = r.m[i].words;
     for (std::size_t k = i; k-- > 0;) {
@@ -45,24 +48,36 @@ int spoken_of_before(const Reading& r, std::size_t i) {
         const std::string last = last_word(r.m[k].words);
         std::vector<std::string> forms = base_forms(last);
         forms.push_back(last);
-        if (std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return form.ends_with(noun); })) return r.m[k].object;
+        if (std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return form.ends_with(noun); }))
+            return r.m[k].object;
     }
     return -1;
 }
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 30> kNeverMore{
-        "kitchen_counter", "curtain",     "towel_rail",  "toy_box",        "beams",           "wall",          "floor",
-        "ceiling",         "cushion_set", "shower",      "wainscoting",    "moulding",        "string_lights", "pipes",
-        "gears",           "hung_pans",   "fittings",    "venetian_blind", "roller_blind",    "roman_blind",   "shutters",
-        "shoji",           "antlers",     "track_light", "bulb_pendant",   "recessed_lights", "bunting",       "christmas_stocking",
-        "coat_hooks",      "pot_rack"};
+    static constexpr std::array<std::string_view, 30> kNeverMore{"kitchen_counter", "curtain",
+                                                                 "towel_rail",      "toy_box",
+                                                                 "beams",           "wall",
+                                                                 "floor",           "ceiling",
+                                                                 "cushion_set",     "shower",
+                                                                 "wainscoting",     "moulding",
+                                                                 "string_lights",   "pipes",
+                                                                 "gears",           "hung_pans",
+                                                                 "fittings",        "venetian_blind",
+                                                                 "roller_blind",    "roman_blind",
+                                                                 "shutters",        "shoji",
+                                                                 "antlers",         "track_light",
+                                                                 "bulb_pendant",    "recessed_lights",
+                                                                 "bunting",         "christmas_stocking",
+                                                                 "coat_hooks",      "pot_rack"};
     const std::string& klass = m.word->meaning;
-    if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail)) return false;
+    if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail))
+        return false;
     if (!language.empty()) {
         const auto forms = base_forms(m.words, language);
-        return !forms.empty() && (m.words.back() == 's' || m.words.back() == 'n' || m.words.back() == 'i' || m.words.back() == 'e') &&
+        return !forms.empty() &&
+               (m.words.back() == 's' || m.words.back() == 'n' || m.words.back() == 'i' || m.words.back() == 'e') &&
                std::any_of(forms.begin(), forms.end(), [&](const std::string& f) {
                    const auto w = look_up(f, language);
                    return w && w->meaning == klass;
@@ -79,23 +94,29 @@ bool is_plural(const Match& m, Language language) {
 bool negation_goes_on(const Matches& m, std::size_t comma) {
     for (std::size_t k = comma + 1; k < m.size() && k < comma + 12; ++k) {
         if (m[k].is_function("or") || m[k].is_function("nor")) return true;
-        if (m[k].is(WordKind::function) || m[k].is(WordKind::negation) || m[k].is(WordKind::relation) || m[k].is(WordKind::count)) return false;
+        if (m[k].is(WordKind::function) || m[k].is(WordKind::negation) || m[k].is(WordKind::relation) ||
+            m[k].is(WordKind::count))
+            return false;
     }
     return false;
 }
 
-// Words that take back what was said of all or of none: "no windows except one skylight", "all white except a red chair".
+// Words that take back what was said of all or of none: "no windows except one skylight", "all white except a red
+// chair".
 bool excepts(const Match& m) {
-    static constexpr std::array<std::string_view, 9> kExcept{"except",   "except for", "excluding", "apart from", "other than",
-                                                             "save for", "aside from", "besides",   "but for"};
+    static constexpr std::array<std::string_view, 9> kExcept{"except",     "except for", "excluding",
+                                                             "apart from", "other than", "save for",
+                                                             "aside from", "besides",    "but for"};
     return m.is(WordKind::negation) && std::find(kExcept.begin(), kExcept.end(), m.words) != kExcept.end();
 }
 bool is_described(const Match& m) {
-    return is_adjective(m) || m.is(WordKind::style) || m.is(WordKind::mood) || m.is(WordKind::light) || m.is(WordKind::nuance);
+    return is_adjective(m) || m.is(WordKind::style) || m.is(WordKind::mood) || m.is(WordKind::light) ||
+           m.is(WordKind::nuance);
 }
 // "not too big", "not brown but green", "neither modern nor classic": of adjectives alone, up to the noun.
 bool negates_adjectives(const Matches& m, std::size_t at) {
-    static constexpr std::array<std::string_view, 8> kNot{"nothing", "not", "isnt", "arent", "never", "neither", "wasnt", "werent"};
+    static constexpr std::array<std::string_view, 8> kNot{"nothing", "not",     "isnt",  "arent",
+                                                          "never",   "neither", "wasnt", "werent"};
     if (std::find(kNot.begin(), kNot.end(), m[at].words) == kNot.end()) return false;
     std::size_t k = at + 1;
     while (k < m.size() && m[k].is(WordKind::function)) ++k;
@@ -122,11 +143,13 @@ void mark_negated(Matches& m) {
             adjectives = negates_adjectives(m, i);
             continue;
         }
-        if (m[i].is_function("with") || m[i].is_function("but") || m[i].is_function("mit") || m[i].is_function("avec") || m[i].is_function("con"))
+        if (m[i].is_function("with") || m[i].is_function("but") || m[i].is_function("mit") ||
+            m[i].is_function("avec") || m[i].is_function("con"))
             negated = false;
         // "no tv and a piano": what has its own article is wanted.
         if (negated && m[i].is_function("and") && i + 1 < m.size() && m[i + 1].is(WordKind::count)) negated = false;
-        if (adjectives && (is_noun(m[i]) || m[i].is(WordKind::room) || m[i].is(WordKind::relation) || m[i].is(WordKind::count)))
+        if (adjectives &&
+            (is_noun(m[i]) || m[i].is(WordKind::room) || m[i].is(WordKind::relation) || m[i].is(WordKind::count)))
             negated = adjectives = false;
         m[i].negated = negated;
     }
@@ -134,16 +157,22 @@ void mark_negated(Matches& m) {
 
 // What "round" is called.
 bool is_round(const std::string& words) {
-    return is_one_of(words, {"round", "circular", "rund", "runde", "runder", "rundes", "runden", "rond", "ronde", "ronds", "rondes", "redondo", "redonda", "redondos", "redondas", "rotondo",
-                             "rotonda", "rotondi", "rotonde", "tondo", "tonda"});
+    return is_one_of(words, {"round",    "circular", "rund",    "runde",   "runder",  "rundes",  "runden",
+                             "rond",     "ronde",    "ronds",   "rondes",  "redondo", "redonda", "redondos",
+                             "redondas", "rotondo",  "rotonda", "rotondi", "rotonde", "tondo",   "tonda"});
 }
 
 // "round topped", "arched": of doors, doorways and windows.
-bool is_arched(const std::string& words) { return is_one_of(words, {"arched", "rounded", "round topped", "arch topped", "round headed", "curved", "vaulted"}); }
+bool is_arched(const std::string& words) {
+    return is_one_of(words, {"arched", "rounded", "round topped", "arch topped", "round headed", "curved", "vaulted"});
+}
 
-// "A round marble table", "une table ronde": whether an adjective of noun i says that it is round (or arched); told as understood then.
+// "A round marble table", "une table ronde": whether an adjective of noun i says that it is round (or arched); told as
+// understood then.
 bool take_round(Matches& m, std::size_t i, bool (*is_shape)(const std::string&) = is_round) {
-    const auto describes = [](const Match& x) { return is_adjective(x) || x.is(WordKind::nuance) || x.is(WordKind::style); };
+    const auto describes = [](const Match& x) {
+        return is_adjective(x) || x.is(WordKind::nuance) || x.is(WordKind::style);
+    };
     const auto take = [&](std::size_t k) {
         if (!is_shape(m[k].words)) return false;
         m[k].word = Word{WordKind::nuance, is_shape == is_round ? "round" : "arched"};
@@ -166,13 +195,14 @@ void name_tables(Matches& m) {
     if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
     if (room == "kids") meaning = "play_table";
     for (std::size_t i = 0; i < m.size(); ++i) {
-        if (!m[i].word ||
-            (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" && m[i].words != "mesa" && m[i].words != "tavolo"))
+        if (!m[i].word || (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" &&
+                           m[i].words != "mesa" && m[i].words != "tavolo"))
             continue;
         const bool round = take_round(m, i);
         bool chairs = false;  // who names chairs with it means to eat at it
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
-            chairs = chairs || (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
+            chairs = chairs ||
+                     (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
         const std::string here = round ? "dining_table_round" : chairs ? "dining_table" : meaning;
         if (here.empty()) continue;
         m[i].word = Word{WordKind::object, here};
@@ -180,12 +210,15 @@ void name_tables(Matches& m) {
     }
 }
 
-// "an art deco bar with five stools": no room is named but this. Who names a counter or an island with stools means high ones.
+// "an art deco bar with five stools": no room is named but this. Who names a counter or an island with stools means
+// high ones.
 void name_bars(Matches& m) {
-    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && !x.negated; });
+    const bool named = std::any_of(m.begin(), m.end(),
+                                   [](const Match& x) { return x.is(WordKind::room) && !x.negated; });
     std::size_t first = 0;
-    while (first < m.size() && (modifies(m[first]) || m[first].is(WordKind::mood) || m[first].is(WordKind::light) || m[first].is(WordKind::time) ||
-                                m[first].is_function("the") || m[first].is_function("in")))
+    while (first < m.size() &&
+           (modifies(m[first]) || m[first].is(WordKind::mood) || m[first].is(WordKind::light) ||
+            m[first].is(WordKind::time) || m[first].is_function("the") || m[first].is_function("in")))
         ++first;
     bool bar = std::any_of(m.begin(), m.end(), [](const Match& x) {
         return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"});
@@ -195,8 +228,9 @@ void name_bars(Matches& m) {
     for (Match& x : m)
         if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"}))
             x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
-    const bool high =
-        bar || std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && x.word->meaning == "kitchen_island"; });
+    const bool high = bar || std::any_of(m.begin(), m.end(), [](const Match& x) {
+                          return x.is(WordKind::object) && x.word->meaning == "kitchen_island";
+                      });
     for (Match& x : m)
         if (high && x.is(WordKind::object) && is_one_of(x.words, {"stool", "stools"}))
             x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};
@@ -212,48 +246,65 @@ void heed_the_room(Matches& m) {
         const std::string& w = m[i].words;
         if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "counter" || w == "countertop"))
             m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
-        if (room == "bathroom" && is_one_of(w, {"backsplash", "splashback"})) m[i].word = Word{WordKind::structure, "wall", false};
+        if (room == "bathroom" && is_one_of(w, {"backsplash", "splashback"}))
+            m[i].word = Word{WordKind::structure, "wall", false};
         // "a kitchen with green cabinets": the fronts of its units.
-        if ((room == "kitchen" || room == "laundry") && is_one_of(w, {"cabinets", "cupboards"})) m[i].word = Word{WordKind::object, "kitchen_counter"};
+        if ((room == "kitchen" || room == "laundry") && is_one_of(w, {"cabinets", "cupboards"}))
+            m[i].word = Word{WordKind::object, "kitchen_counter"};
         const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
                                                        return x.is(WordKind::object) && (x.word->meaning == "toilet" ||
-                                                                                         x.word->meaning == "bathtub" || x.word->meaning == "shower");
+                                                                                         x.word->meaning == "bathtub" ||
+                                                                                         x.word->meaning == "shower");
                                                    }));
         if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dressing_table"};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {
             std::size_t k = i;
-            while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style))) --k;
+            while (k > 0 && (is_adjective(m[k - 1]) || m[k - 1].is(WordKind::nuance) || m[k - 1].is(WordKind::style)))
+                --k;
             m[i].plural = w == "carpets";  // the plural is of a rug
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
-        if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() && take_round(m, i))
+        if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() &&
+            take_round(m, i))
             m[i].word->adds = "pattern=round";
         // Painters bring steps of their own; a library's ladder leans.
-        if (w == "ladder" && std::any_of(m.begin(), m.end(), [](const Match& x) { return x.word && is_one_of(x.word->meaning, {"renovation", "paint_buckets", "drop_cloth"}); }))
+        if (w == "ladder" && std::any_of(m.begin(), m.end(), [](const Match& x) {
+                return x.word && is_one_of(x.word->meaning, {"renovation", "paint_buckets", "drop_cloth"});
+            }))
             m[i].word = Word{WordKind::object, "step_ladder"};
         // A bunk's ladder or stairs are parts of it.
         if (is_one_of(m[i].word->meaning, {"staircase", "step_ladder", "ladder"}) && m[i].is(WordKind::object)) {
-            const auto bunk = std::find_if(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_one_of(x.word->meaning, {"bunk_bed", "loft_bed", "cabin_bed"}); });
+            const auto bunk = std::find_if(m.begin(), m.end(), [](const Match& x) {
+                return x.is(WordKind::object) && is_one_of(x.word->meaning, {"bunk_bed", "loft_bed", "cabin_bed"});
+            });
             if (bunk != m.end()) {
-                if (m[i].word->meaning == "staircase" && !m[i].negated && bunk->word->meaning == "bunk_bed" && added_by(*bunk->word, "pattern").empty())
+                if (m[i].word->meaning == "staircase" && !m[i].negated && bunk->word->meaning == "bunk_bed" &&
+                    added_by(*bunk->word, "pattern").empty())
                     bunk->word->adds += std::string(bunk->word->adds.empty() ? "" : ";") + "pattern=stairs";
-                m[i].word = m[i].word->meaning == "staircase" && bunk->word->meaning == "bunk_bed" && !m[i].negated ? Word{WordKind::nuance, "bunk stairs"} : Word{WordKind::detail, "part"};
+                m[i].word = m[i].word->meaning == "staircase" && bunk->word->meaning == "bunk_bed" && !m[i].negated
+                                ? Word{WordKind::nuance, "bunk stairs"}
+                                : Word{WordKind::detail, "part"};
             }
         }
         // "a round window", "arched wooden doors"
-        if (m[i].is(WordKind::structure) && is_one_of(m[i].word->meaning, {"window", "door", "doorway"}) && added_by(*m[i].word, "pattern").empty()) {
+        if (m[i].is(WordKind::structure) && is_one_of(m[i].word->meaning, {"window", "door", "doorway"}) &&
+            added_by(*m[i].word, "pattern").empty()) {
             const bool arched = take_round(m, i, is_arched), round = !arched && take_round(m, i);
-            if (arched || (round && m[i].word->meaning != "window")) m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=arched";
+            if (arched || (round && m[i].word->meaning != "window"))
+                m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=arched";
             else if (round) m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=round";
         }
-        if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1])))) m[i].word = Word{WordKind::object, "plant", false};
-        // "an L-shaped gray sofa", "two single white beds", "butcher block counters", "a wall mounted TV": told by a word before.
+        if (w == "bamboo" && !(i + 1 < m.size() && (is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
+            m[i].word = Word{WordKind::object, "plant", false};
+        // "an L-shaped gray sofa", "two single white beds", "butcher block counters", "a wall mounted TV": told by a
+        // word before.
         for (std::size_t k = i; m[i].is(WordKind::object) && k-- > 0 && (modifies(m[k]) || m[k].is(WordKind::mood));) {
             if (is_one_of(m[k].words, {"l shaped", "corner"}) && m[i].word->meaning == "sofa") {
                 m[i].word->adds += std::string(m[i].word->adds.empty() ? "" : ";") + "pattern=corner";
                 m[k].word = Word{WordKind::nuance, "corner shape"};
-            } else if (m[i].word->meaning == "bed" && is_one_of(m[k].words, {"single", "twin"}) && is_one_of(w, {"bed", "beds"})) {
+            } else if (m[i].word->meaning == "bed" && is_one_of(m[k].words, {"single", "twin"}) &&
+                       is_one_of(w, {"bed", "beds"})) {
                 m[i].plural = w == "beds";
                 m[i].word->meaning = "bed_single";
                 m[k].word = Word{WordKind::nuance, "kind"};
@@ -261,15 +312,18 @@ void heed_the_room(Matches& m) {
                 m[k].word = Word{WordKind::nuance, "on the wall"};
             }
         }
-        if (w == "butcher block" && i + 1 < m.size() && m[i + 1].is(WordKind::object)) m[i].word = Word{WordKind::material, "oak"};
+        if (w == "butcher block" && i + 1 < m.size() && m[i + 1].is(WordKind::object))
+            m[i].word = Word{WordKind::material, "oak"};
         // "a bed with a soft mattress" is one thing; alone it lies on the floor.
         if (m[i].is(WordKind::object) && is_one_of(w, {"mattress", "matratze", "matelas", "colchon", "materasso"}) &&
-            std::any_of(m.begin(), m.end(), [&](const Match& x) { return &x != &m[i] && x.is(WordKind::object) && x.words != w && is_bed(x.word->meaning); }))
+            std::any_of(m.begin(), m.end(), [&](const Match& x) {
+                return &x != &m[i] && x.is(WordKind::object) && x.words != w && is_bed(x.word->meaning);
+            }))
             m[i].word = Word{WordKind::detail, "part"};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {
-            const bool bed =
-                std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_bed(x.word->meaning); });
+            const bool bed = std::any_of(
+                m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_bed(x.word->meaning); });
             if (!bed) m[i].word = Word{WordKind::object, "bed", false};
         }
     }
@@ -277,25 +331,33 @@ void heed_the_room(Matches& m) {
 
 // What is a thing in a room and can be drawn as well: "a painting of a ship".
 std::string motif_of(const std::string& words) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kDrawn{
-        {{"ship", "ship"}, {"boat", "ship"}, {"car", "car"}, {"skull", "skull"}, {"map", "map"}, {"plant", "leaf"}, {"robot", "robot"}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kDrawn{{{"ship", "ship"},
+                                                                                          {"boat", "ship"},
+                                                                                          {"car", "car"},
+                                                                                          {"skull", "skull"},
+                                                                                          {"map", "map"},
+                                                                                          {"plant", "leaf"},
+                                                                                          {"robot", "robot"}}};
     for (const auto& [noun, motif] : kDrawn)
         if (words == noun || (words.size() == noun.size() + 1 && words.starts_with(noun) && words.back() == 's'))
             return "motif=" + std::string(motif);
     return {};
 }
 
-// "a clock shaped like a rooster", "a portrait of a lady", "the family kitchen": no rooster, no lady, no family stands there.
+// "a clock shaped like a rooster", "a portrait of a lady", "the family kitchen": no rooster, no lady, no family stands
+// there.
 void name_likenesses(Matches& m) {
     const auto shows = [](const Match& x) {
-        return x.is(WordKind::object) &&
-               (x.word->meaning == "picture" || x.word->meaning == "photo_frame" || x.word->meaning == "statue" || x.word->meaning == "sculpture");
+        return x.is(WordKind::object) && (x.word->meaning == "picture" || x.word->meaning == "photo_frame" ||
+                                          x.word->meaning == "statue" || x.word->meaning == "sculpture");
     };
     const auto is_person = [](const Match& x) {
-        return x.is(WordKind::object) && (x.word->meaning == "person" || x.word->meaning == "man" || x.word->meaning == "woman");
+        return x.is(WordKind::object) &&
+               (x.word->meaning == "person" || x.word->meaning == "man" || x.word->meaning == "woman");
     };
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
-        if (is_person(m[i]) && (m[i + 1].is(WordKind::room) || is_noun(m[i + 1]))) m[i].word = Word{WordKind::nuance, "owner"};
+        if (is_person(m[i]) && (m[i + 1].is(WordKind::room) || is_noun(m[i + 1])))
+            m[i].word = Word{WordKind::nuance, "owner"};
         const bool likeness = m[i].is(WordKind::nuance) && m[i].word->meaning == "likeness";
         if (!likeness && !(shows(m[i]) && m[i + 1].is_function("of"))) continue;
         for (std::size_t k = i + (likeness ? 1 : 2); k < m.size() && (modifies(m[k]) || is_noun(m[k])); ++k) {
@@ -313,17 +375,21 @@ void name_kinds(Matches& m) {
         // "a fan shaped mirror": no fan is there.
         if (m[i].is(WordKind::object) && m[i + 1].words == "shaped") m[i].word = Word{WordKind::nuance, "shape"};
         // "a violin maker's workshop": what is made there says who works there.
-        if (m[i].is(WordKind::object) && m[i + 1].is(WordKind::nuance) && m[i + 1].word->meaning == "owner" && (m[i + 1].words.ends_with("ers") || m[i + 1].words.ends_with("ors") || m[i + 1].words.ends_with("ists")))
+        if (m[i].is(WordKind::object) && m[i + 1].is(WordKind::nuance) && m[i + 1].word->meaning == "owner" &&
+            (m[i + 1].words.ends_with("ers") || m[i + 1].words.ends_with("ors") || m[i + 1].words.ends_with("ists")))
             m[i].word = Word{WordKind::nuance, "owner"};
         // "a sleeping cat", "a dog asleep on the rug": told by the words next to it.
         for (const std::size_t k : {i, i + 1}) {
             const std::size_t animal = k == i ? i + 1 : i;
             if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"})) continue;
             const std::string verb = m[k].words.substr(0, m[k].words.find(' '));
-            if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled", "sleepy", "lying", "lies"}))
+            if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled",
+                                  "sleepy", "lying", "lies"}))
                 continue;
-            if (m[animal].word->meaning == "cat" && !verb.starts_with("l")) m[animal].word->adds = std::string("pattern=") + kAsleep;
-            if (!m[k].is(WordKind::relation)) m[k].word = Word{WordKind::nuance, "asleep"};  // "sleeping on" says where as well
+            if (m[animal].word->meaning == "cat" && !verb.starts_with("l"))
+                m[animal].word->adds = std::string("pattern=") + kAsleep;
+            if (!m[k].is(WordKind::relation))
+                m[k].word = Word{WordKind::nuance, "asleep"};  // "sleeping on" says where as well
         }
         // "Barcelona chairs" look out on nothing.
         if (m[i].is(WordKind::nuance) && m[i].word->meaning == "outside" && m[i + 1].is(WordKind::object))
@@ -334,44 +400,54 @@ void name_kinds(Matches& m) {
             const auto w = look_up(s);
             return w && w->meaning == m[i].word->meaning;
         });
-        if (!plural) m[i].word = Word{WordKind::nuance, m[i].word->meaning == m[i + 1].word->meaning ? "kind" : "motif"};
+        if (!plural)
+            m[i].word = Word{WordKind::nuance, m[i].word->meaning == m[i + 1].word->meaning ? "kind" : "motif"};
     }
 }
 
-// Words that are colors too ("fern", "midnight", "coffee") are colors right before an adjective or a noun they are no part of, and where
-// a color is said: "in coffee and cream".
+// Words that are colors too ("fern", "midnight", "coffee") are colors right before an adjective or a noun they are no
+// part of, and where a color is said: "in coffee and cream".
 void name_colors(Matches& m) {
     const auto colored = [](const Match& x) {
-        return is_noun(x) || x.is(WordKind::material) || x.is(WordKind::pattern) || x.is(WordKind::color) || x.words == "colored";
+        return is_noun(x) || x.is(WordKind::material) || x.is(WordKind::pattern) || x.is(WordKind::color) ||
+               x.words == "colored";
     };
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word || !m[i].word->also_color || m[i].is(WordKind::material) || m[i].is(WordKind::color)) continue;
         const bool before = i + 1 < m.size() && colored(m[i + 1]);
         const bool thing = m[i].is(WordKind::nuance) && m[i].word->meaning == "thing";
         const bool joined = i + 2 < m.size() && m[i + 1].is_function("and") && m[i + 2].is(WordKind::color);
-        const bool led = i > 0 && (m[i - 1].is_function("in") || (i > 1 && m[i - 1].is_function("and") && m[i - 2].is(WordKind::color)));
+        const bool led = i > 0 && (m[i - 1].is_function("in") ||
+                                   (i > 1 && m[i - 1].is_function("and") && m[i - 2].is(WordKind::color)));
         if (before || (thing && (joined || led))) m[i].word = Word{WordKind::color, m[i].words};
     }
 }
 
-// "light" is a lamp with an article before and no noun behind, a shade of color before a noun, else a feeling of the room.
+// "light" is a lamp with an article before and no noun behind, a shade of color before a noun, else a feeling of the
+// room.
 void name_lights(Matches& m) {
     for (std::size_t i = 1; i < m.size(); ++i)  // "the only light comes from a lamp"
-        if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::scope)) m[i].word = Word{WordKind::nuance, "feel"};
+        if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::scope))
+            m[i].word = Word{WordKind::nuance, "feel"};
     for (std::size_t i = 1; i < m.size(); ++i)  // "red light"
         if (m[i].words == "light" && m[i].is(WordKind::mood) && m[i - 1].is(WordKind::color) &&
             (i + 1 == m.size() || m[i + 1].comma || m[i + 1].is(WordKind::function)))
             m[i].word = Word{WordKind::nuance, "feel"};
     for (std::size_t i = 0; i < m.size(); ++i)
-        if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 && (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") &&
+        if (m[i].words == "light" && m[i].is(WordKind::mood) && i > 0 &&
+            (m[i - 1].is(WordKind::count) || m[i - 1].words == "hanging") &&
             (i + 1 >= m.size() || !(is_noun(m[i + 1]) || is_adjective(m[i + 1]))))
             m[i].word = Word{WordKind::object, "ceiling_lamp", false};
 }
 
 void take_added(const Word& word, PromptObject& object) {
-    for (const auto& [name, field] : {std::pair{"material", &object.material}, {"color", &object.color}, {"size", &object.size}, {"pattern", &object.pattern}})
+    for (const auto& [name, field] : {std::pair{"material", &object.material},
+                                      {"color", &object.color},
+                                      {"size", &object.size},
+                                      {"pattern", &object.pattern}})
         if (const std::string value = added_by(word, name); !value.empty()) *field = value;
-    if (const std::string count = added_by(word, "count"); !count.empty()) object.count = std::stoi(count), object.counted = true;
+    if (const std::string count = added_by(word, "count"); !count.empty())
+        object.count = std::stoi(count), object.counted = true;
     if (const std::string length = added_by(word, "length"); !length.empty() && !(object.size_m.x > 0))
         object.size_m.x = std::stof(length), object.size = "large";
     if (!added_by(word, "row").empty()) object.in_row = true;
@@ -379,16 +455,21 @@ void take_added(const Word& word, PromptObject& object) {
 
 // "tulips in a vase": the flowers that stand in the vase of match i, -1: none.
 int held_by(const Reading& r, std::size_t i) {
-    if (!r.m[i].is(WordKind::object) || !is_one_of(r.m[i].word->meaning, {"vase", "vase_small"}) || r.m[i].negated) return -1;
+    if (!r.m[i].is(WordKind::object) || !is_one_of(r.m[i].word->meaning, {"vase", "vase_small"}) || r.m[i].negated)
+        return -1;
     std::size_t k = i;
     while (k > 0 && modifies(r.m[k - 1])) --k;
-    if (k < 2 || !(r.m[k - 1].is_function("in") || r.m[k - 1].is_function("inside")) || !has_object(r.m[k - 2])) return -1;
+    if (k < 2 || !(r.m[k - 1].is_function("in") || r.m[k - 1].is_function("inside")) || !has_object(r.m[k - 2]))
+        return -1;
     return r.m[k - 2].is(WordKind::object) && r.m[k - 2].word->meaning == "bouquet" ? r.m[k - 2].object : -1;
 }
 
-// "a shop full of clocks, vases and mirrors": of what fills a room there is more than a pair; not "shelves full of books".
+// "a shop full of clocks, vases and mirrors": of what fills a room there is more than a pair; not "shelves full of
+// books".
 bool fills_the_room(const Reading& r, std::size_t i) {
-    if (!is_one_of(r.m[i].words, {"full of", "filled with", "packed with", "crammed with", "stuffed with", "crowded with", "bursting with", "overflowing with"})) return false;
+    if (!is_one_of(r.m[i].words, {"full of", "filled with", "packed with", "crammed with", "stuffed with",
+                                  "crowded with", "bursting with", "overflowing with"}))
+        return false;
     for (std::size_t k = i; k-- > 0 && !r.m[k].comma;) {
         if (has_object(r.m[k])) return false;
         if (r.m[k].is(WordKind::room) || r.m[k].is(WordKind::filler)) return true;
@@ -398,34 +479,42 @@ bool fills_the_room(const Reading& r, std::size_t i) {
 
 // "nothing on the walls", "bare walls", "a bare floor": what rooms have there by themselves is not there.
 void clear_surfaces(Reading& r) {
-    constexpr std::array<std::string_view, 7> kOnWalls{"picture", "mirror", "clock", "picture_ledge", "tapestry", "shelf", "photo_frame"};
+    constexpr std::array<std::string_view, 7> kOnWalls{"picture",  "mirror", "clock",      "picture_ledge",
+                                                       "tapestry", "shelf",  "photo_frame"};
     for (std::size_t i = 0; i + 1 < r.m.size(); ++i) {
-        const bool nothing = r.m[i].words == "nothing" && r.m[i + 1].is(WordKind::relation) && r.m[i + 1].word->meaning == "on";
-        if (!nothing && (!is_one_of(r.m[i].words, {"bare", "empty", "blank", "undecorated"}) || r.m[i].negated)) continue;
+        const bool nothing = r.m[i].words == "nothing" && r.m[i + 1].is(WordKind::relation) &&
+                             r.m[i + 1].word->meaning == "on";
+        if (!nothing && (!is_one_of(r.m[i].words, {"bare", "empty", "blank", "undecorated"}) || r.m[i].negated))
+            continue;
         std::size_t surface = i + (nothing ? 2 : 1);
-        while (surface < r.m.size() && (modifies(r.m[surface]) || (nothing && r.m[surface].is_function("the")))) ++surface;
+        while (surface < r.m.size() && (modifies(r.m[surface]) || (nothing && r.m[surface].is_function("the"))))
+            ++surface;
         if (surface >= r.m.size() || !r.m[surface].is(WordKind::structure)) continue;
         const std::string& klass = r.m[surface].word->meaning;
         if (klass != "wall" && klass != "floor") continue;
         const auto asked = [&](std::string_view what) {
-            return std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == what; });
+            return std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
+                               [&](const PromptObject& o) { return o.klass == what; });
         };
         if (klass == "floor" && !asked("rug")) r.add_object("rug", r.m[i].words).forbidden = true;
         if (klass == "wall")
             for (const std::string_view what : kOnWalls)
                 if (!asked(what)) r.add_object(std::string(what), r.m[i].words).forbidden = true;
-        r.tell(i, klass == "wall" ? "nothing hangs on the walls but what is named" : "no rug lies there but what is named");
+        r.tell(i, klass == "wall" ? "nothing hangs on the walls but what is named"
+                                  : "no rug lies there but what is named");
         r.m[i].settled = true;
         if (nothing) r.m[i + 1].word = Word{WordKind::function, ""};
     }
 }
 
-// "a vase of tulips", "a vase with pink roses": the vase that the flowers of match i stand in, -1: none. It is one thing.
+// "a vase of tulips", "a vase with pink roses": the vase that the flowers of match i stand in, -1: none. It is one
+// thing.
 int holder_of(const Reading& r, std::size_t i) {
     if (!r.m[i].is(WordKind::object) || r.m[i].word->meaning != "bouquet" || r.m[i].negated) return -1;
     std::size_t k = i;
     while (k > 0 && modifies(r.m[k - 1])) --k;
-    if (k < 2 || !(r.m[k - 1].is_function("of") || r.m[k - 1].is_function("with")) || !has_object(r.m[k - 2])) return -1;
+    if (k < 2 || !(r.m[k - 1].is_function("of") || r.m[k - 1].is_function("with")) || !has_object(r.m[k - 2]))
+        return -1;
     return is_one_of(r.m[k - 2].word->meaning, {"vase", "vase_small", "bouquet"}) ? r.m[k - 2].object : -1;
 }
 
@@ -450,8 +539,11 @@ void leave_out(Reading& r) {
             const std::string klass = left.substr(0, left.find('+'));
             left.erase(0, std::min(left.size(), klass.size() + 1));
             const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
-            const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) { return x.is(WordKind::object) && is_it(x.word->meaning); });
-            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return is_it(o.klass); });
+            const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) {
+                return x.is(WordKind::object) && is_it(x.word->meaning);
+            });
+            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
+                                           [&](const PromptObject& o) { return is_it(o.klass); });
             if (!asked && !there) r.add_object(klass, m.words).forbidden = true;
         }
     }
@@ -462,8 +554,10 @@ void find_nouns(Reading& r) {
     leave_out(r);
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         Match& m = r.m[i];
-        if (m.is(WordKind::relation) || m.is(WordKind::negation) || m.is(WordKind::function)) fills = fills_the_room(r, i) || (fills && m.is_function("and"));
-        if (m.is(WordKind::nuance) && m.word->meaning == "windowless" && !m.negated) r.add_object("window", m.words).forbidden = true;
+        if (m.is(WordKind::relation) || m.is(WordKind::negation) || m.is(WordKind::function))
+            fills = fills_the_room(r, i) || (fills && m.is_function("and"));
+        if (m.is(WordKind::nuance) && m.word->meaning == "windowless" && !m.negated)
+            r.add_object("window", m.words).forbidden = true;
         if (!m.is(WordKind::object) && !m.is(WordKind::structure)) continue;
         if (is_definite(r.m, i) && m.is(WordKind::object) && !m.negated)
             if (const int before = spoken_of_before(r, i); before >= 0) {
@@ -472,8 +566,9 @@ void find_nouns(Reading& r) {
             }
         // A kitchen has one run of units: stove, sink and worktop are parts of it.
         if (m.word->meaning == "kitchen_counter") {
-            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(),
-                                           [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
+            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
+                return o.klass == m.word->meaning && o.forbidden == m.negated;
+            });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
                 continue;
@@ -481,8 +576,9 @@ void find_nouns(Reading& r) {
         }
         // "walls … on the wall", "a window … by the window": a part of the shell that was spoken of.
         if (m.is(WordKind::structure) && (is_definite(r.m, i) || (i > 0 && r.m[i - 1].is(WordKind::relation)))) {
-            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(),
-                                           [&](const PromptObject& o) { return o.klass == m.word->meaning && o.forbidden == m.negated; });
+            const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
+                return o.klass == m.word->meaning && o.forbidden == m.negated;
+            });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
                 continue;
@@ -491,7 +587,8 @@ void find_nouns(Reading& r) {
         if (const int holder = holder_of(r, i); holder >= 0) {
             PromptObject& held = r.spec.objects[static_cast<std::size_t>(holder)];
             held.klass = m.word->meaning;
-            if (!held.material.empty()) held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
+            if (!held.material.empty())
+                held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
             take_added(*m.word, held);
             m.object = holder;
             continue;
@@ -514,7 +611,8 @@ void find_nouns(Reading& r) {
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         if (!has_object(r.m[i]) || !r.m[i].is(WordKind::object) || r.m[i].negated || !is_definite(r.m, i)) continue;
         for (std::size_t k = i + 1; k < r.m.size(); ++k)
-            if (has_object(r.m[k]) && r.m[k].object > r.m[i].object && r.m[k].word->meaning == r.m[i].word->meaning && !r.m[k].negated) {
+            if (has_object(r.m[k]) && r.m[k].object > r.m[i].object && r.m[k].word->meaning == r.m[i].word->meaning &&
+                !r.m[k].negated) {
                 const int gone = r.m[k].object;
                 r.spec.objects.erase(r.spec.objects.begin() + gone);
                 for (Match& x : r.m) x.object = x.object == gone ? r.m[i].object : x.object - (x.object > gone);

@@ -14,27 +14,30 @@
 namespace fastscene::reading {
 
 // Whether two room types name one room: a kids' room is a bedroom ("a child's pirate bedroom").
-inline bool is_same_room(std::string_view first, std::string_view other) { return first == other || (first == "kids" && other == "bedroom"); }
+inline bool is_same_room(std::string_view first, std::string_view other) {
+    return first == other || (first == "kids" && other == "bedroom");
+}
 
 // A matched piece of the prompt.
 struct Match {
     std::string words;
     std::optional<Word> word{};  // nothing: not understood
-    bool comma = false;        // a mark between phrases
-    std::string note{};        // "read as …": a typo
-    bool plural = false;       // more than one, though its own look-up does not say so: a typo, a word that stands for another
-    int object = -1;           // nouns: index into PromptSpec::objects
-    int noun = -1;             // adjectives: index of the match they were bound to
+    bool comma = false;          // a mark between phrases
+    std::string note{};          // "read as …": a typo
+    bool plural =
+        false;        // more than one, though its own look-up does not say so: a typo, a word that stands for another
+    int object = -1;  // nouns: index into PromptSpec::objects
+    int noun = -1;    // adjectives: index of the match they were bound to
     bool negated = false;
     // The report.
-    bool listed = false;       // function words that carried nothing are not
+    bool listed = false;  // function words that carried nothing are not
     PromptWord::Fate fate = PromptWord::Fate::understood;
     std::string meaning{};
-    int about = -1;            // the object it speaks of
+    int about = -1;  // the object it speaks of
     bool relation = false;
-    int target = -1;           // relations: the match that names the place
-    bool measure = false;      // a size in metres
-    bool settled = false;      // told already, and of no more use to what comes after
+    int target = -1;              // relations: the match that names the place
+    bool measure = false;         // a size in metres
+    bool settled = false;         // told already, and of no more use to what comes after
     std::vector<float> metres{};  // measures: one length, or width by depth (by height); an area in square metres
     bool area = false;
 
@@ -57,8 +60,12 @@ struct Reading {
         object.id = static_cast<int>(spec.objects.size());
         return spec.objects.emplace_back(std::move(object));
     }
-    void tell(std::size_t i, std::string meaning, int about = -1) { list(i, PromptWord::Fate::understood, std::move(meaning), about); }
-    void tell_near(std::size_t i, std::string meaning, int about = -1) { list(i, PromptWord::Fate::approximated, std::move(meaning), about); }
+    void tell(std::size_t i, std::string meaning, int about = -1) {
+        list(i, PromptWord::Fate::understood, std::move(meaning), about);
+    }
+    void tell_near(std::size_t i, std::string meaning, int about = -1) {
+        list(i, PromptWord::Fate::approximated, std::move(meaning), about);
+    }
 
   private:
     void list(std::size_t i, PromptWord::Fate fate, std::string meaning, int about) {
@@ -72,7 +79,9 @@ struct Reading {
 inline bool is_adjective(const Match& m) {
     return m.is(WordKind::color) || m.is(WordKind::material) || m.is(WordKind::size) || m.is(WordKind::pattern);
 }
-inline bool is_noun(const Match& m) { return m.is(WordKind::object) || m.is(WordKind::structure) || m.is(WordKind::detail); }
+inline bool is_noun(const Match& m) {
+    return m.is(WordKind::object) || m.is(WordKind::structure) || m.is(WordKind::detail);
+}
 inline bool has_object(const Match& m) { return m.object >= 0; }
 
 // "fr es it": adjectives stand behind their noun.
@@ -90,7 +99,8 @@ bool is_little_word_unread(const std::string& token, std::string_view unread);
 // "4x5m" -> "4", "x", "5", "m": numbers apart from the letters behind them.
 std::vector<std::string> with_numbers_apart(const std::vector<std::string>& tokens);
 // "4 by 5 metre", "1.80 m", "20 square metres" at this token, with how many tokens it takes; nothing: no measure.
-std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::string>& tokens, std::size_t begin, Language language);
+std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::string>& tokens, std::size_t begin,
+                                                        Language language);
 
 // Longest match first; then the furniture catalogue; then what was misspelt.
 Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack);
@@ -119,14 +129,17 @@ inline std::string added_by(const Word& word, std::string_view name) {
     std::string_view left = word.adds;
     while (!left.empty()) {
         const std::string_view part = left.substr(0, left.find(';'));
-        if (part.size() > name.size() && part.starts_with(name) && part[name.size()] == '=') return std::string(part.substr(name.size() + 1));
+        if (part.size() > name.size() && part.starts_with(name) && part[name.size()] == '=')
+            return std::string(part.substr(name.size() + 1));
         left.remove_prefix(std::min(left.size(), part.size() + 1));
     }
     return {};
 }
 
 // Words for the state a room was left in: they bring what lies about there (prompt_themes.cc).
-inline bool is_state(std::string_view clutter) { return clutter == "abandoned" || clutter == "messy" || clutter == "renovation" || clutter == "moving"; }
+inline bool is_state(std::string_view clutter) {
+    return clutter == "abandoned" || clutter == "messy" || clutter == "renovation" || clutter == "moving";
+}
 
 // Whether an adjective or its like may stand between an article and its noun.
 bool modifies(const Match& m);

@@ -15,7 +15,8 @@ int number_of(const Match& m) { return std::stoi(m.word->meaning); }
 
 // The matches from `begin` on, `count` of them, become one count.
 void merge(Matches& m, std::size_t begin, std::size_t count, int number, std::string adds = {}) {
-    Match whole{.words = m[begin].words, .word = Word{WordKind::count, std::to_string(std::clamp(number, 1, kMost)), true, std::move(adds)}};
+    Match whole{.words = m[begin].words,
+                .word = Word{WordKind::count, std::to_string(std::clamp(number, 1, kMost)), true, std::move(adds)}};
     for (std::size_t k = begin + 1; k < begin + count; ++k) whole.words += " " + m[k].words;
     m.erase(m.begin() + static_cast<std::ptrdiff_t>(begin), m.begin() + static_cast<std::ptrdiff_t>(begin + count));
     m.insert(m.begin() + static_cast<std::ptrdiff_t>(begin), std::move(whole));
@@ -25,8 +26,10 @@ void merge(Matches& m, std::size_t begin, std::size_t count, int number, std::st
 void merge_ranges(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
         if (!is_number(m[i])) continue;
-        const bool joined = i + 2 < m.size() && is_number(m[i + 2]) && (m[i + 1].is_function("or") || m[i + 1].is_function("to"));
-        const bool between = i > 0 && m[i - 1].words == "between" && i + 2 < m.size() && is_number(m[i + 2]) && m[i + 1].is_function("and");
+        const bool joined = i + 2 < m.size() && is_number(m[i + 2]) &&
+                            (m[i + 1].is_function("or") || m[i + 1].is_function("to"));
+        const bool between = i > 0 && m[i - 1].words == "between" && i + 2 < m.size() && is_number(m[i + 2]) &&
+                             m[i + 1].is_function("and");
         const bool hyphen = is_number(m[i + 1]) && number_of(m[i + 1]) == number_of(m[i]) + 1;
         if (between) merge(m, i - 1, 4, number_of(m[i + 2]));
         else if (joined && number_of(m[i + 2]) > number_of(m[i])) merge(m, i, 3, number_of(m[i + 2]));
@@ -37,30 +40,35 @@ void merge_ranges(Matches& m) {
 // "a row of five chairs", "a set of four": so many, whatever a row is else.
 void merge_groups(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i)
-        if (m[i].is(WordKind::count) && m[i].words.ends_with(" of") && is_number(m[i + 1])) merge(m, i, 2, number_of(m[i + 1]));
+        if (m[i].is(WordKind::count) && m[i].words.ends_with(" of") && is_number(m[i + 1]))
+            merge(m, i, 2, number_of(m[i + 1]));
 }
 
 // "fewer than five", "at most one", "up to six".
 void merge_bounds(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i)
-        if (m[i].is(WordKind::bound) && is_number(m[i + 1])) merge(m, i, 2, number_of(m[i + 1]) + std::stoi(m[i].word->meaning));
+        if (m[i].is(WordKind::bound) && is_number(m[i + 1]))
+            merge(m, i, 2, number_of(m[i + 1]) + std::stoi(m[i].word->meaning));
 }
 
 bool is_people(const Match& m) {
     static constexpr std::array<std::string_view, 3> kPeople{"person", "man", "woman"};
     return m.is(WordKind::object) && std::find(kPeople.begin(), kPeople.end(), m.word->meaning) != kPeople.end();
 }
-bool is_seater(const Match& m) { return m.words == "seater" || m.words == "seat" || m.words == "person" || m.words == "people"; }
+bool is_seater(const Match& m) {
+    return m.words == "seater" || m.words == "seat" || m.words == "person" || m.words == "people";
+}
 
 // "for ten people", "for eight", "that seats six", "eight-seater": how many are to sit or to sleep.
 void merge_seats(Matches& m) {
     constexpr auto kSeats = "seats";
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
-        const bool led = m[i].is_function("for") || m[i].is_function("seats") || m[i].is_function("seating for") || m[i].words == "sleeps";
+        const bool led = m[i].is_function("for") || m[i].is_function("seats") || m[i].is_function("seating for") ||
+                         m[i].words == "sleeps";
         if (led && is_number(m[i + 1])) {
             const bool people = i + 2 < m.size() && is_people(m[i + 2]);
-            const bool ends = i + 2 == m.size() || m[i + 2].comma || m[i + 2].is(WordKind::function) || m[i + 2].is(WordKind::relation) ||
-                              m[i + 2].is(WordKind::count);
+            const bool ends = i + 2 == m.size() || m[i + 2].comma || m[i + 2].is(WordKind::function) ||
+                              m[i + 2].is(WordKind::relation) || m[i + 2].is(WordKind::count);
             if (people || ends) merge(m, i, people ? 3 : 2, number_of(m[i + 1]), kSeats);
         } else if (is_number(m[i]) && is_seater(m[i + 1]) && i + 2 < m.size() && is_noun(m[i + 2])) {
             merge(m, i, 2, number_of(m[i]), kSeats);
@@ -71,7 +79,9 @@ void merge_seats(Matches& m) {
 bool is_table(std::string_view klass) {
     return klass == "dining_table" || klass == "dining_table_round" || klass == "side_table" || klass == "coffee_table";
 }
-bool is_seat(std::string_view klass) { return klass == "chair" || klass == "bench" || klass == "stool" || klass == "armchair" || klass == "pouf"; }
+bool is_seat(std::string_view klass) {
+    return klass == "chair" || klass == "bench" || klass == "stool" || klass == "armchair" || klass == "pouf";
+}
 
 // So many seats of a kind that was named without a number, or so many new ones.
 int want(Reading& r, std::size_t at, const char* klass, int count) {
@@ -108,7 +118,11 @@ void seat_at(Reading& r, std::size_t at, int owner) {
     if (klass == "sofa" || klass == "loveseat") {
         o.klass = people <= 2 ? "loveseat" : "sofa";
         if (people >= 4) o.size = "large";
-        return r.tell(at, said + (people <= 2 ? "a sofa with two seats" : people >= 4 ? "a large sofa" : "a sofa with three seats"), owner);
+        return r.tell(at,
+                      said + (people <= 2   ? "a sofa with two seats"
+                              : people >= 4 ? "a large sofa"
+                                            : "a sofa with three seats"),
+                      owner);
     }
     if (klass == "bed" || klass == "bed_single") {
         if (people == 2) o.klass = "bed";
@@ -144,8 +158,10 @@ void seat_people(Reading& r) {
         if (!r.m[i].is(WordKind::count) || r.m[i].word->adds != "seats") continue;
         int owner = -1;
         // "an eight-seater table": what it stands before; else what it stands behind.
-        for (std::size_t k = i + 1; k < r.m.size() && owner < 0 && (modifies(r.m[k]) || has_object(r.m[k])); ++k) owner = r.m[k].object;
-        for (std::size_t k = i; k-- > 0 && owner < 0 && !r.m[k].comma;) owner = r.m[k].is(WordKind::object) ? r.m[k].object : -1;
+        for (std::size_t k = i + 1; k < r.m.size() && owner < 0 && (modifies(r.m[k]) || has_object(r.m[k])); ++k)
+            owner = r.m[k].object;
+        for (std::size_t k = i; k-- > 0 && owner < 0 && !r.m[k].comma;)
+            owner = r.m[k].is(WordKind::object) ? r.m[k].object : -1;
         if (owner >= 0) seat_at(r, i, owner);
         else seat_in_room(r, i);
         r.m[i].settled = true;
@@ -154,7 +170,8 @@ void seat_people(Reading& r) {
     int chairs = 0;
     for (const PromptObject& o : r.spec.objects) chairs += o.klass == "chair" && !o.forbidden ? o.count : 0;
     for (PromptObject& o : r.spec.objects) {
-        const bool measured = std::any_of(r.m.begin(), r.m.end(), [&](const Match& m) { return m.measure && m.about == o.id; });
+        const bool measured = std::any_of(r.m.begin(), r.m.end(),
+                                          [&](const Match& m) { return m.measure && m.about == o.id; });
         if (chairs >= kMany && o.klass == "dining_table" && o.count == 1 && !measured)
             o.size_m.x = std::max(o.size_m.x, kPlace * static_cast<float>((chairs - 1) / 2));
     }

@@ -31,7 +31,9 @@ std::optional<std::size_t> noun_after(const Reading& r, std::size_t at) {
     return {};
 }
 
-bool takes_no_target(const std::string& relation) { return relation == "in the corner" || relation == "in the middle" || relation == "far wall"; }
+bool takes_no_target(const std::string& relation) {
+    return relation == "in the corner" || relation == "in the middle" || relation == "far wall";
+}
 
 // "flanked by two chairs", "surrounded by plants": the chairs stand where the words say, not what is flanked.
 bool is_passive(const Match& m) { return m.words.ends_with(" by") && m.words != "close by" && m.words != "right by"; }
@@ -39,24 +41,33 @@ bool is_passive(const Match& m) { return m.words.ends_with(" by") && m.words != 
 // "In the corner a piano", "on the table, a vase": the relation opens its clause, the subject comes after it.
 bool opens_clause(const Reading& r, std::size_t at) {
     std::size_t k = at;
-    while (k > 0 && (r.m[k - 1].is_function("and") || r.m[k - 1].is_function("the") || r.m[k - 1].is_function("there is"))) --k;
+    while (k > 0 &&
+           (r.m[k - 1].is_function("and") || r.m[k - 1].is_function("the") || r.m[k - 1].is_function("there is")))
+        --k;
     return k == 0 || r.m[k - 1].comma;
 }
 
-// Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp, nothing stands on a picture.
+// Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp,
+// nothing stands on a picture.
 bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
-    const bool hangs = is_one_of(thing.klass, {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge", "antlers",
-                                               "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
-               low = is_one_of(place.klass, {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair", "floor_lamp",
-                                             "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
-               flat_or_hung = is_one_of(place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier", "curtain",
-                                                      "floor_lamp", "table_lamp", "plant"});
-    const bool tall = is_one_of(place.klass, {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree", "canopy_bed",
-                                              "four_poster_bed", "christmas_tree", "coat_rack"});
+    const bool hangs = is_one_of(thing.klass,
+                                 {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge",
+                                  "antlers", "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
+               low = is_one_of(place.klass,
+                               {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair",
+                                "floor_lamp", "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
+               flat_or_hung = is_one_of(
+                   place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier",
+                                 "curtain", "floor_lamp", "table_lamp", "plant"});
+    const bool tall = is_one_of(place.klass,
+                                {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree",
+                                 "canopy_bed", "four_poster_bed", "christmas_tree", "coat_rack"});
     if (relation == "above") return hangs ? !low && !tall : !is_one_of(place.klass, {"picture", "mirror", "clock"});
     if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
     if (relation == "in front of" || relation == "at the foot of")
-        return thing.klass == "rug" ? !low && !flat_or_hung && !place.klass.ends_with("table") && place.klass != "dining_table_round" : place.klass != "rug";
+        return thing.klass == "rug"
+                   ? !low && !flat_or_hung && !place.klass.ends_with("table") && place.klass != "dining_table_round"
+                   : place.klass != "rug";
     if (relation == "behind") return place.klass != "rug" && (!flat_or_hung || place.klass == "plant");
     return true;
 }
@@ -67,15 +78,20 @@ std::optional<std::size_t> meant_before(const Reading& r, std::size_t subject, s
     while (k > 0 && modifies(r.m[k - 1])) --k;
     const std::size_t joint = k;
     while (k > 0 && (r.m[k - 1].comma || r.m[k - 1].is_function("and"))) --k;
-    if (k == joint || k < 2 || !r.m[k - 1].is_function("it") || !r.m[k - 2].relation || r.m[k - 2].target < 0) return {};
+    if (k == joint || k < 2 || !r.m[k - 1].is_function("it") || !r.m[k - 2].relation || r.m[k - 2].target < 0)
+        return {};
     const auto target = static_cast<std::size_t>(r.m[k - 2].target);
     if (relation == "on" || r.m[target].object == r.m[subject].object) return {};
-    return is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation, r.spec.objects[static_cast<std::size_t>(r.m[target].object)]) ? std::optional(target) : std::nullopt;
+    return is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation,
+                     r.spec.objects[static_cast<std::size_t>(r.m[target].object)])
+               ? std::optional(target)
+               : std::nullopt;
 }
 
-// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another and may have such a thing there;
-// "it" is no plural.
-std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool several, std::string_view relation = {}) {
+// What "it" or "them" stands for before `subject`: the last piece that is not itself the place of another and may have
+// such a thing there; "it" is no plural.
+std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool several,
+                                    std::string_view relation = {}) {
     if (!several && !relation.empty())
         if (const auto same = meant_before(r, subject, relation)) return same;
     std::optional<std::size_t> last, place_of_another;
@@ -83,9 +99,11 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
         if (!has_object(r.m[k]) || r.m[k].object == r.m[subject].object) continue;
         if (!relation.empty() && !is_likely(r.spec.objects[static_cast<std::size_t>(r.m[subject].object)], relation,
                                             r.spec.objects[static_cast<std::size_t>(r.m[k].object)])) {
-            // "a tall clock next to the fireplace and a portrait above": not above the clock, so above what the clock stands at.
+            // "a tall clock next to the fireplace and a portrait above": not above the clock, so above what the clock
+            // stands at.
             const PromptObject& thing = r.spec.objects[static_cast<std::size_t>(r.m[k].object)];
-            if (place_of_another && thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass)
+            if (place_of_another &&
+                thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass)
                 return place_of_another;
             continue;
         }
@@ -103,19 +121,23 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
     return last ? last : place_of_another;
 }
 
-bool says_each(const Reading& r, std::size_t noun) { return noun > 0 && (r.m[noun - 1].is_function("each") || r.m[noun - 1].is_function("every")); }
+bool says_each(const Reading& r, std::size_t noun) {
+    return noun > 0 && (r.m[noun - 1].is_function("each") || r.m[noun - 1].is_function("every"));
+}
 
 // "in each corner", "in all four corners": one, or as many as were said, for each.
 bool says_every_corner(const Match& m) {
-    return m.is(WordKind::relation) && (m.words.find("each corner") != std::string::npos || m.words.find("every corner") != std::string::npos ||
-                                        m.words.find("all corners") != std::string::npos || m.words.find("four corners") != std::string::npos);
+    return m.is(WordKind::relation) &&
+           (m.words.find("each corner") != std::string::npos || m.words.find("every corner") != std::string::npos ||
+            m.words.find("all corners") != std::string::npos || m.words.find("four corners") != std::string::npos);
 }
 
 void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::size_t> where, std::string relation) {
     PromptObject& object = r.object_of(subject);
     const bool placed = where.has_value() && r.m[*where].object != r.m[subject].object;
     const std::size_t target = placed ? *where : subject;
-    if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" && relation != "right of")
+    if (!placed && !takes_no_target(relation) && relation != "against" && relation != "left of" &&
+        relation != "right of")
         return r.tell_near(at, "where: stands at no piece that was named");
     // "cushions and herringbone tiles on the floor": the tiles are, and they are the floor.
     if (placed && relation == "on")
@@ -123,38 +145,51 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
                 return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
     // Stockings and leaves on a mantel hang at the wall above it.
-    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) && r.m[target].is(WordKind::object))
+    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) &&
+        r.m[target].is(WordKind::object))
         relation = "above";
     // "clothes on the floor" were dropped there, "papers" slid apart.
     if (placed && relation == "on" && r.object_of(target).klass == "floor") {
         if (object.klass == "folded_clothes") object.klass = "clothes_heap";
-        if (object.klass == "book_stack" && is_one_of(object.words, {"papers", "paper", "sheets of paper"})) object.klass = "paper_litter";
+        if (object.klass == "book_stack" && is_one_of(object.words, {"papers", "paper", "sheets of paper"}))
+            object.klass = "paper_litter";
     }
-    if (placed && furnishing::lies_about(object.klass) && r.object_of(target).klass == "floor") return r.tell(at, object.klass + " lies on the floor", object.id);
-    if (!object.relation.empty()) return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
+    if (placed && furnishing::lies_about(object.klass) && r.object_of(target).klass == "floor")
+        return r.tell(at, object.klass + " lies on the floor", object.id);
+    if (!object.relation.empty())
+        return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     // Who sits at a desk that faces the window looks out of it: there the desk stands.
-    if (placed && relation == "facing" && is_one_of(object.klass, {"desk", "dressing_table"}) && is_one_of(r.object_of(target).klass, {"window", "bay_window"})) relation = "under";
+    if (placed && relation == "facing" && is_one_of(object.klass, {"desk", "dressing_table"}) &&
+        is_one_of(r.object_of(target).klass, {"window", "bay_window"}))
+        relation = "under";
     object.relation = relation;
     // "a lamp above the table" hangs, "a lamp in the corner" stands on the floor.
-    const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}), at_piece = placed && r.m[target].is(WordKind::object);
-    if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass)) object.klass = "pendant_lamp";
+    const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}),
+               at_piece = placed && r.m[target].is(WordKind::object);
+    if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass))
+        object.klass = "pendant_lamp";
     if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
     // Pans above an island hang from the ceiling.
-    if (object.klass == "hung_pans" && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass))
+    if (object.klass == "hung_pans" && relation == "above" && at_piece &&
+        furnishing::hangs_over(r.object_of(target).klass))
         object.klass = "pot_rack";
     // "A paper lantern on the nightstand" is a lamp with such a shade.
-    if (object.klass == "paper_lantern" && relation == "on" && at_piece) object.klass = "table_lamp", object.style = "japandi";
+    if (object.klass == "paper_lantern" && relation == "on" && at_piece)
+        object.klass = "table_lamp", object.style = "japandi";
     std::string to;
     constexpr int kCorners = 4;
     if (says_every_corner(r.m[at]))
-        object.count = object.counted && object.count % kCorners == 0 ? object.count : kCorners * (object.counted ? object.count : 1),
+        object.count = object.counted && object.count % kCorners == 0 ? object.count
+                                                                      : kCorners * (object.counted ? object.count : 1),
         object.counted = true;
-    if ((r.m[at].words.find("both corners") != std::string::npos || r.m[at].words.find("two corners") != std::string::npos ||
+    if ((r.m[at].words.find("both corners") != std::string::npos ||
+         r.m[at].words.find("two corners") != std::string::npos ||
          r.m[at].words.find("opposite corners") != std::string::npos) &&
         !object.counted)
         object.count = 2, object.counted = true;
     // "a picture above each bed": as many pictures as beds.
-    if (placed && says_each(r, target) && r.object_of(target).klass == "nightstand" && !r.object_of(target).counted) r.object_of(target).count = 2;
+    if (placed && says_each(r, target) && r.object_of(target).klass == "nightstand" && !r.object_of(target).counted)
+        r.object_of(target).count = 2;
     if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted)
         object.count = r.object_of(target).count, object.counted = true;
     if (placed && !takes_no_target(relation)) {
@@ -167,14 +202,16 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             std::optional<std::size_t> pronoun;
             if (at + 1 < r.m.size() && r.m[at + 1].is_function("them")) pronoun = meant_by(r, target, false);
             const bool joined = second && *second <= target + 5 &&
-                                std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(target), r.m.begin() + static_cast<std::ptrdiff_t>(*second),
+                                std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(target),
+                                            r.m.begin() + static_cast<std::ptrdiff_t>(*second),
                                             [](const Match& m) { return m.is_function("and"); });
             // "a sofa, two armchairs opposite it and a table between them": between those and these.
             const PromptObject& those = r.object_of(target);
-            const bool face_to_face = pronoun && those.relation == "opposite" && those.relation_to == r.object_of(*pronoun).klass;
+            const bool face_to_face = pronoun && those.relation == "opposite" &&
+                                      those.relation_to == r.object_of(*pronoun).klass;
             object.relation_and = pronoun && (those.count == 1 || face_to_face) ? r.object_of(*pronoun).klass
-                                  : joined && *second != subject            ? r.object_of(*second).klass
-                                                                            : object.relation_to;
+                                  : joined && *second != subject                ? r.object_of(*second).klass
+                                                                                : object.relation_to;
         }
     }
     r.tell(at, object.klass + " " + relation + to, object.id);
@@ -190,12 +227,14 @@ void relate_both_sides(Reading& r, std::size_t at) {
     // "… on either side of it"
     if (at + 1 < r.m.size() && r.m[at + 1].is_function("it")) target = meant_by(r, *subject, false, "on both sides of");
     for (std::size_t k = *subject; k > 0 && !target.has_value(); --k)
-        if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object) target = k - 1;
-    if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1) object.count = 2, object.counted = true;
+        if (has_object(r.m[k - 1]) && r.m[k - 1].is(WordKind::object) && r.m[k - 1].object != r.m[*subject].object)
+            target = k - 1;
+    if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1)
+        object.count = 2, object.counted = true;
     // "twin beds flanking a nightstand": what is small stands between the large.
     if (target && is_bed(r.object_of(*subject).klass) && r.object_of(*subject).relation.empty() &&
-        is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) && r.object_of(*target).count == 1 &&
-        r.object_of(*target).relation.empty()) {
+        is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) &&
+        r.object_of(*target).count == 1 && r.object_of(*target).relation.empty()) {
         PromptObject &beds = r.object_of(*subject), &small = r.object_of(*target);
         small.relation = "between", small.relation_to = small.relation_and = beds.klass;
         r.tell(at, small.klass + " between the " + beds.words, small.id);
@@ -218,7 +257,9 @@ void relate_row(Reading& r, std::size_t at) {
 // "a stacked washer and dryer": the second on the first.
 void stack_pairs(Reading& r) {
     for (std::size_t i = 0; i + 3 < r.m.size(); ++i) {
-        if (r.m[i].words != "stacked" || !has_object(r.m[i + 1]) || !r.m[i + 2].is_function("and") || !has_object(r.m[i + 3])) continue;
+        if (r.m[i].words != "stacked" || !has_object(r.m[i + 1]) || !r.m[i + 2].is_function("and") ||
+            !has_object(r.m[i + 3]))
+            continue;
         PromptObject &below = r.object_of(i + 1), &above = r.object_of(i + 3);
         if (below.id == above.id || below.klass != above.klass || !above.relation.empty()) continue;
         above.relation = "on";
@@ -255,14 +296,15 @@ std::optional<std::size_t> head_of_last_clause(const Reading& r, std::size_t at)
 // "coffee steaming on the counter, …": who stands there was named, and is nothing that rooms have.
 bool names_other_things(const Reading& r, std::size_t at) {
     for (std::size_t k = at; k-- > 0 && !ends_clause(r.m[k]);)
-        if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) || r.m[k].is(WordKind::weather) ||
-            r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) ||
+        if (!r.m[k].word || r.m[k].is(WordKind::color) || r.m[k].is(WordKind::material) ||
+            r.m[k].is(WordKind::weather) || r.m[k].is(WordKind::time) || r.m[k].is(WordKind::light) ||
             (r.m[k].is(WordKind::nuance) && (r.m[k].word->meaning == "thing" || r.m[k].word->meaning == "motif")))
             return true;
     return false;
 }
 
-// Whether between this noun and the words of place something else has an article or a joint of its own, and is no word of ours.
+// Whether between this noun and the words of place something else has an article or a joint of its own, and is no word
+// of ours.
 bool names_a_stranger(const Reading& r, std::size_t subject, std::size_t at) {
     bool begins = false;
     for (std::size_t k = subject + 1; k < at; ++k) {
@@ -273,9 +315,12 @@ bool names_a_stranger(const Reading& r, std::size_t subject, std::size_t at) {
 }
 
 // What stands on tops, and is said to.
-bool stands_on_tops(const PromptObject& o) { return furnishing::is_small(o.klass) && !furnishing::lies_on_seats(o.klass) && o.klass != "rug" && !o.forbidden; }
+bool stands_on_tops(const PromptObject& o) {
+    return furnishing::is_small(o.klass) && !furnishing::lies_on_seats(o.klass) && o.klass != "rug" && !o.forbidden;
+}
 
-// "herbs and a vase on the sill", "books, a lamp and a clock on the desk": all of them stand there. Not the lamp of "a desk with a lamp and …".
+// "herbs and a vase on the sill", "books, a lamp and a clock on the desk": all of them stand there. Not the lamp of "a
+// desk with a lamp and …".
 void attach_joined(Reading& r, std::size_t subject, std::size_t target) {
     const PromptObject place = r.object_of(subject);
     if (place.relation != "on" || !stands_on_tops(place)) return;
@@ -306,15 +351,18 @@ std::optional<std::size_t> part_behind(const Reading& r, std::size_t at) {
     std::size_t k = at + 1;
     while (k < r.m.size() && (modifies(r.m[k]) || r.m[k].is_function("the") || r.m[k].is_function("its"))) ++k;
     if (k >= r.m.size() || !r.m[k].is(WordKind::detail) || r.m[k].word->meaning != "part") return {};
-    const bool whose = k + 1 < r.m.size() && (has_object(r.m[k + 1]) || modifies(r.m[k + 1]) || r.m[k + 1].is_function("of"));
+    const bool whose = k + 1 < r.m.size() &&
+                       (has_object(r.m[k + 1]) || modifies(r.m[k + 1]) || r.m[k + 1].is_function("of"));
     return whose ? std::nullopt : std::optional(k);
 }
 
 // "a loft bed with a desk underneath and a bean bag": nothing follows that it could be under.
 bool ends_its_phrase(const Reading& r, std::size_t at) {
-    static constexpr std::array<std::string_view, 6> kAlone{"underneath", "beneath", "below", "above", "behind", "on top"};
+    static constexpr std::array<std::string_view, 6> kAlone{"underneath", "beneath", "below",
+                                                            "above",      "behind",  "on top"};
     if (std::find(kAlone.begin(), kAlone.end(), r.m[at].words) == kAlone.end()) return false;
-    return at + 1 == r.m.size() || r.m[at + 1].comma || r.m[at + 1].is_function("and") || r.m[at + 1].is_function("with");
+    return at + 1 == r.m.size() || r.m[at + 1].comma || r.m[at + 1].is_function("and") ||
+           r.m[at + 1].is_function("with");
 }
 
 // "on a foggy morning", "on a rainy night": when, not where.
@@ -348,12 +396,18 @@ void relate_one(Reading& r, std::size_t at) {
     std::optional<std::size_t> subject = noun_before(r, at), target = noun_after(r, at);
     if (relation == "against" && r.m[at].words.ends_with(" wall")) target.reset();  // it has said what
     // "blue tiles behind the sink": a surface that is named by its material.
-    if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) && r.object_of(at - 1).klass == "wall") subject = at - 1;
-    // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named before.
-    if (subject && names_a_stranger(r, *subject, at)) return r.tell_near(at, "where: of a thing that is not understood");
+    if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) &&
+        r.object_of(at - 1).klass == "wall")
+        subject = at - 1;
+    // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named
+    // before.
+    if (subject && names_a_stranger(r, *subject, at))
+        return r.tell_near(at, "where: of a thing that is not understood");
     // "… books and rain on the window", "… a sofa and snow on the roof": the weather is there, not the books.
-    if (subject && at > 0 && (r.m[at - 1].is(WordKind::weather) || r.m[at - 1].is(WordKind::light)) && *subject + 1 < at &&
-        std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(*subject), r.m.begin() + static_cast<std::ptrdiff_t>(at), [](const Match& m) { return m.is_function("and"); }))
+    if (subject && at > 0 && (r.m[at - 1].is(WordKind::weather) || r.m[at - 1].is(WordKind::light)) &&
+        *subject + 1 < at &&
+        std::any_of(r.m.begin() + static_cast<std::ptrdiff_t>(*subject), r.m.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](const Match& m) { return m.is_function("and"); }))
         return r.tell_near(at, "where: of nothing that can be placed");
     // "a vase in the middle of the table", "… in the center of it"
     if (relation == "in the middle" && subject && r.m[at].words.ends_with(" of")) {
@@ -362,9 +416,12 @@ void relate_one(Reading& r, std::size_t at) {
         if (place && r.m[*place].is(WordKind::object)) return attach(r, at, *subject, place, "on");
     }
     // "a throw over the armchair", "a blanket across the bed": it lies there.
-    if (subject && target && is_one_of(r.m[at].words, {"over", "across"}) && furnishing::lies_on_seats(r.object_of(*subject).klass)) relation = "on";
+    if (subject && target && is_one_of(r.m[at].words, {"over", "across"}) &&
+        furnishing::lies_on_seats(r.object_of(*subject).klass))
+        relation = "on";
     // "a washing machine under the dryer": of two alike the other stands on top.
-    if (subject && target && relation == "under" && r.m[*subject].object != r.m[*target].object && r.object_of(*subject).klass == r.object_of(*target).klass)
+    if (subject && target && relation == "under" && r.m[*subject].object != r.m[*target].object &&
+        r.object_of(*subject).klass == r.object_of(*target).klass)
         return attach(r, at, *target, subject, "on");
     if (takes_no_target(relation)) {
         const bool inverted = opens_clause(r, at) || !subject;
@@ -373,16 +430,23 @@ void relate_one(Reading& r, std::size_t at) {
         return attach(r, at, *subject, {}, relation);
     }
     // "a wardrobe on the opposite wall": opposite what was named before.
-    if (subject && r.m[at].words.ends_with("opposite wall")) return attach(r, at, *subject, meant_by(r, *subject, false), relation);
+    if (subject && r.m[at].words.ends_with("opposite wall"))
+        return attach(r, at, *subject, meant_by(r, *subject, false), relation);
     // "a lamp on it": the piece named before the lamp.
-    std::size_t pronoun = at + 1;   // "on each of them"
-    while (pronoun < r.m.size() && (r.m[pronoun].is_function("each") || r.m[pronoun].is_function("of") || r.m[pronoun].is_function("both") || r.m[pronoun].is_function("each of") || r.m[pronoun].is_function("both of"))) ++pronoun;
-    const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"), them = pronoun < r.m.size() && r.m[pronoun].is_function("them");
+    std::size_t pronoun = at + 1;  // "on each of them"
+    while (pronoun < r.m.size() &&
+           (r.m[pronoun].is_function("each") || r.m[pronoun].is_function("of") || r.m[pronoun].is_function("both") ||
+            r.m[pronoun].is_function("each of") || r.m[pronoun].is_function("both of")))
+        ++pronoun;
+    const bool it = at + 1 < r.m.size() && r.m[at + 1].is_function("it"),
+               them = pronoun < r.m.size() && r.m[pronoun].is_function("them");
     if (them && pronoun > at + 1 && subject) {
         const auto those = meant_by(r, *subject, true, relation);
-        if (PromptObject& object = r.object_of(*subject); those && !object.counted && r.object_of(*those).count > 1) object.count = r.object_of(*those).count, object.counted = true;
+        if (PromptObject& object = r.object_of(*subject); those && !object.counted && r.object_of(*those).count > 1)
+            object.count = r.object_of(*those).count, object.counted = true;
     }
-    if (it || them || (!target && r.m[at].words == "on top") || (ends_its_phrase(r, at) && subject && *subject + 1 == at)) {
+    if (it || them || (!target && r.m[at].words == "on top") ||
+        (ends_its_phrase(r, at) && subject && *subject + 1 == at)) {
         // "… a cabinet, above it hangs a clock"
         if (!subject && opens_clause(r, at)) subject = noun_after(r, at);
         if (!subject) return r.tell_near(at, "where: of nothing that was named");

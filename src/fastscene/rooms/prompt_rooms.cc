@@ -1,4 +1,5 @@
-// Which rooms a prompt speaks of: the room itself, the house around it, parts of it that serve another end, and the room next to it.
+// Which rooms a prompt speaks of: the room itself, the house around it, parts of it that serve another end, and the
+// room next to it.
 #include <algorithm>
 #include <array>
 
@@ -11,18 +12,21 @@ namespace {
 bool shapes_another(const Matches& m, std::size_t at) {
     const std::string& structure = m[at].word->meaning;
     if (structure != "attic" && structure != "loft") return false;
-    const auto serves = [&](const Match& x) { return x.is(WordKind::room) && x.word->meaning != structure && !x.negated; };
+    const auto serves = [&](const Match& x) {
+        return x.is(WordKind::room) && x.word->meaning != structure && !x.negated;
+    };
     // "an attic study", "an attic turned into a study"; not "an attic with a study corner".
     const auto leads_on = [&](const Match& x) {
-        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") || x.is_function("into") || x.is_function("as") ||
-               x.is_function("used as");
+        return modifies(x) || x.is(WordKind::mood) || x.is(WordKind::light) || x.is_function("to") ||
+               x.is_function("into") || x.is_function("as") || x.is_function("used as");
     };
     for (std::size_t k = at + 1; k < m.size() && (serves(m[k]) || leads_on(m[k])); ++k)
         if (serves(m[k])) return true;
     bool in = false;
     for (std::size_t k = at; k-- > 0;) {
         if (serves(m[k])) return in;
-        if (m[k].is_function("in") || m[k].is_function("of") || m[k].is_function("under") || m[k].words == "under") in = true;
+        if (m[k].is_function("in") || m[k].is_function("of") || m[k].is_function("under") || m[k].words == "under")
+            in = true;
         else if (!modifies(m[k]) && !m[k].is_function("the") && !m[k].is(WordKind::mood)) return false;
     }
     return false;
@@ -30,10 +34,12 @@ bool shapes_another(const Matches& m, std::size_t at) {
 
 // "a 2-bed flat", "three bedroom house": of the house, not of this room.
 void count_other_rooms(Matches& m) {
-    const auto is_house = [](const Match& x) { return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living"; };
+    const auto is_house = [](const Match& x) {
+        return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living";
+    };
     for (std::size_t i = 1; i + 1 < m.size(); ++i) {
-        const bool bedroom =
-            m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" || m[i].words == "bath" || m[i].words == "bathroom";
+        const bool bedroom = m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" ||
+                             m[i].words == "bath" || m[i].words == "bathroom";
         if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
         m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
     }
@@ -58,7 +64,8 @@ void choose_room(Matches& m, PromptSpec& spec) {
             break;
         }
     }
-    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
+    const bool named = std::any_of(m.begin(), m.end(),
+                                   [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
     if (!named) return;
     for (Match& x : m)
         if (x.is(WordKind::room) && !x.word->exact) x.word = Word{WordKind::nuance, "house"};
@@ -101,8 +108,10 @@ void furnish_parts(Matches& m) {
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!is_room(m[i]) || !is_part(m, i)) continue;
         const std::string piece = piece_of(m[i].word->meaning, m[i].words);
-        const bool there = std::any_of(m.begin(), m.end(), [&](const Match& x) { return x.is(WordKind::object) && x.word->meaning == piece; });
-        const bool of_two_words = !m[i].words.ends_with("area") && !m[i].words.ends_with("nook") && !m[i].words.ends_with("kitchenette");
+        const bool there = std::any_of(
+            m.begin(), m.end(), [&](const Match& x) { return x.is(WordKind::object) && x.word->meaning == piece; });
+        const bool of_two_words = !m[i].words.ends_with("area") && !m[i].words.ends_with("nook") &&
+                                  !m[i].words.ends_with("kitchenette");
         if (of_two_words && i + 1 < m.size()) m[i + 1].word = Word{WordKind::nuance, "feel"};
         m[i].word = piece.empty() || there ? Word{WordKind::nuance, "feel"} : Word{WordKind::object, piece, false};
     }
@@ -110,9 +119,9 @@ void furnish_parts(Matches& m) {
 
 // Words between two rooms that say how one gets from one to the other.
 bool joins_rooms(const Match& m) {
-    static constexpr std::array<std::string_view, 14> kJoins{"opening to", "opening onto", "leading to",  "leading into", "attached",
-                                                             "connected",  "adjoining",    "adjacent to", "next to",      "through",
-                                                             "open",       "open to",      "off",         "into"};
+    static constexpr std::array<std::string_view, 14> kJoins{
+        "opening to",  "opening onto", "leading to", "leading into", "attached", "connected", "adjoining",
+        "adjacent to", "next to",      "through",    "open",         "open to",  "off",       "into"};
     return std::find(kJoins.begin(), kJoins.end(), m.words) != kJoins.end() ||
            (m.is(WordKind::structure) && (m.word->meaning == "doorway" || m.word->meaning == "door"));
 }
@@ -137,7 +146,9 @@ void find_next_room(Reading& r) {
     for (auto x = m.begin(); x != m.end(); ++x) {
         if (!is_room(*x) || x == first || is_same_room(room, x->word->meaning) || !x->word->exact) continue;
         const std::string& type = x->word->meaning;
-        if (std::find(kNever.begin(), kNever.end(), type) != kNever.end() || (!r.spec.next_room.empty() && r.spec.next_room != type)) continue;
+        if (std::find(kNever.begin(), kNever.end(), type) != kNever.end() ||
+            (!r.spec.next_room.empty() && r.spec.next_room != type))
+            continue;
         r.spec.next_room = type;
         const bool said = (en_suite && type == "bathroom") || std::any_of(first, x, joins_rooms);
         x->word = Word{WordKind::nuance, "next room", said};
@@ -153,32 +164,39 @@ bool belongs_to(const std::string& klass, const std::string& room) {
          {"bedroom", {"bed", "nightstand"}},
          {"dining", {"dining_table", "dining_table_round", "chair"}},
          {"laundry", {"washing_machine"}}}};
-    return std::any_of(kOf.begin(), kOf.end(),
-                       [&](const auto& of) { return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end(); });
+    return std::any_of(kOf.begin(), kOf.end(), [&](const auto& of) {
+        return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end();
+    });
 }
 
 }  // namespace
 
 void fill_next_room(Reading& r) {
     if (r.spec.next_room.empty()) return;
-    const auto next = std::find_if(r.m.begin(), r.m.end(), [](const Match& x) { return x.is(WordKind::nuance) && x.word->meaning == "next room"; });
+    const auto next = std::find_if(r.m.begin(), r.m.end(), [](const Match& x) {
+        return x.is(WordKind::nuance) && x.word->meaning == "next room";
+    });
     const bool any = next != r.m.end() && next->word->adds == kAnyKind;
     for (auto x = next; x != r.m.end(); ++x) {
         if (any && x->comma) return;
         if (any && x->is(WordKind::relation) && !x->relation) {
             // "a second room with a piano behind the living room"
-            const auto room = std::find_if(x, r.m.end(), [](const Match& y) { return y.is(WordKind::room) || y.comma; });
-            if (room != r.m.end() && !room->comma) r.tell(static_cast<std::size_t>(x - r.m.begin()), "where the other room lies");
+            const auto room = std::find_if(x, r.m.end(),
+                                           [](const Match& y) { return y.is(WordKind::room) || y.comma; });
+            if (room != r.m.end() && !room->comma)
+                r.tell(static_cast<std::size_t>(x - r.m.begin()), "where the other room lies");
             return;
         }
         if (!has_object(*x) || x->negated) continue;
-        if (PromptObject& there = r.spec.objects[static_cast<std::size_t>(x->object)]; any && there.relation.empty() && x->is(WordKind::object)) {
+        if (PromptObject& there = r.spec.objects[static_cast<std::size_t>(x->object)];
+            any && there.relation.empty() && x->is(WordKind::object)) {
             there.relation = kInNextRoom;
             continue;
         }
         if (any) continue;
         PromptObject& o = r.spec.objects[static_cast<std::size_t>(x->object)];
-        if (o.relation.empty() && belongs_to(o.klass, r.spec.next_room) && !belongs_to(o.klass, r.spec.room)) o.relation = kInNextRoom;
+        if (o.relation.empty() && belongs_to(o.klass, r.spec.next_room) && !belongs_to(o.klass, r.spec.room))
+            o.relation = kInNextRoom;
     }
 }
 

@@ -17,7 +17,9 @@ std::vector<std::string> words_of(const PromptSpec& spec, PromptWord::Fate fate)
     for (const PromptWord& w : spec.words_with(fate)) out.push_back(w.words);
     return out;
 }
-std::vector<std::string> not_understood(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::not_understood); }
+std::vector<std::string> not_understood(const PromptSpec& spec) {
+    return words_of(spec, PromptWord::Fate::not_understood);
+}
 std::vector<std::string> approximated(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::approximated); }
 
 // Also one that says there shall be none.
@@ -127,7 +129,9 @@ TEST(Prompt, Relations) {
     EXPECT_EQ(object_of(spec, "table_lamp")->relation, "on");
     EXPECT_EQ(object_of(spec, "table_lamp")->relation_to, "desk");
     EXPECT_EQ(object_of(spec, "plant")->relation, "in the corner");
-    EXPECT_EQ(std::count_if(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return o.klass == "desk"; }), 1)
+    EXPECT_EQ(std::count_if(spec.objects.begin(), spec.objects.end(),
+                            [](const PromptObject& o) { return o.klass == "desk"; }),
+              1)
         << "the desk is one desk";
     EXPECT_EQ(object_of(spec, "desk")->relation_to, "window");
     const PromptSpec under = read("a desk under the window");
@@ -156,8 +160,8 @@ TEST(Prompt, WhatTheWindowsShow) {
 }
 
 TEST(Prompt, EveryStyleAndRoomIsSayable) {
-    for (const std::string style :
-         {"modern", "scandinavian", "japandi", "industrial", "classic", "boho", "rustic", "mid-century", "mediterranean", "art deco"})
+    for (const std::string style : {"modern", "scandinavian", "japandi", "industrial", "classic", "boho", "rustic",
+                                    "mid-century", "mediterranean", "art deco"})
         for (const std::string& room : room_types()) {
             const PromptSpec spec = understand_prompt("a " + style + " " + room_title(room), true);
             EXPECT_EQ(spec.style, style);
@@ -210,7 +214,8 @@ TEST(Lexicon, IsLargeAndEveryObjectCanBeBuilt) {
         const auto word = look_up(term);
         ASSERT_TRUE(word) << term;
         // What no builder knows comes from the furniture pack, or is said to be missing.
-        if (word->kind == WordKind::object && std::binary_search(classes.begin(), classes.end(), word->meaning)) ++objects;
+        if (word->kind == WordKind::object && std::binary_search(classes.begin(), classes.end(), word->meaning))
+            ++objects;
         if (word->kind == WordKind::structure) {
             EXPECT_TRUE(is_shell(word->meaning)) << term;
         }
@@ -234,7 +239,11 @@ TEST(Lexicon, IsLargeAndEveryObjectCanBeBuilt) {
 }
 
 TEST(Lexicon, LooksUpPlurals) {
-    for (const auto& [term, meaning] : {std::pair{"shelves", "shelf"}, {"benches", "bench"}, {"bookshelves", "bookshelf"}, {"night tables", "nightstand"}, {"paintings", "picture"}}) {
+    for (const auto& [term, meaning] : {std::pair{"shelves", "shelf"},
+                                        {"benches", "bench"},
+                                        {"bookshelves", "bookshelf"},
+                                        {"night tables", "nightstand"},
+                                        {"paintings", "picture"}}) {
         const auto word = look_up(term);
         ASSERT_TRUE(word) << term;
         EXPECT_EQ(word->meaning, meaning);

@@ -15,11 +15,17 @@ constexpr std::size_t kMaxBytes = 2000;
 std::size_t first_bad_byte(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = c < 0x80 ? 1 : c >= 0xc2 && c < 0xe0 ? 2 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xf0 && c < 0xf5 ? 4 : 0;
+        const std::size_t length = c < 0x80                ? 1
+                                   : c >= 0xc2 && c < 0xe0 ? 2
+                                   : c >= 0xe0 && c < 0xf0 ? 3
+                                   : c >= 0xf0 && c < 0xf5 ? 4
+                                                           : 0;
         if (length == 0 || i + length > text.size()) return i;
         // Overlong forms, surrogates and what lies beyond U+10FFFF are no UTF-8 either (RFC 3629).
         const unsigned char second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0x80;
-        if ((c == 0xe0 && second < 0xa0) || (c == 0xed && second > 0x9f) || (c == 0xf0 && second < 0x90) || (c == 0xf4 && second > 0x8f)) return i;
+        if ((c == 0xe0 && second < 0xa0) || (c == 0xed && second > 0x9f) || (c == 0xf0 && second < 0x90) ||
+            (c == 0xf4 && second > 0x8f))
+            return i;
         for (std::size_t k = 1; k < length; ++k)
             if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return i;
         i += length;
@@ -43,7 +49,9 @@ void append_utf8(std::string& out, char32_t code) {
     if (code < 0x80) byte(code);
     else if (code < 0x800) byte(0xc0 | (code >> 6)), byte(0x80 | (code & 0x3f));
     else if (code < 0x10000) byte(0xe0 | (code >> 12)), byte(0x80 | ((code >> 6) & 0x3f)), byte(0x80 | (code & 0x3f));
-    else byte(0xf0 | (code >> 18)), byte(0x80 | ((code >> 12) & 0x3f)), byte(0x80 | ((code >> 6) & 0x3f)), byte(0x80 | (code & 0x3f));
+    else
+        byte(0xf0 | (code >> 18)), byte(0x80 | ((code >> 12) & 0x3f)), byte(0x80 | ((code >> 6) & 0x3f)),
+            byte(0x80 | (code & 0x3f));
 }
 
 // U+00C0 … U+017F (Latin-1 Supplement and Latin Extended-A) without their marks; '*' stands for more than one letter.
@@ -59,7 +67,7 @@ void append_folded(std::string& out, char32_t c) {
     } else if (c == 0xd7) {
         out += " x ";  // "4 × 5 m"
     } else if (c == 0xb2) {
-        out += '2';    // "20 m²"
+        out += '2';  // "20 m²"
     } else if (c >= 0xc0 && c < 0x180) {
         const char plain = kPlainLatin[c - 0xc0];
         if (plain != '*') out += plain;
@@ -73,7 +81,8 @@ void append_folded(std::string& out, char32_t c) {
         out += '\'';
     } else if ((c >= 0x2010 && c <= 0x2015) || c == 0x2212) {
         out += '-';
-    } else if ((c >= 0x201a && c <= 0x2026) || c == 0xab || c == 0xbb || (c >= 0x3001 && c <= 0x3002) || (c >= 0xff01 && c <= 0xff0f)) {
+    } else if ((c >= 0x201a && c <= 0x2026) || c == 0xab || c == 0xbb || (c >= 0x3001 && c <= 0x3002) ||
+               (c >= 0xff01 && c <= 0xff0f)) {
         out += ',';
     } else if (c == 0xa0 || (c >= 0x2000 && c <= 0x200f) || c == 0x3000 || c == 0xfeff || (c >= 0x300 && c < 0x370)) {
         if (c < 0x300 || c >= 0x370) out += ' ';  // combining marks vanish
@@ -87,7 +96,8 @@ void append_folded(std::string& out, char32_t c) {
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
 }
 
 bool is_english_ending(std::string_view letters) {
@@ -100,7 +110,8 @@ bool is_english_ending(std::string_view letters) {
 void check_prompt(const std::string& text) {
     if (std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) || c == 0; }))
         throw UsageError("prompt: expected a sentence such as \"a cozy bedroom with a red armchair\", found nothing");
-    if (text.size() > kMaxBytes) throw UsageError("prompt: expected at most {} bytes, found {}", kMaxBytes, text.size());
+    if (text.size() > kMaxBytes)
+        throw UsageError("prompt: expected at most {} bytes, found {}", kMaxBytes, text.size());
     if (const std::size_t at = first_bad_byte(text); at != std::string_view::npos)
         throw UsageError("prompt: expected UTF-8 text, found another encoding at byte {}", at);
 }
@@ -123,10 +134,12 @@ std::vector<std::string> tokens_of(std::string_view text) {
     };
     for (std::size_t i = 0; i < plain.size(); ++i) {
         const auto c = static_cast<unsigned char>(plain[i]);
-        const bool after_digit = i > 0 && std::isdigit(static_cast<unsigned char>(plain[i - 1])), before_digit = i + 1 < plain.size() && std::isdigit(static_cast<unsigned char>(plain[i + 1]));
+        const bool after_digit = i > 0 && std::isdigit(static_cast<unsigned char>(plain[i - 1])),
+                   before_digit = i + 1 < plain.size() && std::isdigit(static_cast<unsigned char>(plain[i + 1]));
         if ((c == '.' || c == ',') && after_digit && before_digit) {
-            word += '.';   // "1.80 m", "3,5 m"
-        } else if (c == '\'' && after_digit && !(i + 1 < plain.size() && std::isalnum(static_cast<unsigned char>(plain[i + 1])))) {
+            word += '.';  // "1.80 m", "3,5 m"
+        } else if (c == '\'' && after_digit &&
+                   !(i + 1 < plain.size() && std::isalnum(static_cast<unsigned char>(plain[i + 1])))) {
             flush();
             tokens.push_back("feet");  // "12' x 14'"
         } else if (std::isalnum(c) || c >= 0x80) {

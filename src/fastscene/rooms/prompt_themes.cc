@@ -1,4 +1,5 @@
-// Themes ("a pirate bedroom", "a gamer's den") and motifs ("dinosaurs", "a painting of a lion"): what the room shows of them.
+// Themes ("a pirate bedroom", "a gamer's den") and motifs ("dinosaurs", "a painting of a lion"): what the room shows of
+// them.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +19,9 @@ struct Theme {
 };
 const std::vector<Theme>& themes() {
     static const std::vector<Theme> all{
-        {"pirate", "", {{"trunk"}, {"picture", "skull"}, {"picture", "map"}, {"ship_model"}, {"rug", "striped", "navy"}}},
+        {"pirate",
+         "",
+         {{"trunk"}, {"picture", "skull"}, {"picture", "map"}, {"ship_model"}, {"rug", "striped", "navy"}}},
         {"gaming",
          "neon",
          {{"desk"},
@@ -40,7 +43,8 @@ std::string value_of(const Match& m, std::string_view key) {
 }
 
 bool is_forbidden(const PromptSpec& spec, std::string_view klass) {
-    return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+    return std::any_of(spec.objects.begin(), spec.objects.end(),
+                       [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
 }
 
 // What a theme brings where the prompt has not named it, and other rooms of a kind have not.
@@ -66,7 +70,8 @@ void bring(Reading& r, std::size_t i, const Theme& theme) {
         list += (list.empty() ? "" : ", ") + (p.klass == "picture" ? "a picture (" + name + ")" : name);
     }
     // An hour or a light that the prompt names is kept.
-    const bool lit = std::any_of(r.m.begin(), r.m.end(), [](const Match& m) { return m.is(WordKind::light) || m.is(WordKind::time); });
+    const bool lit = std::any_of(r.m.begin(), r.m.end(),
+                                 [](const Match& m) { return m.is(WordKind::light) || m.is(WordKind::time); });
     if (!theme.light.empty() && !lit) r.spec.light = theme.light, list += ", colored light";
     const bool is_room = r.m[i].is(WordKind::room);
     if (list.empty() || is_room) return;
@@ -76,7 +81,9 @@ void bring(Reading& r, std::size_t i, const Theme& theme) {
 
 // The picture that a motif is of: "a painting of a lion", "dinosaur posters".
 PromptObject* picture_of(Reading& r, std::size_t i) {
-    const auto is_picture = [&](const Match& m) { return has_object(m) && m.is(WordKind::object) && m.word->meaning == "picture" && !m.negated; };
+    const auto is_picture = [&](const Match& m) {
+        return has_object(m) && m.is(WordKind::object) && m.word->meaning == "picture" && !m.negated;
+    };
     for (std::size_t k = i; k-- > 0 && k + 4 > i;) {
         if (is_picture(r.m[k])) return &r.object_of(k);
         if (!modifies(r.m[k]) && !r.m[k].is(WordKind::function) && !(r.m[k].is(WordKind::nuance))) break;
@@ -127,21 +134,27 @@ void read_state(Reading& r) {
     const std::string& room = r.spec.room;
     std::vector<Thing> things;
     if (state == "abandoned") things = {{"cobweb", 2}, {"rubble"}, {"paper_litter"}};
-    if (state == "renovation") things = {{"step_ladder"}, {"drop_cloth"}, {"paint_buckets", 1, "next to", "step_ladder"}, {"moving_boxes"}};
+    if (state == "renovation")
+        things = {{"step_ladder"}, {"drop_cloth"}, {"paint_buckets", 1, "next to", "step_ladder"}, {"moving_boxes"}};
     if (state == "moving") things = {{"moving_boxes", 3}};
     if (state == "messy") {
-        if (is_one_of(room, {"study", "kitchen", "dining", "hallway"})) things = {{"paper_litter", 2}, {"moving_boxes"}};
+        if (is_one_of(room, {"study", "kitchen", "dining", "hallway"}))
+            things = {{"paper_litter", 2}, {"moving_boxes"}};
         else things = {{"clothes_heap", room == "bathroom" || room == "living" ? 1 : 2}, {"paper_litter"}};
         if (room == "kids") things.push_back({"toy_blocks", 2, "on", "floor"});
     }
     for (std::size_t i = 0; i < r.m.size(); ++i) {
-        const bool said = r.m[i].word && (r.m[i].is(WordKind::mood) ? r.m[i].word->meaning == state : r.m[i].is(WordKind::style) && added_by(*r.m[i].word, "clutter") == state);
+        const bool said = r.m[i].word && (r.m[i].is(WordKind::mood) ? r.m[i].word->meaning == state
+                                                                    : r.m[i].is(WordKind::style) &&
+                                                                          added_by(*r.m[i].word, "clutter") == state);
         if (!said || r.m[i].negated || !r.m[i].listed) continue;
         std::string list;
         int first = -1;
         for (const Thing& thing : things) {
             if (is_forbidden(r.spec, thing.klass)) continue;
-            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) { return o.klass == thing.klass && !o.forbidden; });
+            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
+                return o.klass == thing.klass && !o.forbidden;
+            });
             if (!there) {
                 PromptObject& object = r.add_object(std::string(thing.klass), r.m[i].words);
                 object.count = thing.count;
@@ -153,7 +166,8 @@ void read_state(Reading& r) {
             std::replace(name.begin(), name.end(), '_', ' ');
             list += (list.empty() ? "" : ", ") + name;
         }
-        const std::string_view how = state == "abandoned"    ? "peeling walls, dust over everything, hardly anything kept: "
+        const std::string_view how = state == "abandoned"
+                                         ? "peeling walls, dust over everything, hardly anything kept: "
                                      : state == "renovation" ? "bare plaster, no furniture but what is named: "
                                      : state == "moving"     ? "hardly anything unpacked: "
                                                              : "things everywhere: ";

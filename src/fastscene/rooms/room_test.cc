@@ -73,12 +73,14 @@ std::vector<Vec3f> directions(int count) {
 int leaks(const Room& room, const std::vector<Vec3f>& rays) {
     int open = 0;
     for (const Vec3f d : rays) {
-        bool hit = std::any_of(room.portals.begin(), room.portals.end(), [&](const Portal& p) { return through(p, d); });
+        bool hit = std::any_of(room.portals.begin(), room.portals.end(),
+                               [&](const Portal& p) { return through(p, d); });
         for (std::size_t m = 0; m < room.meshes.size() && !hit; ++m) {
             const Mesh& mesh = room.meshes[m];
             if (mesh.object >= 0) continue;
             for (std::size_t t = 0; t < mesh.triangles.size() && !hit; t += 3)
-                hit = ray_hits(d, mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]], mesh.positions[mesh.triangles[t + 2]]);
+                hit = ray_hits(d, mesh.positions[mesh.triangles[t]], mesh.positions[mesh.triangles[t + 1]],
+                               mesh.positions[mesh.triangles[t + 2]]);
         }
         open += !hit;
     }
@@ -98,9 +100,11 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
     int nearest_object = -1, outside = -2;
     for (const Mesh& m : room.meshes) {
         sound = sound && m.material >= 0 && static_cast<std::size_t>(m.material) < room.materials.size() &&
-                m.object < static_cast<int>(room.objects.size()) && m.normals.size() == m.positions.size() && m.coords.size() == m.positions.size();
+                m.object < static_cast<int>(room.objects.size()) && m.normals.size() == m.positions.size() &&
+                m.coords.size() == m.positions.size();
         for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
-            const float far = distance_to_triangle(m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]]);
+            const float far = distance_to_triangle(m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]],
+                                                   m.positions[m.triangles[t + 2]]);
             if (far < nearest) nearest = far, nearest_object = m.object;
         }
         for (const Vec3f p : m.positions) {
@@ -111,19 +115,23 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
         }
     }
     EXPECT_TRUE(sound);
-    const bool next_room = std::any_of(room.objects.begin(), room.objects.end(), [](const RoomObject& o) { return o.klass == "doorway"; });
+    const bool next_room = std::any_of(room.objects.begin(), room.objects.end(),
+                                       [](const RoomObject& o) { return o.klass == "doorway"; });
     if (!next_room) {
-        EXPECT_EQ(outside, -2) << (outside < 0 ? "the shell" : room.objects[static_cast<std::size_t>(outside)].name) << " reaches out of the house";
+        EXPECT_EQ(outside, -2) << (outside < 0 ? "the shell" : room.objects[static_cast<std::size_t>(outside)].name)
+                               << " reaches out of the house";
     }
     floor = room.max_corner.y;
     EXPECT_GT(floor, 1.2f);
     EXPECT_LT(floor, 1.8f);
     EXPECT_GE(nearest, 0.45f) << "of the camera: "
-                              << (nearest_object < 0 ? "the shell" : room.objects[static_cast<std::size_t>(nearest_object)].name);
+                              << (nearest_object < 0 ? "the shell"
+                                                     : room.objects[static_cast<std::size_t>(nearest_object)].name);
     EXPECT_EQ(leaks(room, rays), 0) << "rays leave through a gap of the shell";
     for (const Portal& p : room.portals) {
         const Vec3f middle = p.corner + (p.edge_u + p.edge_v) * 0.5f;
-        EXPECT_TRUE(next_room || dot(middle, cross(p.edge_u, p.edge_v)) < 0.f) << "the portal's normal points into the room";
+        EXPECT_TRUE(next_room || dot(middle, cross(p.edge_u, p.edge_v)) < 0.f)
+            << "the portal's normal points into the room";
     }
 }
 
@@ -162,13 +170,15 @@ TEST(Room, WhatIsAskedForIsThereOrReported) {
             const Room room = room_of(text, seed, &spec, false);
             for (const PromptObject& wish : spec.objects) {
                 if (wish.forbidden || wish.klass == "wall" || wish.klass == "floor") continue;
-                const auto there = std::count_if(room.objects.begin(), room.objects.end(),
-                                                 [&](const RoomObject& o) { return o.klass == wish.klass && o.requested; });
-                const auto reported =
-                    std::count_if(spec.not_placed.begin(), spec.not_placed.end(), [&](const std::string& s) { return s.starts_with(wish.words); });
+                const auto there = std::count_if(room.objects.begin(), room.objects.end(), [&](const RoomObject& o) {
+                    return o.klass == wish.klass && o.requested;
+                });
+                const auto reported = std::count_if(spec.not_placed.begin(), spec.not_placed.end(),
+                                                    [&](const std::string& s) { return s.starts_with(wish.words); });
                 EXPECT_GE(there + reported, wish.count) << wish.klass;
                 if (wish.color.empty()) continue;
-                for (const RoomObject& o : room.objects) EXPECT_TRUE(o.klass != wish.klass || !o.requested || o.color == wish.color) << o.name;
+                for (const RoomObject& o : room.objects)
+                    EXPECT_TRUE(o.klass != wish.klass || !o.requested || o.color == wish.color) << o.name;
             }
         }
 }
@@ -176,18 +186,21 @@ TEST(Room, WhatIsAskedForIsThereOrReported) {
 TEST(Room, AReasonableWishIsNeverRefused) {
     // One or two pieces in a room of their own kind must always find their place.
     for (const char* text :
-         {"a living room with a sofa and an armchair", "a bedroom with a bed and a wardrobe", "a study with a desk and a bookshelf",
-          "a bathroom with a bathtub and a toilet", "a dining room with a dining table and four chairs", "a kitchen with a fridge",
-          "a kids room with a toy box", "a living room with a fireplace", "a bedroom with two plants"})
+         {"a living room with a sofa and an armchair", "a bedroom with a bed and a wardrobe",
+          "a study with a desk and a bookshelf", "a bathroom with a bathtub and a toilet",
+          "a dining room with a dining table and four chairs", "a kitchen with a fridge", "a kids room with a toy box",
+          "a living room with a fireplace", "a bedroom with two plants"})
         for (std::uint64_t seed = 0; seed < 4; ++seed) {
             PromptSpec spec;
             room_of(text, seed, &spec);
-            EXPECT_TRUE(spec.not_placed.empty()) << text << ", seed " << seed << ": " << (spec.not_placed.empty() ? "" : spec.not_placed.front());
+            EXPECT_TRUE(spec.not_placed.empty())
+                << text << ", seed " << seed << ": " << (spec.not_placed.empty() ? "" : spec.not_placed.front());
         }
 }
 
 TEST(Room, LampsAreLitWhereTheLightIsDim) {
-    for (const char* text : {"a dark moody bedroom", "a gloomy study", "a dimly lit living room", "a bedroom at night", "a living room at dusk"}) {
+    for (const char* text : {"a dark moody bedroom", "a gloomy study", "a dimly lit living room", "a bedroom at night",
+                             "a living room at dusk"}) {
         PromptSpec spec;
         const Room room = room_of(text, 1, &spec);
         EXPECT_TRUE(spec.time == "dusk" || spec.time == "night") << text;
@@ -214,16 +227,19 @@ TEST(Room, ForbiddenThingsAreAbsent) {
         const Room room = room_of("a living room with a sofa, no curtains, no tv, no rug, no plants, no windows", seed);
         EXPECT_TRUE(room.portals.empty());
         for (const RoomObject& o : room.objects)
-            EXPECT_TRUE(o.klass != "curtain" && o.klass != "tv" && o.klass != "rug" && o.klass != "plant" && o.klass != "window") << o.klass;
+            EXPECT_TRUE(o.klass != "curtain" && o.klass != "tv" && o.klass != "rug" && o.klass != "plant" &&
+                        o.klass != "window")
+                << o.klass;
     }
 }
 
 TEST(Room, WindowsAskedForAreThere) {
     for (const int count : {1, 2, 3, 4})
-        EXPECT_EQ(
-            static_cast<int>(
-                room_of(std::string("a living room with ") + (count == 1 ? "one window" : std::to_string(count) + " windows"), 5).portals.size()),
-            count);
+        EXPECT_EQ(static_cast<int>(room_of(std::string("a living room with ") +
+                                               (count == 1 ? "one window" : std::to_string(count) + " windows"),
+                                           5)
+                                       .portals.size()),
+                  count);
 }
 
 TEST(Room, SameSeedSameRoomOtherSeedOtherRoom) {
@@ -239,7 +255,8 @@ TEST(Room, SameSeedSameRoomOtherSeedOtherRoom) {
 
 TEST(Room, ARugAskedForLiesFlatOnTheFloor) {
     const Room room = room_of("a living room with a sofa and a red rug", 3);
-    const auto rug = std::find_if(room.objects.begin(), room.objects.end(), [](const RoomObject& o) { return o.klass == "rug" && o.requested; });
+    const auto rug = std::find_if(room.objects.begin(), room.objects.end(),
+                                  [](const RoomObject& o) { return o.klass == "rug" && o.requested; });
     ASSERT_NE(rug, room.objects.end());
     EXPECT_LT(rug->size_m.y, 0.03f);
     EXPECT_NEAR(rug->world_from_object.translation.y, room.max_corner.y, 0.005f);
@@ -259,8 +276,8 @@ TEST(Room, NeonShinesInTwoColorsByNight) {
 }
 
 TEST(Room, NeonIsOfTheColorThatWasSaid) {
-    for (const auto& [text, channel] :
-         {std::pair{"a bedroom with green neon lights", std::size_t{1}}, {"a bedroom with red led strips", std::size_t{0}}}) {
+    for (const auto& [text, channel] : {std::pair{"a bedroom with green neon lights", std::size_t{1}},
+                                        {"a bedroom with red led strips", std::size_t{0}}}) {
         PromptSpec spec;
         const Room room = room_of(text, 2, &spec);
         EXPECT_EQ(spec.light, "neon") << text;
@@ -305,7 +322,8 @@ TEST(Room, ColorsOfTheRoomAreInItsCloth) {
     PromptSpec white = understand_prompt("a modern white living room", false);
     fastscene::Run run;
     const std::vector<Vec3f> palette = furnish_room(white, run).plan.style.palette;
-    EXPECT_TRUE(std::equal(palette.begin(), palette.end(), style_named("modern").palette.begin(), [](Vec3f a, Vec3f b) { return a == b; }));
+    EXPECT_TRUE(std::equal(palette.begin(), palette.end(), style_named("modern").palette.begin(),
+                           [](Vec3f a, Vec3f b) { return a == b; }));
 }
 
 TEST(Room, BathroomShelvesHoldNoBooks) {

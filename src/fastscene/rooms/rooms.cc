@@ -19,14 +19,33 @@ struct Daylight {
     const char* name;
     Sky::Time time;
     float sun_elevation_deg;
-    Vec3f sun, zenith, horizon, ground;   // irradiance on a surface facing the sun; radiances. White paper in the shade is about 1.
+    Vec3f sun, zenith, horizon,
+        ground;  // irradiance on a surface facing the sun; radiances. White paper in the shade is about 1.
 };
 constexpr Daylight kDaylight[] = {
-    {"morning", Sky::Time::morning, 20, {8.5f, 6.6f, 4.6f}, {0.9f, 1.35f, 2.2f}, {2.7f, 2.5f, 2.2f}, {0.50f, 0.46f, 0.38f}},
+    {"morning",
+     Sky::Time::morning,
+     20,
+     {8.5f, 6.6f, 4.6f},
+     {0.9f, 1.35f, 2.2f},
+     {2.7f, 2.5f, 2.2f},
+     {0.50f, 0.46f, 0.38f}},
     {"day", Sky::Time::day, 38, {11.f, 10.1f, 8.8f}, {1.1f, 1.8f, 3.1f}, {3.0f, 3.3f, 3.7f}, {0.75f, 0.70f, 0.58f}},
-    {"evening", Sky::Time::evening, 11, {8.f, 4.7f, 2.4f}, {0.6f, 0.8f, 1.4f}, {2.6f, 1.7f, 1.0f}, {0.35f, 0.27f, 0.20f}},
+    {"evening",
+     Sky::Time::evening,
+     11,
+     {8.f, 4.7f, 2.4f},
+     {0.6f, 0.8f, 1.4f},
+     {2.6f, 1.7f, 1.0f},
+     {0.35f, 0.27f, 0.20f}},
     {"dusk", Sky::Time::dusk, 4, {}, {0.022f, 0.043f, 0.115f}, {0.085f, 0.078f, 0.115f}, {0.012f, 0.0125f, 0.017f}},
-    {"night", Sky::Time::night, 30, {}, {0.0007f, 0.001f, 0.0022f}, {0.003f, 0.0032f, 0.0045f}, {0.0008f, 0.0008f, 0.001f}},
+    {"night",
+     Sky::Time::night,
+     30,
+     {},
+     {0.0007f, 0.001f, 0.0022f},
+     {0.003f, 0.0032f, 0.0045f},
+     {0.0008f, 0.0008f, 0.001f}},
 };
 
 // The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
@@ -39,13 +58,20 @@ void assume_time(PromptSpec& spec, std::uint64_t seed) {
     if (!spec.time.empty()) return;
     const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
     if (spec.light == "neon") spec.time = "night";
-    else spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk" : spec.mood == "cozy" ? (late ? "evening" : "morning") : "day";
+    else
+        spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk"
+                    : spec.mood == "cozy"                           ? (late ? "evening" : "morning")
+                                                                    : "day";
     spec.assumed.push_back("time: " + spec.time);
 }
 
 // What the windows show, when the prompt does not say it: it goes with the style.
 Sky::View outlook_of(PromptSpec& spec, const std::string& style, Random& dice) {
-    static constexpr std::array<std::pair<const char*, Sky::View>, 5> kViews{{{"garden", Sky::View::garden}, {"city", Sky::View::city}, {"sea", Sky::View::sea}, {"mountains", Sky::View::mountains}, {"forest", Sky::View::forest}}};
+    static constexpr std::array<std::pair<const char*, Sky::View>, 5> kViews{{{"garden", Sky::View::garden},
+                                                                              {"city", Sky::View::city},
+                                                                              {"sea", Sky::View::sea},
+                                                                              {"mountains", Sky::View::mountains},
+                                                                              {"forest", Sky::View::forest}}};
     const float draw = dice.uniform();
     if (spec.outlook.empty()) {
         const bool urban = style == "industrial" || style == "modern" || style == "art deco" || spec.room == "loft";
@@ -61,7 +87,8 @@ Sky::View outlook_of(PromptSpec& spec, const std::string& style, Random& dice) {
     return Sky::View::garden;
 }
 
-// The sun stands where it shines through the first window, a little from the side, so that its patch falls on the floor.
+// The sun stands where it shines through the first window, a little from the side, so that its patch falls on the
+// floor.
 Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
     const Daylight* light = &kDaylight[1];
     for (const Daylight& d : kDaylight)
@@ -72,7 +99,9 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.horizon = light->horizon;
     sky.ground = light->ground;
     sky.sun_irradiance = light->sun;
-    sky.clouds = spec.weather == "sunny" ? 0.1f : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f : 0.3f;
+    sky.clouds = spec.weather == "sunny"                                                            ? 0.1f
+                 : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f
+                                                                                                    : 0.3f;
     sky.seed = dice.next_u32();
     sky.snow = spec.weather == "snowy";
     // At dusk the room is exposed for its lamps: what is outside is deep blue.
@@ -82,7 +111,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.view = outlook_of(spec, plan.style.name, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
-        const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 * (spec.weather == "rainy" ? 0.5f : 0.75f);
+        const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 *
+                           (spec.weather == "rainy" ? 0.5f : 0.75f);
         const bool late = light->time == Sky::Time::dusk || light->time == Sky::Time::night;
         sky.zenith = sky.horizon = (late ? Vec3f{0.72f, 0.98f, 1.5f} : Vec3f{0.95f, 1.f, 1.06f}) * gray;
         sky.sun_irradiance = {};
@@ -104,9 +134,10 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
 // How much of their light the lamps give, by the hour. Where no day comes in they are lit.
 float lamp_level(const PromptSpec& spec, const Plan& plan) {
     const bool daylit = !plan.skylights.empty() ||
-                        std::any_of(plan.openings.begin(), plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
+                        std::any_of(plan.openings.begin(), plan.openings.end(),
+                                    [](const Opening& o) { return o.kind == Opening::Kind::window; });
     if (!daylit && spec.light != "neon") return 1.f;
-    if (spec.light == "neon") return 0.3f;   // beside it they only keep the dark from being black
+    if (spec.light == "neon") return 0.3f;  // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
     if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
     return 0.f;
@@ -121,7 +152,9 @@ std::string name_of(const Placed& placed) {
 }
 
 // Fires burn always; candles when they were asked for, or when lamps are lit.
-bool is_burning(const Placed& placed, float lamps) { return lamps > 0 || !placed.wish.klass.empty() || placed.piece.klass == "fireplace"; }
+bool is_burning(const Placed& placed, float lamps) {
+    return lamps > 0 || !placed.wish.klass.empty() || placed.piece.klass == "fireplace";
+}
 
 void add_piece(const Placed& placed, float lamps, Room& room) {
     constexpr float kSignByNight = 0.15f;
@@ -130,7 +163,8 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     for (Material material : placed.piece.materials) {
         // Screens and flames glow by day too; lamps only as the hour asks.
         if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * lamps;
-        // Eyes and cameras open up by night: a sign as bright as by day would burn out the wall that it stands before, and itself with it.
+        // Eyes and cameras open up by night: a sign as bright as by day would burn out the wall that it stands before,
+        // and itself with it.
         if (placed.piece.klass == "neon_sign" && lamps > 0) material.emission = material.emission * kSignByNight;
         room.materials.push_back(std::move(material));
     }
@@ -158,8 +192,9 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 
 // Looks at the piece that names the room, else along the room's longer side.
 Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
-    for (const char* klass :
-         {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed", "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub", "desk", "sideboard", "washing_machine"})
+    for (const char* klass : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
+                              "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
+                              "desk", "sideboard", "washing_machine"})
         for (const Placed& p : room.placed) {
             if (p.piece.klass != klass) continue;
             const Vec3f to = p.position - camera;
@@ -204,13 +239,15 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
         if (const auto there = stands_as_asked(room.plan, room.placed, placed, placed.wish); there && !*there)
             for (PromptWord& word : spec.words)
                 if (word.object == placed.wish.id && word.relation)
-                    word.fate = PromptWord::Fate::approximated, word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
+                    word.fate = PromptWord::Fate::approximated,
+                    word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
         tell_size(placed, spec);
         if (placed.piece.klass == placed.wish.klass) continue;
         if (placed.wish.klass == "plant" && is_one_of(placed.piece.klass, {"plant_small", "hanging_plant"}))
             continue;  // in a smaller pot they are plants
         for (PromptWord& word : spec.words)
-            if (word.object == placed.wish.id && word.words == placed.wish.words && word.fate == PromptWord::Fate::understood) {
+            if (word.object == placed.wish.id && word.words == placed.wish.words &&
+                word.fate == PromptWord::Fate::understood) {
                 word.fate = PromptWord::Fate::approximated;
                 word.meaning += "; shown as " + placed.piece.klass;
             }
@@ -219,9 +256,10 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
         if (placed.wish.id >= 0) ++spec.objects[static_cast<std::size_t>(placed.wish.id)].placed;
     for (PromptObject& object : spec.objects)
         if (is_shell(object.klass) && !object.forbidden)
-            object.placed =
-                object.count - static_cast<int>(std::count_if(spec.not_placed.begin(), spec.not_placed.end(),
-                                                              [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
+            object.placed = object.count -
+                            static_cast<int>(std::count_if(
+                                spec.not_placed.begin(), spec.not_placed.end(),
+                                [&](const std::string& line) { return line.starts_with(object.words + ": "); }));
 }
 
 bool is_asked_next_door(const PromptObject& o) { return !o.forbidden && o.relation == "in the next room"; }
@@ -230,7 +268,9 @@ bool is_asked_next_door(const PromptObject& o) { return !o.forbidden && o.relati
 void turn_accent(const PromptSpec& spec, const std::vector<Placed>& placed, Plan& plan) {
     for (const PromptObject& wish : spec.objects) {
         if (wish.klass != "wall" || wish.forbidden || wish.relation != "behind") continue;
-        const auto piece = std::find_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.piece.klass == wish.relation_to || p.wish.klass == wish.relation_to; });
+        const auto piece = std::find_if(placed.begin(), placed.end(), [&](const Placed& p) {
+            return p.piece.klass == wish.relation_to || p.wish.klass == wish.relation_to;
+        });
         if (piece == placed.end()) continue;
         for (int i = 0; i < 4; ++i)
             if (dot(plan.wall(i).inward, front_of(piece->yaw)) > 0.9f) plan.accent_wall = i;
@@ -275,7 +315,8 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
         }
     } else {
         for (const PromptObject& o : spec.objects)
-            for (int i = 0; i < (is_asked_next_door(o) ? o.count : 0); ++i) spec.not_placed.push_back(o.words + ": there is no second room");
+            for (int i = 0; i < (is_asked_next_door(o) ? o.count : 0); ++i)
+                spec.not_placed.push_back(o.words + ": there is no second room");
     }
     return out;
 }
@@ -296,27 +337,30 @@ std::size_t misplaced(const FurnishedRoom& room) {
 
 // A room is for who asked for it by its beds: one of them is missing.
 bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
-    constexpr int kMost = 3;   // more is for halls
+    constexpr int kMost = 3;  // more is for halls
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
         return is_bed(o.klass) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
-               std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
+               std::count_if(room.placed.begin(), room.placed.end(),
+                             [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
     });
 }
 
 }  // namespace
 
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing) {
-    // Now and then the plan itself leaves no way between its corners and what was asked for, or no place where it was asked to stand, or
-    // something that was asked for stands behind something else: then another one is drawn, and the best is kept.
+    // Now and then the plan itself leaves no way between its corners and what was asked for, or no place where it was
+    // asked to stand, or something that was asked for stands behind something else: then another one is drawn, and the
+    // best is kept.
     constexpr int kDraws = 4;
     std::optional<FurnishedRoom> best;
     PromptSpec best_read;
-    std::pair<bool, std::size_t> fewest;   // no way; pieces hidden or left out
+    std::pair<bool, std::size_t> fewest;  // no way; pieces hidden or left out
     for (int draw = 0; draw < kDraws; ++draw) {
         PromptSpec read = spec;
         FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw), annealing);
         const std::size_t elsewhere = misplaced(room);
-        const std::pair faults{!has_a_way(room), static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size() + elsewhere};
+        const std::pair faults{!has_a_way(room),
+                               static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size() + elsewhere};
         if (best && faults >= fewest) continue;
         fewest = faults;
         best = std::move(room);
@@ -338,7 +382,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
     const float lamps = lamp_level(spec, plan);
-    for (Material& material : room.materials)   // of the shell: recessed lights
+    for (Material& material : room.materials)  // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
     for (const Placed& placed : furnished.placed_next) add_piece(placed, lamps, room);
@@ -376,12 +420,23 @@ Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
         const RoomObject& o = room.objects[i];
         const Mat3f& r = o.world_from_object.rotation;
         const Vec3f t = o.world_from_object.translation;
-        objects.push_back({{"class", o.klass}, {"name", o.name}, {"color", o.color}, {"visible_pixels", visible[i]},
-                           {"world_from_object", Json::array({Json{r.row0.x, r.row0.y, r.row0.z, t.x}, Json{r.row1.x, r.row1.y, r.row1.z, t.y},
-                                                              Json{r.row2.x, r.row2.y, r.row2.z, t.z}, Json{0, 0, 0, 1}})},
-                           {"size_m", vec(o.size_m)}, {"source", o.source}, {"requested", o.requested}});
+        objects.push_back(
+            {{"class", o.klass},
+             {"name", o.name},
+             {"color", o.color},
+             {"visible_pixels", visible[i]},
+             {"world_from_object",
+              Json::array({Json{r.row0.x, r.row0.y, r.row0.z, t.x}, Json{r.row1.x, r.row1.y, r.row1.z, t.y},
+                           Json{r.row2.x, r.row2.y, r.row2.z, t.z}, Json{0, 0, 0, 1}})},
+             {"size_m", vec(o.size_m)},
+             {"source", o.source},
+             {"requested", o.requested}});
     }
-    return {{"room", room.type}, {"style", room.style}, {"objects", objects}, {"bounds_m", {{"min", vec(room.min_corner)}, {"max", vec(room.max_corner)}}}, {"sun_direction", vec(room.sky.sun_dir)},
+    return {{"room", room.type},
+            {"style", room.style},
+            {"objects", objects},
+            {"bounds_m", {{"min", vec(room.min_corner)}, {"max", vec(room.max_corner)}}},
+            {"sun_direction", vec(room.sky.sun_dir)},
             {"windows", room.portals.size()}};
 }
 

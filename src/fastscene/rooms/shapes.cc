@@ -40,7 +40,8 @@ struct RingMaker {
         const auto first = static_cast<std::uint32_t>(m.positions.size());
         for (int i = 0; i <= sides; ++i) {
             const float a = 2.f * kPi * static_cast<float>(i % sides) / static_cast<float>(sides);
-            vertex(m, {p.x * std::cos(a), p.y, p.x * std::sin(a)}, normalize(Vec3f{n.x * std::cos(a), n.y, n.x * std::sin(a)}));
+            vertex(m, {p.x * std::cos(a), p.y, p.x * std::sin(a)},
+                   normalize(Vec3f{n.x * std::cos(a), n.y, n.x * std::sin(a)}));
         }
         return first;
     }
@@ -84,17 +85,20 @@ void turn_profile(Mesh& m, std::span<const Vec2f> profile, int sides, bool smoot
 void drop_slivers(Mesh& m) {
     std::vector<std::uint32_t> kept;
     for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
-        const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
+        const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]],
+                    c = m.positions[m.triangles[t + 2]];
         // Relative to the edges: with fused multiply-add the cross product of equal edges is small, not zero.
         const float longest = std::max(dot(b - a, b - a), std::max(dot(c - a, c - a), dot(c - b, c - b)));
         if (length(cross(b - a, c - a)) > 1e-5f * longest)
-            kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t), m.triangles.begin() + static_cast<long>(t) + 3);
+            kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t),
+                        m.triangles.begin() + static_cast<long>(t) + 3);
     }
     m.triangles = std::move(kept);
 }
 
 // The cube's surface as six grids; map() turns a point of the cube [-1, 1]^3 into (position, normal).
-Mesh cube_surface(const std::array<std::vector<float>, 3>& lines, const std::function<void(Vec3f, Vec3f&, Vec3f&)>& map) {
+Mesh cube_surface(const std::array<std::vector<float>, 3>& lines,
+                  const std::function<void(Vec3f, Vec3f&, Vec3f&)>& map) {
     Mesh m;
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
@@ -129,7 +133,8 @@ float wobble(Vec3f p, std::uint32_t seed) {
     const float u = ease(p.x - fx), v = ease(p.y - fy), w = ease(p.z - fz);
     const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
     const auto layer = [&](int k) {
-        return mix(mix(cell(x, y, k, seed), cell(x + 1, y, k, seed), u), mix(cell(x, y + 1, k, seed), cell(x + 1, y + 1, k, seed), u), v);
+        return mix(mix(cell(x, y, k, seed), cell(x + 1, y, k, seed), u),
+                   mix(cell(x, y + 1, k, seed), cell(x + 1, y + 1, k, seed), u), v);
     };
     return mix(layer(z), layer(z + 1), w);
 }
@@ -157,15 +162,18 @@ Mesh box(Vec3f size, float bevel) {
 }
 
 Mesh soft_box(Vec3f size, const Soft& soft) {
-    const float r = std::min(soft.round_m, 0.49f * min_component(size)), puff = std::min(soft.puff_m, 0.3f * min_component(size));
+    const float r = std::min(soft.round_m, 0.49f * min_component(size)),
+                puff = std::min(soft.puff_m, 0.3f * min_component(size));
     const float longest = max_component(size);
     std::array<std::vector<float>, 3> lines;
     for (std::size_t k = 0; k < 3; ++k) {
         const float c = std::min(0.98f, 2.f * r / size[k]);
-        const int flat = std::clamp(static_cast<int>(static_cast<float>(soft.steps) * size[k] / longest), 1, soft.steps);
+        const int flat = std::clamp(static_cast<int>(static_cast<float>(soft.steps) * size[k] / longest), 1,
+                                    soft.steps);
         constexpr int kRound = 3;
         for (int i = 0; i < kRound; ++i) lines[k].push_back(-1.f + c * static_cast<float>(i) / kRound);
-        for (int i = 0; i <= flat; ++i) lines[k].push_back(-1.f + c + (2.f - 2.f * c) * static_cast<float>(i) / static_cast<float>(flat));
+        for (int i = 0; i <= flat; ++i)
+            lines[k].push_back(-1.f + c + (2.f - 2.f * c) * static_cast<float>(i) / static_cast<float>(flat));
         for (int i = kRound - 1; i >= 0; --i) lines[k].push_back(-lines[k][static_cast<std::size_t>(i)]);
     }
     const Vec3f half = size * 0.5f - Vec3f{puff, puff, puff} * 0.7f;
@@ -206,8 +214,8 @@ Mesh pillow(Vec3f size, std::uint32_t seed, int steps) {
                 // The rim draws in between the corners, and the cloth puckers towards it.
                 const float in_x = 1.f - 0.07f * (1.f - b * b), in_y = 1.f - 0.07f * (1.f - a * a);
                 const Vec3f base{0.5f * size.x * a * in_x, 0.5f * size.y * (1.f + b * in_y), 0.f};
-                const float crease =
-                    1.f + 0.1f * wobble(base * 11.f + Vec3f{0, 0, static_cast<float>(side)}, seed) + 0.05f * wobble(base * 28.f, seed + 3);
+                const float crease = 1.f + 0.1f * wobble(base * 11.f + Vec3f{0, 0, static_cast<float>(side)}, seed) +
+                                     0.05f * wobble(base * 28.f, seed + 3);
                 const float z = 0.46f * size.z * body * crease;
                 vertex(m, base + Vec3f{0, 0, side ? -z : z}, {0, 0, 1});
             }
@@ -239,7 +247,8 @@ Mesh vessel(std::span<const Vec2f> profile, float wall, int sides) {
     std::vector<Vec2f> all(profile.begin(), profile.end());
     if (all.front().x > 1e-5f) all.insert(all.begin(), {0.f, all.front().y});
     for (std::size_t i = profile.size(); i-- > 0;)
-        if (profile[i].x > 1.5f * wall) all.push_back({profile[i].x - wall, std::max(profile[i].y, profile.front().y + wall)});
+        if (profile[i].x > 1.5f * wall)
+            all.push_back({profile[i].x - wall, std::max(profile[i].y, profile.front().y + wall)});
     all.push_back({0.f, profile.front().y + wall});
     Mesh m;
     turn_profile(m, all, sides, false);
@@ -260,11 +269,13 @@ std::vector<Vec2f> curve(std::span<const Vec2f> points, int steps) {
     std::vector<Vec2f> out;
     const auto last = points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
-        const Vec2f p0 = points[i > 0 ? i - 1 : 0], p1 = points[i], p2 = points[i + 1], p3 = points[std::min(i + 2, last)];
+        const Vec2f p0 = points[i > 0 ? i - 1 : 0], p1 = points[i], p2 = points[i + 1],
+                    p3 = points[std::min(i + 2, last)];
         for (int k = 0; k < steps; ++k) {
             const float t = static_cast<float>(k) / static_cast<float>(steps);
-            out.push_back(
-                (p1 * 2.f + (p2 - p0) * t + (p0 * 2.f - p1 * 5.f + p2 * 4.f - p3) * (t * t) + (p1 * 3.f - p0 - p2 * 3.f + p3) * (t * t * t)) * 0.5f);
+            out.push_back((p1 * 2.f + (p2 - p0) * t + (p0 * 2.f - p1 * 5.f + p2 * 4.f - p3) * (t * t) +
+                           (p1 * 3.f - p0 - p2 * 3.f + p3) * (t * t * t)) *
+                          0.5f);
         }
     }
     out.push_back(points[last]);
@@ -395,7 +406,8 @@ Mesh prism(std::span<const Vec2f> outline, float y0, float y1, float bevel) {
             else triangle(m, hub, ring + i, ring + j);
         }
     };
-    const auto bottom_inner = add_ring(b, y0, {0, -1, 0}), bottom = add_ring(0.f, y0 + b, {}), top = add_ring(0.f, y1 - b, {}), top_inner = add_ring(b, y1, {0, 1, 0});
+    const auto bottom_inner = add_ring(b, y0, {0, -1, 0}), bottom = add_ring(0.f, y0 + b, {}),
+               top = add_ring(0.f, y1 - b, {}), top_inner = add_ring(b, y1, {0, 1, 0});
     join(bottom_inner, bottom);
     join(bottom, top);
     join(top, top_inner);
@@ -410,7 +422,8 @@ std::vector<Vec2f> rounded_rectangle(float width, float depth, float radius, int
     std::vector<Vec2f> out;
     const float r = std::min(radius, 0.499f * std::min(width, depth));
     for (int c = 0; c < 4; ++c) {
-        const Vec2f center{(c == 0 || c == 3 ? 1.f : -1.f) * (0.5f * width - r), (c < 2 ? 1.f : -1.f) * (0.5f * depth - r)};
+        const Vec2f center{(c == 0 || c == 3 ? 1.f : -1.f) * (0.5f * width - r),
+                           (c < 2 ? 1.f : -1.f) * (0.5f * depth - r)};
         for (int i = 0; i <= steps; ++i) {
             const float a = 0.5f * kPi * (static_cast<float>(c) + static_cast<float>(i) / static_cast<float>(steps));
             out.push_back(center + Vec2f{r * std::cos(a), r * std::sin(a)});
@@ -448,9 +461,11 @@ Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m) {
     Box box;
     for (const Limb& l : limbs)
         for (const auto& [at, r] : {std::pair{l.a, l.ra}, {l.b, l.rb}})
-            for (std::size_t k = 0; k < 3; ++k) box.low[k] = std::min(box.low[k], at[k] - r), box.high[k] = std::max(box.high[k], at[k] + r);
+            for (std::size_t k = 0; k < 3; ++k)
+                box.low[k] = std::min(box.low[k], at[k] - r), box.high[k] = std::max(box.high[k], at[k] + r);
     std::array<int, 3> n{};
-    for (std::size_t k = 0; k < 3; ++k) box.low[k] -= flow_m, n[k] = static_cast<int>((box.high[k] + flow_m - box.low[k]) / cell_m) + 2;
+    for (std::size_t k = 0; k < 3; ++k)
+        box.low[k] -= flow_m, n[k] = static_cast<int>((box.high[k] + flow_m - box.low[k]) / cell_m) + 2;
     const auto index = [&](int x, int y, int z) { return static_cast<std::size_t>((z * n[1] + y) * n[0] + x); };
     const auto point = [&](int x, int y, int z) {
         return box.low + Vec3f{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)} * cell_m;
@@ -479,7 +494,8 @@ Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m) {
                 const auto cut = [&](int a, int b) {
                     auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
                     if (id[i] > id[j]) std::swap(i, j);
-                    const auto [found, fresh] = cuts.try_emplace({id[i], id[j]}, static_cast<std::uint32_t>(m.positions.size()));
+                    const auto [found, fresh] = cuts.try_emplace({id[i], id[j]},
+                                                                 static_cast<std::uint32_t>(m.positions.size()));
                     if (fresh) {
                         const float t = field[id[i]] / (field[id[i]] - field[id[j]]);
                         m.positions.push_back(lerp(at[i], at[j], std::clamp(t, 0.02f, 0.98f)));
@@ -493,13 +509,15 @@ Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m) {
                     if (ins == 0 || outs == 0) continue;
                     const Vec3f outward = at[static_cast<std::size_t>(out[0])] - at[static_cast<std::size_t>(in[0])];
                     const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-                        if (dot(cross(m.positions[b] - m.positions[a], m.positions[c] - m.positions[a]), outward) < 0) std::swap(b, c);
+                        if (dot(cross(m.positions[b] - m.positions[a], m.positions[c] - m.positions[a]), outward) < 0)
+                            std::swap(b, c);
                         m.triangles.insert(m.triangles.end(), {a, b, c});
                     };
                     if (ins == 1) face(cut(in[0], out[0]), cut(in[0], out[1]), cut(in[0], out[2]));
                     else if (outs == 1) face(cut(in[0], out[0]), cut(in[1], out[0]), cut(in[2], out[0]));
                     else {
-                        const std::uint32_t a = cut(in[0], out[0]), b = cut(in[0], out[1]), c = cut(in[1], out[1]), d = cut(in[1], out[0]);
+                        const std::uint32_t a = cut(in[0], out[0]), b = cut(in[0], out[1]), c = cut(in[1], out[1]),
+                                            d = cut(in[1], out[0]);
                         face(a, b, c), face(a, c, d);
                     }
                 }
@@ -523,7 +541,10 @@ Mesh sheet(int columns, int rows, const std::function<Vec3f(float, float)>& poin
     Mesh m;
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i)
-            vertex(m, point(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows)), {0, 1, 0});
+            vertex(m,
+                   point(static_cast<float>(i) / static_cast<float>(columns),
+                         static_cast<float>(j) / static_cast<float>(rows)),
+                   {0, 1, 0});
     const auto w = static_cast<std::uint32_t>(columns + 1);
     for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j)
         for (std::uint32_t i = 0; i + 1 < w; ++i) {
@@ -540,13 +561,16 @@ Mesh slab(int columns, int rows, float thickness, const std::function<Vec3f(floa
     const auto count = static_cast<std::uint32_t>(m.positions.size());
     const std::vector<std::uint32_t> front = m.triangles;
     for (std::uint32_t i = 0; i < count; ++i) vertex(m, m.positions[i] - m.normals[i] * thickness, -m.normals[i]);
-    for (std::size_t t = 0; t < front.size(); t += 3) triangle(m, front[t] + count, front[t + 2] + count, front[t + 1] + count);
+    for (std::size_t t = 0; t < front.size(); t += 3)
+        triangle(m, front[t] + count, front[t + 2] + count, front[t + 1] + count);
     const auto w = static_cast<std::uint32_t>(columns + 1), h = static_cast<std::uint32_t>(rows + 1);
     const auto rim = [&](std::uint32_t a, std::uint32_t b) {
         const std::uint32_t old[] = {b, a, a + count, b + count};
-        const Vec3f n = normalize(cross(m.positions[old[1]] - m.positions[old[0]], m.positions[old[2]] - m.positions[old[0]]));
+        const Vec3f n = normalize(
+            cross(m.positions[old[1]] - m.positions[old[0]], m.positions[old[2]] - m.positions[old[0]]));
         std::uint32_t made[4];
-        for (int i = 0; i < 4; ++i) made[i] = vertex(m, Vec3f(m.positions[old[i]]), length(n) > 0.5f ? n : m.normals[old[i]]);
+        for (int i = 0; i < 4; ++i)
+            made[i] = vertex(m, Vec3f(m.positions[old[i]]), length(n) > 0.5f ? n : m.normals[old[i]]);
         quad(m, made[0], made[1], made[2], made[3]);
     };
     for (std::uint32_t i = 0; i + 1 < w; ++i) {
@@ -593,14 +617,18 @@ void smooth_normals(Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     std::vector<std::uint32_t> order(count), group(count);
     for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    const auto key = [&](std::uint32_t i, std::size_t k) { return static_cast<long>(std::lround(mesh.positions[i][k] * 1e5f)); };
+    const auto key = [&](std::uint32_t i, std::size_t k) {
+        return static_cast<long>(std::lround(mesh.positions[i][k] * 1e5f));
+    };
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
         for (std::size_t k = 0; k < 3; ++k)
             if (key(a, k) != key(b, k)) return key(a, k) < key(b, k);
         return false;
     };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return less(a, b) || (!less(b, a) && a < b); });
-    for (std::size_t i = 0; i < count; ++i) group[order[i]] = i > 0 && !less(order[i - 1], order[i]) ? group[order[i - 1]] : order[i];
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return less(a, b) || (!less(b, a) && a < b); });
+    for (std::size_t i = 0; i < count; ++i)
+        group[order[i]] = i > 0 && !less(order[i - 1], order[i]) ? group[order[i - 1]] : order[i];
     std::vector<Vec3f> sum(count);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
         const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1], c = mesh.triangles[t + 2];
@@ -624,7 +652,8 @@ Box bounds(const Mesh& mesh) {
 float signed_volume(const Mesh& mesh) {
     double v = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-        const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]], c = mesh.positions[mesh.triangles[t + 2]];
+        const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]],
+                    c = mesh.positions[mesh.triangles[t + 2]];
         v += dot(a, cross(b, c)) / 6.0;
     }
     return static_cast<float>(v);

@@ -18,7 +18,7 @@ Mesh box(Vec3f size_m, float bevel_m = 0.004f);
 // Fits the box size_m: the bulge is taken from inside it.
 struct Soft {
     float round_m = 0.05f, puff_m = 0.03f, wrinkle_m = 0.003f;
-    int steps = 14;             // grid cells along the longest edge
+    int steps = 14;  // grid cells along the longest edge
     std::uint32_t seed = 0;
 };
 Mesh soft_box(Vec3f size_m, const Soft& soft);
@@ -54,8 +54,8 @@ struct Limb {
     Vec3f a, b;
     float ra, rb;
 };
-// The one smooth skin about all limbs, which flow into each other where they are nearer than about `flow_m`: animals. Closed; `cell_m` is the
-// length of its triangles' edges, coords are positions.
+// The one smooth skin about all limbs, which flow into each other where they are nearer than about `flow_m`: animals.
+// Closed; `cell_m` is the length of its triangles' edges, coords are positions.
 Mesh skin(std::span<const Limb> limbs, float flow_m, float cell_m);
 
 // An open sheet: point(u, v) for u, v in [0, 1]; the normal is d/du x d/dv.

@@ -14,7 +14,8 @@ namespace {
 bool is_closed(const Mesh& m) {
     using Place = std::tuple<long, long, long>;
     const auto place = [&](std::uint32_t i) {
-        return Place{std::lround(m.positions[i].x * 2e4f), std::lround(m.positions[i].y * 2e4f), std::lround(m.positions[i].z * 2e4f)};
+        return Place{std::lround(m.positions[i].x * 2e4f), std::lround(m.positions[i].y * 2e4f),
+                     std::lround(m.positions[i].z * 2e4f)};
     };
     std::map<std::pair<Place, Place>, int> balance;
     for (std::size_t t = 0; t < m.triangles.size(); t += 3)
@@ -34,10 +35,21 @@ constexpr std::array<Vec2f, 4> kProfile{Vec2f{0.1f, 0}, {0.2f, 0.1f}, {0.15f, 0.
 TEST(Shapes, SolidsAreClosedAndFaceOutward) {
     const std::array<Vec3f, 3> path{Vec3f{0, 0, 0}, {0, 0.5f, 0}, {0.3f, 0.8f, 0.1f}};
     const std::vector<std::pair<const char*, Mesh>> solids{
-        {"box", box({0.5f, 0.3f, 0.2f}, 0.01f)}, {"soft", soft_box({0.6f, 0.2f, 0.5f}, {})}, {"pillow", pillow({0.5f, 0.4f, 0.15f}, 3)}, {"lathe", lathe(kProfile)},
-        {"smooth lathe", lathe(kProfile, 20, true)}, {"vessel", vessel(kProfile, 0.01f)}, {"rod", rod({0, 0, 0}, {0.3f, 0.4f, 0.5f}, 0.02f, 0.01f)}, {"ball", ball({1, 2, 3}, {0.2f, 0.3f, 0.1f})},
-        {"tube", tube(path, 0.02f)}, {"ring", ring(0.3f, 0.04f)}, {"prism", prism(rounded_rectangle(1.f, 0.6f, 0.1f), 0.f, 0.05f)}, {"disc", prism(circle(0.5f), 0.f, 0.02f)},
-        {"slab", slab(8, 6, 0.02f, [](float u, float v) { return Vec3f{u, 0.1f * std::sin(4 * u), -v}; })}};
+        {"box", box({0.5f, 0.3f, 0.2f}, 0.01f)},
+        {"soft", soft_box({0.6f, 0.2f, 0.5f}, {})},
+        {"pillow", pillow({0.5f, 0.4f, 0.15f}, 3)},
+        {"lathe", lathe(kProfile)},
+        {"smooth lathe", lathe(kProfile, 20, true)},
+        {"vessel", vessel(kProfile, 0.01f)},
+        {"rod", rod({0, 0, 0}, {0.3f, 0.4f, 0.5f}, 0.02f, 0.01f)},
+        {"ball", ball({1, 2, 3}, {0.2f, 0.3f, 0.1f})},
+        {"tube", tube(path, 0.02f)},
+        {"ring", ring(0.3f, 0.04f)},
+        {"prism", prism(rounded_rectangle(1.f, 0.6f, 0.1f), 0.f, 0.05f)},
+        {"disc", prism(circle(0.5f), 0.f, 0.02f)},
+        {"slab", slab(8, 6, 0.02f, [](float u, float v) {
+             return Vec3f{u, 0.1f * std::sin(4 * u), -v};
+         })}};
     const std::array<Limb, 3> limbs{{{{0, 0.1f, 0}, {0, 0.1f, 0.4f}, 0.1f, 0.06f},
                                      {{0.05f, 0.1f, 0.1f}, {0.2f, 0.02f, 0.1f}, 0.04f, 0.03f},
                                      {{0, 0.1f, 0.4f}, {0, 0.2f, 0.5f}, 0.03f, 0.f}}};
@@ -48,7 +60,8 @@ TEST(Shapes, SolidsAreClosedAndFaceOutward) {
         Mesh at_origin = m;
         EXPECT_GT(signed_volume(at_origin), 0.f) << name;
         for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
-            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]], c = m.positions[m.triangles[t + 2]];
+            const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]],
+                        c = m.positions[m.triangles[t + 2]];
             ASSERT_FALSE(a == b || b == c || a == c) << name << ": a triangle without area";
         }
         for (const Vec3f n : m.normals) ASSERT_NEAR(length(n), 1.f, 1e-3f) << name;

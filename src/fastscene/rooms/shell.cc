@@ -49,7 +49,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
 
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
     for (const Block& b : plan.blocks) {
-        if (b.kind == Block::Kind::column) continue;   // with its base and capital: shell_trim.cc
+        if (b.kind == Block::Kind::column) continue;  // with its base and capital: shell_trim.cc
         const int material = b.kind == Block::Kind::breast && plan.accent && plan.accent_wall == 0 ? m.accent : m.wall;
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, material, -1));
     }
@@ -71,14 +71,16 @@ void merge(Room& room, Room part, const Rigid& room_from_part) {
         room.objects.push_back(std::move(object));
     }
     for (const Portal& p : part.portals)
-        room.portals.push_back({room_from_part * p.corner, room_from_part.rotation * p.edge_u, room_from_part.rotation * p.edge_v});
+        room.portals.push_back(
+            {room_from_part * p.corner, room_from_part.rotation * p.edge_u, room_from_part.rotation * p.edge_v});
 }
 
 }  // namespace
 
 namespace shell {
 
-void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1, int material, int object) const {
+void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1,
+                       int material, int object) const {
     Mesh mesh;
     mesh.material = material;
     mesh.object = object;
@@ -95,11 +97,13 @@ void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>
         }
         // Where the lines touch, at the top of an arch, one of the two triangles is none.
         for (const auto& [b, c] : {std::pair{1u, 2u}, std::pair{2u, 3u}})
-            if (length(cross(p[b] - p[0], p[c] - p[0])) > 1e-8f) mesh.triangles.insert(mesh.triangles.end(), {base, base + b, base + c});
+            if (length(cross(p[b] - p[0], p[c] - p[0])) > 1e-8f)
+                mesh.triangles.insert(mesh.triangles.end(), {base, base + b, base + c});
     };
     const auto at = [&](Vec2f p, float w) { return face_.point(p.x, p.y) + face_.inward * w; };
     const std::size_t last = inner.size() - 1;
-    // Along, up and inward are left-handed (the room's x, y and -z are): corners are listed as in a right-handed frame and turned by quad.
+    // Along, up and inward are left-handed (the room's x, y and -z are): corners are listed as in a right-handed frame
+    // and turned by quad.
     for (std::size_t i = 0; i < last; ++i) {
         quad({at(inner[i], w1), at(outer[i], w1), at(outer[i + 1], w1), at(inner[i + 1], w1)});
         quad({at(inner[i], w0), at(inner[i + 1], w0), at(outer[i + 1], w0), at(outer[i], w0)});
@@ -115,7 +119,7 @@ void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>
 
 std::vector<Vec2f> edge_of(const Opening& o, float grow) {
     const bool round = o.shape == Opening::Shape::round;
-    const int steps = round ? 64 : 32;   // corners of a square about a circle are among them
+    const int steps = round ? 64 : 32;  // corners of a square about a circle are among them
     const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), span = (o.u1 - o.u0) / 2;
     const Vec2f middle{(o.u0 + o.u1) / 2, o.y1 - rise};
     std::vector<Vec2f> out;
@@ -130,7 +134,8 @@ Material as_asked(const Plan& plan, std::string_view klass, Material usual) {
     const PromptObject* asked = plan.asked(klass);
     if (!asked) return usual;
     PromptObject wish = *asked;
-    // Just "wooden" is the room's own wood. What is built of steel is not polished, and of a glass door or window it is the pane.
+    // Just "wooden" is the room's own wood. What is built of steel is not polished, and of a glass door or window it is
+    // the pane.
     if (wish.material == "wood" && usual.pattern != Pattern::wood) usual = plan.style.wood;
     if (is_one_of(wish.material, {"wood", "glass"})) wish.material.clear();
     if (is_one_of(wish.material, {"steel", "metal", "chrome", "aluminium"})) wish.material = "iron";
@@ -138,10 +143,12 @@ Material as_asked(const Plan& plan, std::string_view klass, Material usual) {
     return usual;
 }
 
-std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1, float margin) {
+std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1,
+                                                      float margin) {
     std::vector<std::pair<float, float>> taken, out;
     for (const Opening& o : plan.openings)
-        if (o.wall == face.wall && o.y0 < y1 && o.y1 > y0) taken.push_back({o.u0 - face.from - margin, o.u1 - face.from + margin});
+        if (o.wall == face.wall && o.y0 < y1 && o.y1 > y0)
+            taken.push_back({o.u0 - face.from - margin, o.u1 - face.from + margin});
     std::sort(taken.begin(), taken.end());
     float u = 0;
     for (const auto& [a, b] : taken) {
@@ -156,15 +163,20 @@ std::vector<std::pair<float, float>> between_openings(const Plan& plan, const Wa
 
 void build_shell(const Plan& plan, Room& room) {
     const Style& style = plan.style;
-    const Materials m{add_material(room, style.wall), add_material(room, style.accent_wall), add_material(room, style.trim),
-                      add_material(room, style.floor), add_material(room, style.ceiling)};
-    const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness, near = plan.joined ? plan.depth / 2 : d;
+    const Materials m{add_material(room, style.wall), add_material(room, style.accent_wall),
+                      add_material(room, style.trim), add_material(room, style.floor),
+                      add_material(room, style.ceiling)};
+    const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness,
+                near = plan.joined ? plan.depth / 2 : d;
     room.meshes.push_back(box_mesh({-w, -0.2f, -near}, {w, 0, d}, m.floor, -1));
     const float flat_half = plan.knee > 0 ? plan.width / 2 - plan.slope_run + 0.05f : w;
-    room.meshes.push_back(box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + 0.2f, d}, m.ceiling, -1));
-    const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern && style.accent_wall.color_a == style.wall.color_a;
+    room.meshes.push_back(
+        box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + 0.2f, d}, m.ceiling, -1));
+    const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern &&
+                     style.accent_wall.color_a == style.wall.color_a;
     for (int i = 0; i < 4; ++i)
-        if (!(plan.joined && i == 2)) build_wall(plan, i, room, plan.accent && (i == plan.accent_wall || all) ? m.accent : m.wall);
+        if (!(plan.joined && i == 2))
+            build_wall(plan, i, room, plan.accent && (i == plan.accent_wall || all) ? m.accent : m.wall);
     build_blocks(plan, m, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);

@@ -19,18 +19,22 @@ class WallBuilder {
         if (!(u1 > u0 && y1 > y0 && w1 > w0)) return;
         const Vec3f a = face_.point(u0, y0) + face_.inward * w0, b = face_.point(u1, y1) + face_.inward * w1;
         room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-                                        {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material, object));
+                                        {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material,
+                                        object));
     }
 
-    // A band between two lines of as many points (u, y), from depth w0 to w1: `outer` lies to the left of who walks along `inner`. Closed.
-    void band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1, int material, int object = -1) const;
+    // A band between two lines of as many points (u, y), from depth w0 to w1: `outer` lies to the left of who walks
+    // along `inner`. Closed.
+    void band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1, int material,
+              int object = -1) const;
 
   private:
     const WallFace& face_;
     Room& room_;
 };
 
-// The edge of an arched or round opening, `grow` metres outside it: from its right foot over the top to its left one, or all around.
+// The edge of an arched or round opening, `grow` metres outside it: from its right foot over the top to its left one,
+// or all around.
 std::vector<Vec2f> edge_of(const Opening& o, float grow);
 
 // Indices of the shell's materials in room.materials.
@@ -46,13 +50,15 @@ inline int add_material(Room& room, Material m) {
 // The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
 Material as_asked(const Plan& plan, std::string_view klass, Material usual);
 
-inline constexpr float kCasing = 0.08f;   // width of the frame about doors and windows
+inline constexpr float kCasing = 0.08f;  // width of the frame about doors and windows
 
 // The parts of a face that no opening of these kinds takes between heights y0 and y1, with `margin` beside openings.
-std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1, float margin);
+std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1,
+                                                      float margin);
 
-void build_openings(const Plan& plan, const Materials& materials, Room& room);    // windows, doors, doorways
-void build_skylights(const Plan& plan, const Materials& materials, Room& room);   // with the slopes they are in
-void build_trim(const Plan& plan, const Materials& materials, Room& room);        // skirting, mouldings, panelling, beams, coffers
+void build_openings(const Plan& plan, const Materials& materials, Room& room);   // windows, doors, doorways
+void build_skylights(const Plan& plan, const Materials& materials, Room& room);  // with the slopes they are in
+void build_trim(const Plan& plan, const Materials& materials,
+                Room& room);  // skirting, mouldings, panelling, beams, coffers
 
 }  // namespace fastscene::shell

@@ -7,8 +7,11 @@
 namespace fastscene::shell {
 namespace {
 
-// Object frame of a thing on a wall: x along (to the left as seen from inside, so that the frame is right-handed), y up, z inward.
-Rigid on_wall(const WallFace& face, Vec3f base) { return {Mat3f::from_columns(-face.along, {0, 1, 0}, face.inward), base}; }
+// Object frame of a thing on a wall: x along (to the left as seen from inside, so that the frame is right-handed), y
+// up, z inward.
+Rigid on_wall(const WallFace& face, Vec3f base) {
+    return {Mat3f::from_columns(-face.along, {0, 1, 0}, face.inward), base};
+}
 
 int add_object(const Plan& plan, Room& room, const char* klass, const Opening& o, const WallFace& face, float depth) {
     RoomObject object;
@@ -31,17 +34,20 @@ void add_portal(Room& room, Vec3f corner, Vec3f u, Vec3f v, Vec3f inward) {
 std::pair<float, float> extent_at(const Opening& o, float u) {
     if (o.shape == Opening::Shape::square) return {o.y0, o.y1};
     const bool round = o.shape == Opening::Shape::round;
-    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), x = (u - (o.u0 + o.u1) / 2) / ((o.u1 - o.u0) / 2), lift = rise * std::sqrt(std::max(0.f, 1.f - x * x));
+    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), x = (u - (o.u0 + o.u1) / 2) / ((o.u1 - o.u0) / 2),
+                lift = rise * std::sqrt(std::max(0.f, 1.f - x * x));
     return {round ? o.y1 - rise - lift : o.y0, o.y1 - rise + lift};
 }
 
 // A ring about an arched or round opening, from `inside` to `outside` metres of its edge.
-void ring(const WallBuilder& wall, const Opening& o, float inside, float outside, float w0, float w1, int material, int object) {
+void ring(const WallBuilder& wall, const Opening& o, float inside, float outside, float w0, float w1, int material,
+          int object) {
     wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
 }
 
 // Frame, bars and casing of a window that is not square; only an arched one has a sill.
-void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int frame, int object) {
+void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int frame,
+                         int object) {
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f, middle = (o.u0 + o.u1) / 2;
     ring(wall, o, -bar, 0, w0, w1, frame, object);
     const auto upright = [&](float u, float half) {
@@ -54,13 +60,17 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
         if (o.u1 - o.u0 > kPorthole) {
             upright(middle, 0.018f);
             const float y = (o.y0 + o.y1) / 2;
-            wall.box(o.u0 + 0.5f * bar, middle - 0.018f, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame, object);
-            wall.box(middle + 0.018f, o.u1 - 0.5f * bar, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame, object);
+            wall.box(o.u0 + 0.5f * bar, middle - 0.018f, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame,
+                     object);
+            wall.box(middle + 0.018f, o.u1 - 0.5f * bar, y - 0.016f, y + 0.016f, w0 + 0.006f, w1 - 0.006f, frame,
+                     object);
         }
         const bool porthole = o.u1 - o.u0 <= kPorthole;
-        const int rim = porthole && !plan.asked("window")->color.size() && !plan.asked("window")->material.size() ? add_material(room, *material_named("brass")) : frame;
+        const int rim = porthole && !plan.asked("window")->color.size() && !plan.asked("window")->material.size()
+                            ? add_material(room, *material_named("brass"))
+                            : frame;
         ring(wall, o, -0.012f, porthole ? 0.07f : 0.06f, 0, 0.03f, rim, object);
-        for (int i = 0; porthole && i < 8; ++i) {   // bolts
+        for (int i = 0; porthole && i < 8; ++i) {  // bolts
             const float a = (static_cast<float>(i) + 0.5f) * kPi / 4, r = (o.u1 - o.u0) / 2 + 0.04f;
             const Vec2f at{middle + r * std::cos(a), (o.y0 + o.y1) / 2 + r * std::sin(a)};
             wall.box(at.x - 0.011f, at.x + 0.011f, at.y - 0.011f, at.y + 0.011f, 0.03f, 0.04f, rim, object);
@@ -73,13 +83,15 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
     wall.box(o.u0 + bar, o.u1 - bar, o.y0, o.y0 + bar, w0, w1, frame, object);
     wall.box(o.u0 + bar, o.u1 - bar, spring - 0.02f, spring + 0.02f, w0 + 0.008f, w1 - 0.008f, frame, object);
     const int columns = std::max(2, static_cast<int>(std::ceil((o.u1 - o.u0) / 0.6f)));
-    for (int i = 1; i < columns; ++i) upright(o.u0 + (o.u1 - o.u0) * static_cast<float>(i) / static_cast<float>(columns), 0.02f);
+    for (int i = 1; i < columns; ++i)
+        upright(o.u0 + (o.u1 - o.u0) * static_cast<float>(i) / static_cast<float>(columns), 0.02f);
     const int rows = std::max(1, plan.style.window_rows);
     for (int i = 1; i < rows; ++i) {
         const float y = o.y0 + (spring - o.y0) * static_cast<float>(i) / static_cast<float>(rows);
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
-    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame, object);
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame,
+             object);
     if (plan.style.mouldings == Mouldings::none) return;
     wall.box(o.u0 - kCasing, o.u0, o.y0, spring, 0, 0.025f, frame, object);
     wall.box(o.u1, o.u1 + kCasing, o.y0, spring, 0, 0.025f, frame, object);
@@ -92,7 +104,8 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const int object = add_object(plan, room, "window", o, face, kWallThickness);
     const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
     // The light comes in through the outer face of the wall; u x v points into the room.
-    add_portal(room, face.point(o.u0, o.y0) - face.inward * kWallThickness, face.along * (o.u1 - o.u0), {0, o.y1 - o.y0, 0}, face.inward);
+    add_portal(room, face.point(o.u0, o.y0) - face.inward * kWallThickness, face.along * (o.u1 - o.u0),
+               {0, o.y1 - o.y0, 0}, face.inward);
     if (o.shape != Opening::Shape::square) return build_shaped_window(plan, o, wall, room, frame, object);
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;
@@ -100,7 +113,8 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     wall.box(o.u1 - bar, o.u1, o.y0, o.y1, w0, w1, frame, object);
     wall.box(o.u0 + bar, o.u1 - bar, o.y0, o.y0 + bar, w0, w1, frame, object);
     wall.box(o.u0 + bar, o.u1 - bar, o.y1 - bar, o.y1, w0, w1, frame, object);
-    const int columns = std::max(plan.style.window_columns, static_cast<int>(std::ceil((o.u1 - o.u0) / 1.1f))), rows = plan.style.window_rows;
+    const int columns = std::max(plan.style.window_columns, static_cast<int>(std::ceil((o.u1 - o.u0) / 1.1f))),
+              rows = plan.style.window_rows;
     for (int i = 1; i < columns; ++i) {
         const float u = o.u0 + (o.u1 - o.u0) * static_cast<float>(i) / static_cast<float>(columns);
         wall.box(u - 0.022f, u + 0.022f, o.y0 + bar, o.y1 - bar, w0, w1, frame, object);
@@ -110,7 +124,8 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
     // The sill, and a casing on the wall where the style has mouldings.
-    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame, object);
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame,
+             object);
     if (plan.style.mouldings != Mouldings::none) {
         wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.025f, frame, object);
         wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);
@@ -130,7 +145,8 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
     if (o.shape == Opening::Shape::square) {
         wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
         wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.04f, door, object);
-        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}}) wall.box(u0, u1, 0, o.y1 + kCasing, 0, 0.045f, trim, object);
+        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}})
+            wall.box(u0, u1, 0, o.y1 + kCasing, 0, 0.045f, trim, object);
         wall.box(o.u0, o.u1, o.y1, o.y1 + kCasing, 0, 0.045f, trim, object);
     } else {
         const float spring = o.y1 - arch_rise(o);
@@ -141,13 +157,16 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
         const std::vector<Vec2f> edge = edge_of(o, 0), panel = edge_of(o, -inset);
         wall.band(below(edge, 0.005f), edge, -0.01f, 0.02f, door, object);
         wall.band(below(panel, middle + 0.08f), panel, 0.02f, 0.04f, door, object);
-        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}}) wall.box(u0, u1, 0, spring, 0, 0.045f, trim, object);
+        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}})
+            wall.box(u0, u1, 0, spring, 0, 0.045f, trim, object);
         ring(wall, o, 0, kCasing, 0, 0.045f, trim, object);
     }
-    const float handle = o.u0 < face.length / 2 ? o.u1 - 0.07f : o.u0 + 0.07f, reach = o.u0 < face.length / 2 ? -0.12f : 0.12f;
+    const float handle = o.u0 < face.length / 2 ? o.u1 - 0.07f : o.u0 + 0.07f,
+                reach = o.u0 < face.length / 2 ? -0.12f : 0.12f;
     wall.box(handle - 0.012f, handle + 0.012f, 0.99f, 1.05f, 0.02f, 0.028f, metal, object);
     wall.box(handle - 0.008f, handle + 0.008f, 1.012f, 1.03f, 0.028f, 0.065f, metal, object);
-    wall.box(std::min(handle, handle + reach), std::max(handle, handle + reach), 1.012f, 1.03f, 0.052f, 0.066f, metal, object);
+    wall.box(std::min(handle, handle + reach), std::max(handle, handle + reach), 1.012f, 1.03f, 0.052f, 0.066f, metal,
+             object);
 }
 
 // A cased opening through the wall; the floor goes on behind a saddle of wood.
@@ -183,28 +202,32 @@ void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
 // A point of the slope above a side wall: z along the room, s metres up the slope, `out` metres behind its face.
 struct Slope {
     const Plan& plan;
-    float side;   // +1: wall 1, -1: wall 3
+    float side;  // +1: wall 1, -1: wall 3
     float length() const { return std::hypot(plan.slope_run, plan.height - plan.knee); }
     Vec3f up() const { return normalize(Vec3f{-side * plan.slope_run, plan.height - plan.knee, 0}); }
     Vec3f inward() const { return normalize(Vec3f{-side * (plan.height - plan.knee), -plan.slope_run, 0}); }
-    Vec3f point(float z, float s, float out) const { return Vec3f{side * plan.width / 2, plan.knee, z} + up() * s - inward() * out; }
+    Vec3f point(float z, float s, float out) const {
+        return Vec3f{side * plan.width / 2, plan.knee, z} + up() * s - inward() * out;
+    }
 };
 
 // A box on the slope.
-void slope_box(const Slope& slope, Room& room, float z0, float z1, float s0, float s1, float out0, float out1, int material, int object = -1) {
+void slope_box(const Slope& slope, Room& room, float z0, float z1, float s0, float s1, float out0, float out1,
+               int material, int object = -1) {
     if (!(z1 > z0 && s1 > s0 && out1 > out0)) return;
     Mesh mesh = box_mesh({s0, out0, z0}, {s1, out1, z1}, material, object);
     for (Vec3f& p : mesh.positions) p = slope.point(p.z, p.x, p.y);
     for (Vec3f& n : mesh.normals) n = slope.up() * n.x - slope.inward() * n.y + Vec3f{0, 0, n.z};
     // The frame (s, out, z) is left-handed on one side of the room.
     if (dot(cross(slope.up(), -slope.inward()), Vec3f{0, 0, 1}) < 0)
-        for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) std::swap(mesh.triangles[t + 1], mesh.triangles[t + 2]);
+        for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+            std::swap(mesh.triangles[t + 1], mesh.triangles[t + 2]);
     room.meshes.push_back(std::move(mesh));
 }
 
 void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
     const Slope slope{plan, wall == 1 ? 1.f : -1.f};
-    constexpr float kThick = 0.16f, kBeyond = 0.12f;   // the slab reaches beyond its ends, so that nothing shines in
+    constexpr float kThick = 0.16f, kBeyond = 0.12f;  // the slab reaches beyond its ends, so that nothing shines in
     const float d = plan.depth / 2 + kWallThickness, low = -kBeyond, high = slope.length() + kBeyond;
     std::vector<Skylight> holes;
     for (const Skylight& k : plan.skylights)
@@ -221,7 +244,7 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
         object.klass = object.name = "skylight";
         object.source = "built-in";
         object.size_m = {k.z1 - k.z0, k.s1 - k.s0, kThick};
-        const WallFace face = plan.wall(wall);   // upright like every object: its front looks into the room
+        const WallFace face = plan.wall(wall);  // upright like every object: its front looks into the room
         object.world_from_object = on_wall(face, slope.point((k.z0 + k.z1) / 2, k.s0, 0));
         room.objects.push_back(object);
         const auto index = static_cast<int>(room.objects.size()) - 1;
@@ -230,7 +253,8 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
         slope_box(slope, room, k.z1 - kBar, k.z1, k.s0, k.s1, 0.05f, 0.12f, m.trim, index);
         slope_box(slope, room, k.z0 + kBar, k.z1 - kBar, k.s0, k.s0 + kBar, 0.05f, 0.12f, m.trim, index);
         slope_box(slope, room, k.z0 + kBar, k.z1 - kBar, k.s1 - kBar, k.s1, 0.05f, 0.12f, m.trim, index);
-        add_portal(room, slope.point(k.z0, k.s0, kThick), Vec3f{0, 0, k.z1 - k.z0}, slope.up() * (k.s1 - k.s0), slope.inward());
+        add_portal(room, slope.point(k.z0, k.s0, kThick), Vec3f{0, 0, k.z1 - k.z0}, slope.up() * (k.s1 - k.s0),
+                   slope.inward());
     }
     slope_box(slope, room, z, d, low, high, 0, kThick, m.ceiling);
 }

@@ -13,7 +13,8 @@ constexpr float kSkirting = 0.09f, kDado = 0.95f;
 void build_skirting(const Plan& plan, const WallFace& face, Room& room, int trim) {
     const WallBuilder wall(face, room);
     const float high = plan.style.mouldings == Mouldings::rich ? 0.14f : kSkirting;
-    for (const auto& [u0, u1] : between_openings(plan, face, 0, high, kCasing)) wall.box(u0, u1, 0, high, 0, 0.02f, trim);
+    for (const auto& [u0, u1] : between_openings(plan, face, 0, high, kCasing))
+        wall.box(u0, u1, 0, high, 0, 0.02f, trim);
     if (plan.style.mouldings == Mouldings::none || plan.knee > 0) return;
     // One plain profile: finer ones are thinner than the light is sampled.
     wall.box(0, face.length, plan.height - 0.1f, plan.height, 0, 0.06f, trim);
@@ -46,7 +47,8 @@ void build_panelling(const Plan& plan, const WallFace& face, Room& room, int tri
             const int count = std::max(1, static_cast<int>(std::lround((u1 - u0) / 0.75f)));
             const float step = (u1 - u0) / static_cast<float>(count);
             for (int i = 0; i < count; ++i) {
-                const float a = u0 + step * static_cast<float>(i) + 0.09f, b = a + step - 0.18f, y0 = 0.26f, y1 = top - 0.1f;
+                const float a = u0 + step * static_cast<float>(i) + 0.09f, b = a + step - 0.18f, y0 = 0.26f,
+                            y1 = top - 0.1f;
                 if (b - a < 2.5f * kFrame) continue;
                 wall.box(a, b, y0, y0 + 0.03f, kBack, kProud, trim, object);
                 wall.box(a, b, y1 - 0.03f, y1, kBack, kProud, trim, object);
@@ -54,7 +56,8 @@ void build_panelling(const Plan& plan, const WallFace& face, Room& room, int tri
                 wall.box(b - 0.03f, b, y0 + 0.03f, y1 - 0.03f, kBack, kProud, trim, object);
             }
         } else {
-            for (float u = u0; u + 0.1f < u1; u += 0.118f) wall.box(u + 0.004f, std::min(u + 0.112f, u1), 0.02f, top, kBack, 0.017f, trim, object);
+            for (float u = u0; u + 0.1f < u1; u += 0.118f)
+                wall.box(u + 0.004f, std::min(u + 0.112f, u1), 0.02f, top, kBack, 0.017f, trim, object);
         }
     }
 }
@@ -75,12 +78,14 @@ void build_beams(const Plan& plan, Room& room) {
         const float z = beam_z(plan, i);
         if (plan.knee > 0) {
             // Collar beams hang below the flat part of the roof.
-            const float half = plan.width / 2 - plan.slope_run * 0.62f, y = plan.knee + (plan.height - plan.knee) * 0.86f;
-            if (y > 2.25f && i % 2 == 0) room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
+            const float half = plan.width / 2 - plan.slope_run * 0.62f,
+                        y = plan.knee + (plan.height - plan.knee) * 0.86f;
+            if (y > 2.25f && i % 2 == 0)
+                room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
             continue;
         }
-        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - kBeamWidth / 2}, {plan.width / 2, plan.height, z + kBeamWidth / 2}, material,
-                             object);
+        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - kBeamWidth / 2},
+                             {plan.width / 2, plan.height, z + kBeamWidth / 2}, material, object);
         // The grain runs along the beam, and no two are cut from the same place.
         for (Vec3f& c : beam.coords) c = {c.z + 0.37f * static_cast<float>(i), c.x, c.y};
         room.meshes.push_back(std::move(beam));
@@ -103,14 +108,14 @@ void build_coffers(const Plan& plan, Room& room, int trim) {
     const auto [columns, rows] = coffers_of(plan);
     for (int i = 0; i <= columns; ++i) {
         const float x = -w + plan.width * static_cast<float>(i) / static_cast<float>(columns);
-        room.meshes.push_back(
-            box_mesh({std::max(-w, x - kWide / 2), plan.height - kDeep, -d}, {std::min(w, x + kWide / 2), plan.height, d}, trim, -1));
+        room.meshes.push_back(box_mesh({std::max(-w, x - kWide / 2), plan.height - kDeep, -d},
+                                       {std::min(w, x + kWide / 2), plan.height, d}, trim, -1));
     }
     for (int i = 0; i <= rows; ++i) {
         const float z = -d + plan.depth * static_cast<float>(i) / static_cast<float>(rows);
         // A hair lower than the others, so that no two faces lie in one plane.
-        room.meshes.push_back(
-            box_mesh({-w, plan.height - kDeep - 0.002f, std::max(-d, z - kWide / 2)}, {w, plan.height, std::min(d, z + kWide / 2)}, trim, -1));
+        room.meshes.push_back(box_mesh({-w, plan.height - kDeep - 0.002f, std::max(-d, z - kWide / 2)},
+                                       {w, plan.height, std::min(d, z + kWide / 2)}, trim, -1));
     }
 }
 
@@ -119,8 +124,10 @@ void build_tray(const Plan& plan, Room& room, int ceiling) {
     const auto border = [&](float wide, float low, float high) {
         const float w = plan.width / 2, d = plan.depth / 2;
         for (const float s : {-1.f, 1.f}) {
-            room.meshes.push_back(box_mesh({std::min(s * w, s * (w - wide)), low, -d}, {std::max(s * w, s * (w - wide)), high, d}, ceiling, -1));
-            room.meshes.push_back(box_mesh({wide - w, low, std::min(s * d, s * (d - wide))}, {w - wide, high, std::max(s * d, s * (d - wide))}, ceiling, -1));
+            room.meshes.push_back(box_mesh({std::min(s * w, s * (w - wide)), low, -d},
+                                           {std::max(s * w, s * (w - wide)), high, d}, ceiling, -1));
+            room.meshes.push_back(box_mesh({wide - w, low, std::min(s * d, s * (d - wide))},
+                                           {w - wide, high, std::max(s * d, s * (d - wide))}, ceiling, -1));
         }
     };
     if (plan.style.mouldings == Mouldings::rich) {
@@ -131,8 +138,8 @@ void build_tray(const Plan& plan, Room& room, int ceiling) {
     }
 }
 
-// Where small lamps are sunk into the ceiling: in rows along the walls, between beams, in the middle of coffers, within the flat part
-// between two slopes.
+// Where small lamps are sunk into the ceiling: in rows along the walls, between beams, in the middle of coffers, within
+// the flat part between two slopes.
 std::vector<Vec3f> recessed_places(const Plan& plan) {
     const float y = plan.height - (plan.tray ? kTrayStep : 0.f), in = plan.tray ? 0.5f * kTrayBorder : 0.75f;
     float x = plan.width / 2 - (plan.knee > 0 ? plan.slope_run + 0.3f : in);
@@ -144,11 +151,13 @@ std::vector<Vec3f> recessed_places(const Plan& plan) {
         const Coffers grid = coffers_of(plan);
         x = plan.width / 2 * (1.f - 1.f / static_cast<float>(grid.columns));
         two_rows = true;
-        for (int i = 0; i < grid.rows; ++i) along.push_back(plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(grid.rows) - 0.5f));
+        for (int i = 0; i < grid.rows; ++i)
+            along.push_back(plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(grid.rows) - 0.5f));
     } else {
         const float z = plan.depth / 2 - in;
         const int count = std::max(2, static_cast<int>(std::lround(2 * z / 1.5f)));
-        for (int i = 0; i < count; ++i) along.push_back(z * ((2.f * static_cast<float>(i) + 1.f) / static_cast<float>(count) - 1.f));
+        for (int i = 0; i < count; ++i)
+            along.push_back(z * ((2.f * static_cast<float>(i) + 1.f) / static_cast<float>(count) - 1.f));
     }
     std::vector<Vec3f> places;
     for (const float z : along)
@@ -166,7 +175,8 @@ void build_recessed_lights(const Plan& plan, Room& room) {
     light.name = "recessed light";
     light.color_a = light.color_b = light.color_c = {0.7f, 0.68f, 0.64f};
     light.emission = plan.style.lamp_light * 1.5f;
-    const int rim = add_material(room, as_asked(plan, "recessed_lights", plan.style.metal)), glow = add_material(room, light);
+    const int rim = add_material(room, as_asked(plan, "recessed_lights", plan.style.metal)),
+              glow = add_material(room, light);
     constexpr float kProud = 0.008f;
     const int object = part_object(plan, room, "recessed_lights", {plan.width, kProud, plan.depth});
     room.objects.back().world_from_object.translation = {0, plan.height - (plan.tray ? kTrayStep : 0.f) - kProud, 0};
@@ -197,12 +207,16 @@ void build_neon(const Plan& plan, Room& room) {
         behind = lerp(c * 2.6f, behind, 0.3f);
     }
     const int pink = tube(ahead), blue = tube(behind);
-    const float below = plan.beams ? 0.21f : plan.tray ? kTrayStep + 0.03f : plan.style.mouldings != Mouldings::none ? 0.12f : 0.03f;
+    const float below = plan.beams                                ? 0.21f
+                        : plan.tray                               ? kTrayStep + 0.03f
+                        : plan.style.mouldings != Mouldings::none ? 0.12f
+                                                                  : 0.03f;
     for (const WallFace& face : plan.faces()) {
         if (plan.joined && face.wall == 2) continue;
         const WallBuilder wall(face, room);
         const float y = (plan.knee > 0 && face.wall % 2 == 1 ? plan.knee : plan.height) - below;
-        wall.box(0.03f, face.length - 0.03f, y - 0.022f, y, 0.001f, 0.014f, face.wall == 0 || face.wall == 1 ? pink : blue);
+        wall.box(0.03f, face.length - 0.03f, y - 0.022f, y, 0.001f, 0.014f,
+                 face.wall == 0 || face.wall == 1 ? pink : blue);
     }
 }
 
@@ -217,7 +231,8 @@ void build_columns(const Plan& plan, Room& room, int trim) {
         room.objects.back().world_from_object.translation = {(b.low.x + b.high.x) / 2, 0, (b.low.y + b.high.y) / 2};
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, shaft, object));
         const auto collar = [&](float y0, float y1, float out) {
-            room.meshes.push_back(box_mesh({b.low.x - out, y0, b.low.y - out}, {b.high.x + out, y1, b.high.y + out}, trim, object));
+            room.meshes.push_back(
+                box_mesh({b.low.x - out, y0, b.low.y - out}, {b.high.x + out, y1, b.high.y + out}, trim, object));
         };
         collar(0, 0.12f, 0.02f);
         collar(plan.height - 0.1f, plan.height - 0.001f, kCapitalReach);

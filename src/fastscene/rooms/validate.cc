@@ -13,7 +13,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kTolerance = 0.01f;
-constexpr float kEyeAir = 0.45f;   // free ball about the camera
+constexpr float kEyeAir = 0.45f;  // free ball about the camera
 
 class Checker {
   public:
@@ -36,8 +36,9 @@ class Checker {
     void add(const char* kind, std::string text) { faults_.push_back({kind, std::move(text)}); }
 
     void inside(std::size_t i) {
-        if (placed_[i].sill >= 0) return;   // within the wall's opening
-        if (!plan_.holds(shrunk(footprint_of(placed_[i]), kTolerance))) add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
+        if (placed_[i].sill >= 0) return;  // within the wall's opening
+        if (!plan_.holds(shrunk(footprint_of(placed_[i]), kTolerance)))
+            add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
     }
 
     // On the floor, on the top of what carries it, at a wall, at the ceiling.
@@ -45,8 +46,9 @@ class Checker {
         const Placed& p = placed_[i];
         if (p.on >= 0) {
             const Placed& below = placed_[static_cast<std::size_t>(p.on)];
-            const bool on_top = std::any_of(below.piece.surfaces.begin(), below.piece.surfaces.end(),
-                                            [&](const Surface& s) { return std::abs(below.position.y + s.center.y - p.position.y) < kTolerance; });
+            const bool on_top = std::any_of(
+                below.piece.surfaces.begin(), below.piece.surfaces.end(),
+                [&](const Surface& s) { return std::abs(below.position.y + s.center.y - p.position.y) < kTolerance; });
             if (!on_top || distance_to(footprint_of(below), footprint_of(p).center) > 0.f)
                 add("unsupported", name(i) + " floats above " + name(static_cast<std::size_t>(p.on)));
             return;
@@ -54,16 +56,20 @@ class Checker {
         if (p.below >= 0) {
             const Placed& table = placed_[static_cast<std::size_t>(p.below)];
             if (table.piece.surfaces.empty() || p.piece.size_m.y > table.piece.surfaces.front().center.y)
-                add("unsupported", name(i) + " is too tall for its place under " + name(static_cast<std::size_t>(p.below)));
+                add("unsupported",
+                    name(i) + " is too tall for its place under " + name(static_cast<std::size_t>(p.below)));
         }
         if (p.sill >= 0) {
-            if (p.piece.mount == Mount::wall && !hangs_in_window(plan_, p)) add("unsupported", name(i) + " does not hang in its window");
-            if (p.piece.mount != Mount::wall && !stands_on_sill(plan_, p)) add("unsupported", name(i) + " does not stand on its window's sill");
+            if (p.piece.mount == Mount::wall && !hangs_in_window(plan_, p))
+                add("unsupported", name(i) + " does not hang in its window");
+            if (p.piece.mount != Mount::wall && !stands_on_sill(plan_, p))
+                add("unsupported", name(i) + " does not stand on its window's sill");
             return;
         }
         switch (p.piece.mount) {
             case Mount::floor:
-                if (std::abs(p.position.y) > 0.02f && p.piece.klass != "curtain") add("unsupported", name(i) + " does not stand on the floor");
+                if (std::abs(p.position.y) > 0.02f && p.piece.klass != "curtain")
+                    add("unsupported", name(i) + " does not stand on the floor");
                 break;
             case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;
             case Mount::ceiling:
@@ -76,8 +82,8 @@ class Checker {
                 for (const WallFace& face : plan_.faces()) {
                     const Vec3f to = p.position - face.origin;
                     const float u = dot(to, face.along), off = dot(to, face.inward);
-                    at_wall = at_wall ||
-                              (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f && u > -kTolerance && u < face.length + kTolerance);
+                    at_wall = at_wall || (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f &&
+                                          u > -kTolerance && u < face.length + kTolerance);
                 }
                 if (!at_wall) add("unsupported", name(i) + " hangs on no wall");
             }
@@ -101,12 +107,14 @@ class Checker {
             const WallFace face = plan_.wall(o.wall);
             const float yaw = std::atan2(face.inward.x, face.inward.z);
             const bool window = o.kind == Opening::Kind::window;
-            const float deep = window ? 0.12f : 0.7f;   // before a window things may stand, but not touch it above its sill
+            const float deep = window ? 0.12f
+                                      : 0.7f;  // before a window things may stand, but not touch it above its sill
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
             Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
             if (window) zone.y0 = free_before(o, 0.25f), zone.y1 = o.y1 - 0.02f;
             if (window && (p.piece.klass == "curtain" || p.on >= 0 || p.sill >= 0)) continue;
-            if (overlap(box, zone)) add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
+            if (overlap(box, zone))
+                add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
         }
     }
 
@@ -120,14 +128,16 @@ class Checker {
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             if (placed_[i].flat) continue;
             const auto apart = [&](const Footprint& box) {
-                return std::hypot(distance_to(box, flat(camera)), std::max({0.f, box.y0 - camera.y, camera.y - box.y1}));
+                return std::hypot(distance_to(box, flat(camera)),
+                                  std::max({0.f, box.y0 - camera.y, camera.y - box.y1}));
             };
             if (apart(footprint_of(placed_[i])) >= nearest) continue;
             // Of a bed the head alone is as high as that.
             const auto high = part_above(placed_[i], camera.y - kEyeAir);
             if (const float far = high ? apart(*high) : nearest; far < nearest) nearest = far, what = name(i);
         }
-        if (!(nearest >= kEyeAir)) add("camera", what + " is " + std::to_string(nearest).substr(0, 4) + " m from the camera");
+        if (!(nearest >= kEyeAir))
+            add("camera", what + " is " + std::to_string(nearest).substr(0, 4) + " m from the camera");
     }
 
     const Plan& plan_;
@@ -137,20 +147,26 @@ class Checker {
 
 }  // namespace
 
-std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera) { return Checker(plan, placed).faults(camera); }
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera) {
+    return Checker(plan, placed).faults(camera);
+}
 
 namespace {
 
 void add_crossings(PromptSpec spec, std::uint64_t seed, std::vector<Fault>& faults) {
     const Room room = make_room(spec, {seed, nullptr, {}});
-    const auto name = [&](int object) { return object < 0 ? std::string("the room") : room.objects[static_cast<std::size_t>(object)].klass; };
+    const auto name = [&](int object) {
+        return object < 0 ? std::string("the room") : room.objects[static_cast<std::size_t>(object)].klass;
+    };
     for (const Crossing& c : room_crossings(room))
-        faults.push_back({"crossing", fmt::format("{} reaches {:.0f} mm into {}", name(c.object), 1000 * c.depth_m, name(c.into))});
+        faults.push_back(
+            {"crossing", fmt::format("{} reaches {:.0f} mm into {}", name(c.object), 1000 * c.depth_m, name(c.into))});
 }
 
 }  // namespace
 
-CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, bool triangles, const Run& run) {
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count,
+                        bool triangles, const Run& run) {
     CheckReport report;
     const auto total = static_cast<std::int64_t>(rooms.size() * styles.size()) * count;
     std::vector<CheckedRoom> checked(static_cast<std::size_t>(total));

@@ -9,8 +9,9 @@
 namespace fastscene {
 
 struct Fault {
-    std::string kind;   // "overlap", "outside", "unsupported", "door", "window", "way", "camera"; of triangles: "crossing"
-    std::string text;   // which piece, and what of it
+    std::string
+        kind;  // "overlap", "outside", "unsupported", "door", "window", "way", "camera"; of triangles: "crossing"
+    std::string text;  // which piece, and what of it
 };
 
 // Boxes may share 1 cm before it counts. `camera` is where panorama 0 stands, in the room frame.
@@ -26,8 +27,9 @@ struct CheckReport {
     int rooms = 0, pieces = 0;
     std::vector<CheckedRoom> faulty;
 };
-// Furnishes "a <style> <room>" for every pair and for `count` seeds from `run.seed` on, and looks for faults. `triangles`: also for
-// what boxes cannot tell (crossings.h), 0.1 CPU s a room.
-CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count, bool triangles, const Run& run);
+// Furnishes "a <style> <room>" for every pair and for `count` seeds from `run.seed` on, and looks for faults.
+// `triangles`: also for what boxes cannot tell (crossings.h), 0.1 CPU s a room.
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count,
+                        bool triangles, const Run& run);
 
 }  // namespace fastscene

@@ -1,4 +1,5 @@
-// What hangs on walls, in windows and from ceilings because somebody asked for it: where it belongs, within it, lit when it should be.
+// What hangs on walls, in windows and from ceilings because somebody asked for it: where it belongs, within it, lit
+// when it should be.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,16 +45,31 @@ Room lit_room(const std::string& text) {
 }
 
 TEST(WallThings, WhatIsAskedForIsUnderstoodAndHangsWhereItBelongs) {
-    for (const auto& [text, klass, mount] :
-         {std::tuple{"a bedroom with a wall sconce", "wall_lamp", Mount::wall}, {"a living room with a blue neon sign", "neon_sign", Mount::wall},
-          {"a study with a whiteboard", "whiteboard", Mount::wall}, {"a kitchen with a blackboard", "chalkboard", Mount::wall}, {"a study with a cork board", "pin_board", Mount::wall},
-          {"a boho bedroom with a tapestry", "tapestry", Mount::wall}, {"a boho bedroom with a macrame wall hanging", "macrame", Mount::wall}, {"a cabin living room with antlers", "antlers", Mount::wall},
-          {"a rustic dining room with a deer head", "deer_head", Mount::wall}, {"a kids room with a world map", "world_map", Mount::wall}, {"a loft with a dartboard", "dartboard", Mount::wall},
-          {"a dining room with a red flag", "flag", Mount::wall}, {"a living room with a ceiling fan", "ceiling_fan", Mount::ceiling}, {"a loft with a disco ball", "disco_ball", Mount::ceiling},
-          {"a kitchen with track lighting", "track_light", Mount::ceiling}, {"a dining room with edison bulbs", "bulb_pendant", Mount::ceiling}, {"a bedroom with a paper lantern", "paper_lantern", Mount::ceiling},
-          {"a sunroom with hanging plants", "hanging_plant", Mount::ceiling}, {"a hallway with a grandfather clock", "grandfather_clock", Mount::floor}, {"a kids room with a teepee", "play_tent", Mount::floor},
-          {"a living room with a bar cart", "bar_cart", Mount::floor}, {"a study with a cactus", "cactus", Mount::surface}, {"a living room with a large cactus", "cactus", Mount::floor},
-          {"a study with a fish bowl", "fish_bowl", Mount::surface}, {"a living room with a lantern", "lantern", Mount::surface}}) {
+    for (const auto& [text, klass, mount] : {std::tuple{"a bedroom with a wall sconce", "wall_lamp", Mount::wall},
+                                             {"a living room with a blue neon sign", "neon_sign", Mount::wall},
+                                             {"a study with a whiteboard", "whiteboard", Mount::wall},
+                                             {"a kitchen with a blackboard", "chalkboard", Mount::wall},
+                                             {"a study with a cork board", "pin_board", Mount::wall},
+                                             {"a boho bedroom with a tapestry", "tapestry", Mount::wall},
+                                             {"a boho bedroom with a macrame wall hanging", "macrame", Mount::wall},
+                                             {"a cabin living room with antlers", "antlers", Mount::wall},
+                                             {"a rustic dining room with a deer head", "deer_head", Mount::wall},
+                                             {"a kids room with a world map", "world_map", Mount::wall},
+                                             {"a loft with a dartboard", "dartboard", Mount::wall},
+                                             {"a dining room with a red flag", "flag", Mount::wall},
+                                             {"a living room with a ceiling fan", "ceiling_fan", Mount::ceiling},
+                                             {"a loft with a disco ball", "disco_ball", Mount::ceiling},
+                                             {"a kitchen with track lighting", "track_light", Mount::ceiling},
+                                             {"a dining room with edison bulbs", "bulb_pendant", Mount::ceiling},
+                                             {"a bedroom with a paper lantern", "paper_lantern", Mount::ceiling},
+                                             {"a sunroom with hanging plants", "hanging_plant", Mount::ceiling},
+                                             {"a hallway with a grandfather clock", "grandfather_clock", Mount::floor},
+                                             {"a kids room with a teepee", "play_tent", Mount::floor},
+                                             {"a living room with a bar cart", "bar_cart", Mount::floor},
+                                             {"a study with a cactus", "cactus", Mount::surface},
+                                             {"a living room with a large cactus", "cactus", Mount::floor},
+                                             {"a study with a fish bowl", "fish_bowl", Mount::surface},
+                                             {"a living room with a lantern", "lantern", Mount::surface}}) {
         const Hung h = hung_room(text);
         SCOPED_TRACE(text);
         const PromptObject* wish = object_of(h.spec, klass);
@@ -68,12 +84,17 @@ TEST(WallThings, WhatIsAskedForIsUnderstoodAndHangsWhereItBelongs) {
 
 // In every window, within its reveal; what is drawn up hangs from its head.
 TEST(WallThings, BlindsHangWithinTheirWindows) {
-    for (const auto& [words, klass] : {std::pair{"venetian blinds", "venetian_blind"}, {"roller shades", "roller_blind"}, {"roman blinds", "roman_blind"}, {"shutters", "shutters"}, {"shoji screens", "shoji"}})
+    for (const auto& [words, klass] : {std::pair{"venetian blinds", "venetian_blind"},
+                                       {"roller shades", "roller_blind"},
+                                       {"roman blinds", "roman_blind"},
+                                       {"shutters", "shutters"},
+                                       {"shoji screens", "shoji"}})
         for (const std::string room : {"modern living room", "rustic kitchen", "japandi bedroom", "classic study"})
             for (const std::uint64_t seed : {1u, 2u}) {
                 const Hung h = hung_room("a " + room + " with " + words, seed);
                 SCOPED_TRACE(room + " with " + words);
-                const auto windows = std::count_if(h.room.plan.openings.begin(), h.room.plan.openings.end(), [](const Opening& o) { return o.kind == Opening::Kind::window; });
+                const auto windows = std::count_if(h.room.plan.openings.begin(), h.room.plan.openings.end(),
+                                                   [](const Opening& o) { return o.kind == Opening::Kind::window; });
                 const auto there = h.all(klass);
                 EXPECT_EQ(static_cast<long>(there.size()), windows);
                 for (const Placed* p : there) {
@@ -111,7 +132,11 @@ TEST(WallThings, SconcesHangBesideTheBed) {
 }
 
 TEST(WallThings, LampsShineAtNightAndSignsAlways) {
-    for (const auto& [words, klass] : {std::pair{"wall sconces", "wall_lamp"}, {"a ceiling fan", "ceiling_fan"}, {"track lighting", "track_light"}, {"edison bulbs", "bulb_pendant"}, {"a paper lantern", "paper_lantern"}}) {
+    for (const auto& [words, klass] : {std::pair{"wall sconces", "wall_lamp"},
+                                       {"a ceiling fan", "ceiling_fan"},
+                                       {"track lighting", "track_light"},
+                                       {"edison bulbs", "bulb_pendant"},
+                                       {"a paper lantern", "paper_lantern"}}) {
         const std::string text = std::string("a living room with ") + words;
         EXPECT_GT(brightest(lit_room(text + " at night"), klass), 1.f) << words;
         EXPECT_EQ(brightest(lit_room(text + " at noon"), klass), 0.f) << words;
@@ -131,7 +156,8 @@ TEST(WallThings, LampsShineAtNightAndSignsAlways) {
     }
 }
 
-// Under a ceiling of beams a rail of spots hangs from a beam, not in it; a hanging plant hides nothing on the walls and hangs in no doorway.
+// Under a ceiling of beams a rail of spots hangs from a beam, not in it; a hanging plant hides nothing on the walls and
+// hangs in no doorway.
 TEST(WallThings, WhatHangsIsSeen) {
     int railed = 0;
     for (const std::string style : {"rustic", "mediterranean", "industrial"}) {
@@ -165,9 +191,11 @@ TEST(WallThings, LampsStandInNoBeam) {
                     const bool hangs_from_beam = p.position.y < plan.height - kBeamDepth + 1e-3f;
                     const float half = p.piece.klass == "ceiling_lamp" ? p.piece.size_m.z / 2 : 0.05f;
                     for (int i = 0; i < beam_count(plan) && !hangs_from_beam; ++i)
-                        EXPECT_GT(std::abs(p.position.z - beam_z(plan, i)), kBeamWidth / 2 + half) << h.room.plan.style.name << " " << lamp;
+                        EXPECT_GT(std::abs(p.position.z - beam_z(plan, i)), kBeamWidth / 2 + half)
+                            << h.room.plan.style.name << " " << lamp;
                     bool under = false;
-                    for (int i = 0; i < beam_count(plan); ++i) under = under || std::abs(p.position.z - beam_z(plan, i)) < 1e-3f;
+                    for (int i = 0; i < beam_count(plan); ++i)
+                        under = under || std::abs(p.position.z - beam_z(plan, i)) < 1e-3f;
                     EXPECT_TRUE(!hangs_from_beam || under) << lamp << " beside the beam that it hangs from";
                     ++(hangs_from_beam ? below : between);
                 }
@@ -176,24 +204,28 @@ TEST(WallThings, LampsStandInNoBeam) {
     EXPECT_GT(between, 0);
 }
 
-// Lights sunk into the ceiling, wherever it has room for them: between beams, in coffers, between slopes; no plate of a lamp beside them.
+// Lights sunk into the ceiling, wherever it has room for them: between beams, in coffers, between slopes; no plate of a
+// lamp beside them.
 TEST(WallThings, RecessedLightsAreInTheCeiling) {
     int coffers = 0, beams = 0;
-    for (const std::string room : {"a modern kitchen", "a rustic living room", "a classic dining room", "a classic study", "an attic bedroom", "a bathroom"})
+    for (const std::string room : {"a modern kitchen", "a rustic living room", "a classic dining room",
+                                   "a classic study", "an attic bedroom", "a bathroom"})
         for (const std::uint64_t seed : {1u, 2u}) {
             const Hung h = hung_room(room + " with recessed lighting at night", seed);
             const Plan& plan = h.room.plan;
             coffers += plan.coffers, beams += plan.beams && !(plan.knee > 0);
             EXPECT_TRUE(h.all("ceiling_lamp").empty()) << room;
             const Room shown = built(h);
-            const auto object = std::find_if(shown.objects.begin(), shown.objects.end(), [](const RoomObject& o) { return o.klass == "recessed_lights"; });
+            const auto object = std::find_if(shown.objects.begin(), shown.objects.end(),
+                                             [](const RoomObject& o) { return o.klass == "recessed_lights"; });
             ASSERT_NE(object, shown.objects.end()) << room;
             EXPECT_TRUE(object->requested);
             EXPECT_GT(brightest(shown, "recessed_lights"), 0.f) << room;
         }
     EXPECT_GT(coffers, 0);
     EXPECT_GT(beams, 0);
-    for (const RoomObject& o : built(hung_room("a modern living room without recessed lights")).objects) EXPECT_NE(o.klass, "recessed_lights");
+    for (const RoomObject& o : built(hung_room("a modern living room without recessed lights")).objects)
+        EXPECT_NE(o.klass, "recessed_lights");
 }
 
 // Parts of the shell come in the color and material they are asked for in.
@@ -202,28 +234,34 @@ TEST(WallThings, PartsOfTheShellAreAsAsked) {
         Vec3f sum{};
         float count = 0;
         for (const Mesh& m : room.meshes)
-            if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass) sum += room.materials[static_cast<std::size_t>(m.material)].color_a, ++count;
+            if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass)
+                sum += room.materials[static_cast<std::size_t>(m.material)].color_a, ++count;
         return count > 0 ? sum / count : Vec3f{-1, -1, -1};
     };
     for (const std::string room : {"a rustic living room", "an industrial bedroom"}) {
-        const float white = luminance(mean_albedo(lit_room(room + " with white beams"), "beams")), black = luminance(mean_albedo(lit_room(room + " with black steel beams"), "beams"));
+        const float white = luminance(mean_albedo(lit_room(room + " with white beams"), "beams")),
+                    black = luminance(mean_albedo(lit_room(room + " with black steel beams"), "beams"));
         EXPECT_GT(white, 0.5f) << room;
         EXPECT_TRUE(black >= 0 && black < 0.05f) << room << " " << black;
     }
     // Of a column base and capital stay as the trim, of a window the glass.
-    for (const auto& [text, klass] : {std::pair{"a classic dining room with black columns", "column"}, {"a rustic kitchen with black windows", "window"}}) {
+    for (const auto& [text, klass] : {std::pair{"a classic dining room with black columns", "column"},
+                                      {"a rustic kitchen with black windows", "window"}}) {
         const Room room = lit_room(text);
         EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
-            return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass && luminance(room.materials[static_cast<std::size_t>(m.material)].color_a) < 0.05f;
+            return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass &&
+                   luminance(room.materials[static_cast<std::size_t>(m.material)].color_a) < 0.05f;
         })) << text;
     }
     const Vec3f panels = mean_albedo(lit_room("a classic study with dark green wainscoting"), "wainscoting");
-    EXPECT_TRUE(panels.y > panels.x && panels.y > panels.z && panels.y < 0.3f) << panels.x << " " << panels.y << " " << panels.z;
+    EXPECT_TRUE(panels.y > panels.x && panels.y > panels.z && panels.y < 0.3f)
+        << panels.x << " " << panels.y << " " << panels.z;
     for (const std::string style : {"modern", "classic", "scandinavian"})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Room room = built(hung_room("a " + style + " hallway with a wooden door", seed));
             EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
-                return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == "door" && room.materials[static_cast<std::size_t>(m.material)].pattern == Pattern::wood;
+                return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == "door" &&
+                       room.materials[static_cast<std::size_t>(m.material)].pattern == Pattern::wood;
             })) << style;
         }
 }
@@ -236,7 +274,8 @@ TEST(WallThings, CurtainsHangBesideSigns) {
             if (p.piece.mount != Mount::wall || p.piece.klass == "curtain") continue;
             Footprint before = footprint_of(p);
             before.half.y += 0.1f;
-            for (const Placed* curtain : h.all("curtain")) EXPECT_FALSE(overlap(before, footprint_of(*curtain))) << p.piece.klass << " seed " << seed;
+            for (const Placed* curtain : h.all("curtain"))
+                EXPECT_FALSE(overlap(before, footprint_of(*curtain))) << p.piece.klass << " seed " << seed;
         }
     }
 }
@@ -246,7 +285,8 @@ TEST(WallThings, WhoAsksForALightAboveGetsNoOther) {
     for (const std::string words : {"a ceiling fan", "track lighting", "edison bulbs", "a paper lantern"}) {
         const Hung h = hung_room("a living room with " + words);
         int above = 0;
-        for (const Placed& p : h.room.placed) above += furnishing::lights_from_above(p.piece.klass) && p.wish.klass.empty();
+        for (const Placed& p : h.room.placed)
+            above += furnishing::lights_from_above(p.piece.klass) && p.wish.klass.empty();
         EXPECT_EQ(above, 0) << words;
     }
 }

@@ -29,7 +29,8 @@ inline Mesh box_mesh(Vec3f low, Vec3f high, int material, int object = -1, bool 
                 mesh.normals.push_back(normal);
             }
             const bool turned = (side == 1) == inward;
-            for (const std::uint32_t i : turned ? std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2} : std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3})
+            for (const std::uint32_t i : turned ? std::array<std::uint32_t, 6>{0, 2, 1, 0, 3, 2}
+                                                : std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3})
                 mesh.triangles.push_back(base + i);
         }
     return mesh;

@@ -20,8 +20,8 @@ struct Panorama {
     ImageF range;           // metres along each pixel's ray; empty until the depth stage; +inf = sky
     Image<Known> known;     // empty = all original
     Rigid world_from_pano;  // panorama 0: identity
-    // As `range`, but a flat mirror is looked into as through a window: there it is the distance of the virtual image, wherever one stands. Empty: no mirror
-    // is known of.
+    // As `range`, but a flat mirror is looked into as through a window: there it is the distance of the virtual image,
+    // wherever one stands. Empty: no mirror is known of.
     ImageF mirrored_range{};
 
     const ImageF& seen_range() const { return mirrored_range.empty() ? range : mirrored_range; }

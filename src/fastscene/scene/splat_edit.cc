@@ -19,7 +19,8 @@ Vec3f to_float(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.
 Vec3d to_double(Vec3f v) { return {v.x, v.y, v.z}; }
 
 // Limits of what is drawn: beyond them exp() and squares leave the range of a float.
-constexpr float kFarthest_m = 1e9f, kLargestLogScale = 20.f, kSmallestLogScale = -30.f, kLargestLogit = 30.f, kLargestSh = 1e4f;
+constexpr float kFarthest_m = 1e9f, kLargestLogScale = 20.f, kSmallestLogScale = -30.f, kLargestLogit = 30.f,
+                kLargestSh = 1e4f;
 
 bool within(float v, float limit) { return v >= -limit && v <= limit; }  // NaN is not
 bool within(Vec3f v, float limit) { return within(v.x, limit) && within(v.y, limit) && within(v.z, limit); }
@@ -43,7 +44,8 @@ void transform(Splats& splats, const Similarity& s) {
     if (m == Mat3d{} && s.scale == 1 && s.translation == Vec3d{}) return;
     // A Gaussian is its own mirror image through its middle, so -m turns it as m does; one of the two is a rotation.
     const Quatd turn = quaternion_of(determinant(m) < 0 ? negated(m) : m);
-    const Quatf q{static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y), static_cast<float>(turn.z)};
+    const Quatf q{static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y),
+                  static_cast<float>(turn.z)};
     const ShTurn sh = sh_turn(m);
     const auto log_scale = static_cast<float>(std::log(s.scale));
     const auto k = static_cast<std::size_t>(splats.rest_coefficients());
@@ -106,11 +108,13 @@ Splats strongest(const Splats& splats, std::size_t count) {
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const Vec3f s = splats.log_scale[i];
         // ln of the sigmoid without overflow; the area is that of the two longest axes.
-        const float logit = splats.opacity_logit[i], log_opacity = logit < 0 ? logit - std::log1p(std::exp(logit)) : -std::log1p(std::exp(-logit));
+        const float logit = splats.opacity_logit[i],
+                    log_opacity = logit < 0 ? logit - std::log1p(std::exp(logit)) : -std::log1p(std::exp(-logit));
         cover[i] = log_opacity + s.x + s.y + s.z - min_component(s);
     }
-    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return cover[a] != cover[b] ? cover[a] > cover[b] : a < b; });
+    std::nth_element(
+        order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return cover[a] != cover[b] ? cover[a] > cover[b] : a < b; });
     order.resize(count);
     std::sort(order.begin(), order.end());
     return chosen(splats, order);
@@ -144,7 +148,8 @@ Cleaning clean(Splats& splats) {
     good.reserve(splats.size());
     for (std::size_t i = 0; i < splats.size(); ++i) {
         bool drawable = within(splats.mean_m[i], kFarthest_m) && within(splats.sh0[i], kLargestSh);
-        for (std::size_t a = i * rest; a < (i + 1) * rest; ++a) drawable = drawable && within(splats.sh_rest[a], kLargestSh);
+        for (std::size_t a = i * rest; a < (i + 1) * rest; ++a)
+            drawable = drawable && within(splats.sh_rest[a], kLargestSh);
         bool repaired = false;
         Vec3f& s = splats.log_scale[i];
         for (std::size_t a = 0; a < 3; ++a) {
@@ -152,11 +157,12 @@ Cleaning clean(Splats& splats) {
             if (s[a] < kSmallestLogScale) s[a] = kSmallestLogScale, repaired = true;
         }
         float& logit = splats.opacity_logit[i];
-        if (logit > kLargestLogit || logit < -kLargestLogit) logit = std::clamp(logit, -kLargestLogit, kLargestLogit), repaired = true;
+        if (logit > kLargestLogit || logit < -kLargestLogit)
+            logit = std::clamp(logit, -kLargestLogit, kLargestLogit), repaired = true;
         drawable = drawable && within(logit, kLargestLogit);
         Quatf& q = splats.rotation[i];
-        const double length2 =
-            static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x + static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z;
+        const double length2 = static_cast<double>(q.w) * q.w + static_cast<double>(q.x) * q.x +
+                               static_cast<double>(q.y) * q.y + static_cast<double>(q.z) * q.z;
         if (std::isfinite(length2) && (length2 < 1e-12 || length2 > 1e12)) {
             const double scale = length2 > 1e-60 ? 1 / std::sqrt(length2) : 0;
             const auto part = [&](float v) { return static_cast<float>(static_cast<double>(v) * scale); };

@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// p_new = scale * new_from_old * p_old + translation. new_from_old is orthogonal; with a mirror in it the splats are mirrored, too
-// (their shapes and colors with them). scale > 0.
+// p_new = scale * new_from_old * p_old + translation. new_from_old is orthogonal; with a mirror in it the splats are
+// mirrored, too (their shapes and colors with them). scale > 0.
 struct Similarity {
     Mat3d new_from_old;
     double scale = 1;
@@ -32,8 +32,8 @@ void reduce_sh(Splats& splats, int degree);
 // Drops the highest bands while all of their coefficients are zero.
 void trim_sh(Splats& splats);
 
-// Makes every number one that can be drawn. Splats with a NaN, or an infinite place, size or color, are dropped; an opacity of
-// infinity, a size of zero and a quaternion of length zero have a meaning and are repaired.
+// Makes every number one that can be drawn. Splats with a NaN, or an infinite place, size or color, are dropped; an
+// opacity of infinity, a size of zero and a quaternion of length zero have a meaning and are repaired.
 struct Cleaning {
     std::size_t dropped = 0, repaired = 0;
 };

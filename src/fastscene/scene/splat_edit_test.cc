@@ -54,7 +54,8 @@ TEST(Sh, BasisIsOrthonormal) {
     for (int n = 0; n < kDirections; ++n) {
         const auto b = sh_basis(normalize(Vec3d{random.normal(), random.normal(), random.normal()}));
         for (std::size_t i = 0; i < kShFunctions; ++i)
-            for (std::size_t j = 0; j < kShFunctions; ++j) sum[i][j] += b[i] * b[j] * 4 * 3.14159265358979 / kDirections;
+            for (std::size_t j = 0; j < kShFunctions; ++j)
+                sum[i][j] += b[i] * b[j] * 4 * 3.14159265358979 / kDirections;
     }
     for (std::size_t i = 0; i < kShFunctions; ++i)
         for (std::size_t j = 0; j < kShFunctions; ++j) EXPECT_NEAR(sum[i][j], i == j, 0.03) << i << ' ' << j;
@@ -82,9 +83,12 @@ TEST(SplatEdit, TransformCarriesShapeAndColor) {
         Splats after = before;
         transform(after, s);
         for (std::size_t i = 0; i < before.size(); ++i) {
-            const Mat3d expected = s.new_from_old * covariance(before, i) * transpose(s.new_from_old), found = covariance(after, i);
-            for (std::size_t a = 0; a < 3; ++a) EXPECT_LT(length(expected.column(a) * 6.25 - found.column(a)), 1e-4 * length(found.column(0)) + 1e-6);
-            const Vec3d p{before.mean_m[i].x, before.mean_m[i].y, before.mean_m[i].z}, moved = (s.new_from_old * p) * 2.5 + s.translation;
+            const Mat3d expected = s.new_from_old * covariance(before, i) * transpose(s.new_from_old),
+                        found = covariance(after, i);
+            for (std::size_t a = 0; a < 3; ++a)
+                EXPECT_LT(length(expected.column(a) * 6.25 - found.column(a)), 1e-4 * length(found.column(0)) + 1e-6);
+            const Vec3d p{before.mean_m[i].x, before.mean_m[i].y, before.mean_m[i].z},
+                moved = (s.new_from_old * p) * 2.5 + s.translation;
             EXPECT_LT(length(moved - Vec3d{after.mean_m[i].x, after.mean_m[i].y, after.mean_m[i].z}), 1e-5);
             for (int k = 0; k < 10; ++k) {
                 const Vec3d d = normalize(Vec3d{random.normal(), random.normal(), random.normal()});
@@ -99,7 +103,8 @@ TEST(SplatEdit, TransformCarriesShapeAndColor) {
 
 TEST(SplatEdit, CropThinAndBands) {
     Splats s = random_splats(500, 3);
-    for (const Vec3f p : cropped(s, {-1, -1, -1}, {1, 1, 0}).mean_m) EXPECT_TRUE(std::fabs(p.x) <= 1 && std::fabs(p.y) <= 1 && p.z >= -1 && p.z <= 0);
+    for (const Vec3f p : cropped(s, {-1, -1, -1}, {1, 1, 0}).mean_m)
+        EXPECT_TRUE(std::fabs(p.x) <= 1 && std::fabs(p.y) <= 1 && p.z >= -1 && p.z <= 0);
     const Splats few = strongest(s, 100);
     EXPECT_EQ(few.size(), 100u);
     EXPECT_EQ(few.sh_rest.size(), 4500u);
@@ -119,12 +124,14 @@ TEST(SplatEdit, CropThinAndBands) {
 
 // Every number of a splat, made unfit in turn.
 TEST(SplatEdit, CleaningLeavesOnlyWhatCanBeDrawn) {
-    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN(), tiny = 1e-42f;
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN(),
+                tiny = 1e-42f;
     const Splats good = random_splats(3, 1);
     const auto slots = [](Splats& s) {
         std::vector<float*> all;
         for (std::size_t a = 0; a < 3; ++a) all.insert(all.end(), {&s.mean_m[1][a], &s.log_scale[1][a], &s.sh0[1][a]});
-        all.insert(all.end(), {&s.rotation[1].w, &s.rotation[1].x, &s.rotation[1].y, &s.rotation[1].z, &s.opacity_logit[1]});
+        all.insert(all.end(),
+                   {&s.rotation[1].w, &s.rotation[1].x, &s.rotation[1].y, &s.rotation[1].z, &s.opacity_logit[1]});
         for (std::size_t k = 9; k < 18; ++k) all.push_back(&s.sh_rest[k]);
         return all;
     };
@@ -142,8 +149,8 @@ TEST(SplatEdit, CleaningLeavesOnlyWhatCanBeDrawn) {
                 EXPECT_EQ(done.dropped, 0u);
             }
             for (std::size_t i = 0; i < s.size(); ++i) {
-                EXPECT_TRUE(std::isfinite(dot(s.mean_m[i], s.mean_m[i])) && std::isfinite(std::exp(2 * s.log_scale[i].x)) &&
-                            std::isfinite(s.opacity_logit[i]));
+                EXPECT_TRUE(std::isfinite(dot(s.mean_m[i], s.mean_m[i])) &&
+                            std::isfinite(std::exp(2 * s.log_scale[i].x)) && std::isfinite(s.opacity_logit[i]));
                 const Quatf q = s.rotation[i];
                 EXPECT_GT(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.f);
             }

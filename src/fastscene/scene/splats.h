@@ -19,8 +19,9 @@ struct Splats {
     std::vector<float> opacity_logit;  // opacity = 1 / (1 + exp(-x))
     std::vector<Vec3f> sh0;            // degree-0 coefficients per channel, for sRGB-encoded color
     int sh_degree = 0;                 // 0..3
-    std::vector<float> sh_rest;        // per splat 3 * K floats, channel-major (K reds, K greens, K blues), K = (degree+1)^2 - 1
-    bool antialias = false;            // made for drawing that dims splats smaller than a pixel (Mip-Splatting's 2D filter)
+    std::vector<float>
+        sh_rest;             // per splat 3 * K floats, channel-major (K reds, K greens, K blues), K = (degree+1)^2 - 1
+    bool antialias = false;  // made for drawing that dims splats smaller than a pixel (Mip-Splatting's 2D filter)
 
     std::size_t size() const { return mean_m.size(); }
     int rest_coefficients() const { return (sh_degree + 1) * (sh_degree + 1) - 1; }

@@ -43,7 +43,8 @@ std::vector<FloorCell> standable_cells(const StandableFloor& floor) {
 }
 
 double standable_area_m2(const StandableFloor& floor) {
-    return static_cast<double>(standable_cells(floor).size()) * static_cast<double>(floor.cell_m) * static_cast<double>(floor.cell_m);
+    return static_cast<double>(standable_cells(floor).size()) * static_cast<double>(floor.cell_m) *
+           static_cast<double>(floor.cell_m);
 }
 
 std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor) {
@@ -55,7 +56,7 @@ std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor) {
         unsigned direction = 0;
         while (!(edges.begin()->second >> direction & 1u)) ++direction;
         std::vector<Vec2f> ring;
-        unsigned before = 4;   // none
+        unsigned before = 4;  // none
         do {
             const auto leaving = edges.find(at);
             // Where two cells touch at a corner, turning left stays with the same cell.
@@ -66,7 +67,8 @@ std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor) {
                         break;
                     }
             if (direction != before)
-                ring.push_back({floor.corner_m.x + static_cast<float>(at.x) * floor.cell_m, floor.corner_m.y + static_cast<float>(at.z) * floor.cell_m});
+                ring.push_back({floor.corner_m.x + static_cast<float>(at.x) * floor.cell_m,
+                                floor.corner_m.y + static_cast<float>(at.z) * floor.cell_m});
             leaving->second &= ~(1u << direction);
             if (leaving->second == 0) edges.erase(leaving);
             at = {at.x + kSteps[direction].x, at.z + kSteps[direction].z};
@@ -74,7 +76,9 @@ std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor) {
         } while (at != start);
         rings.push_back(std::move(ring));
     }
-    std::stable_sort(rings.begin(), rings.end(), [](const auto& a, const auto& b) { return std::fabs(signed_area(a)) > std::fabs(signed_area(b)); });
+    std::stable_sort(rings.begin(), rings.end(), [](const auto& a, const auto& b) {
+        return std::fabs(signed_area(a)) > std::fabs(signed_area(b));
+    });
     return rings;
 }
 

@@ -1,4 +1,5 @@
-// Standable floor: where in a room a person can stand, as a grid over the floor. World frame (x right, y down, z forward, metres).
+// Standable floor: where in a room a person can stand, as a grid over the floor. World frame (x right, y down, z
+// forward, metres).
 #pragma once
 
 #include <cstdint>
@@ -9,19 +10,21 @@
 namespace fastscene {
 
 struct StandableFloor {
-    Vec2f corner_m;        // (x, z) of the outer corner of cell (0, 0)
+    Vec2f corner_m;  // (x, z) of the outer corner of cell (0, 0)
     float cell_m = 0.1f;
-    int columns = 0;       // along x
-    int rows = 0;          // along z
-    float floor_y = 0;     // of the floor; y points down
-    std::vector<std::uint8_t> standable;   // rows x columns; nonzero: one can stand at the center of the cell
+    int columns = 0;                      // along x
+    int rows = 0;                         // along z
+    float floor_y = 0;                    // of the floor; y points down
+    std::vector<std::uint8_t> standable;  // rows x columns; nonzero: one can stand at the center of the cell
 
     bool at(int column, int row) const {
         return column >= 0 && row >= 0 && column < columns && row < rows &&
-               standable[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)] != 0;
+               standable[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                         static_cast<std::size_t>(column)] != 0;
     }
     Vec2f center(int column, int row) const {
-        return {corner_m.x + (static_cast<float>(column) + 0.5f) * cell_m, corner_m.y + (static_cast<float>(row) + 0.5f) * cell_m};
+        return {corner_m.x + (static_cast<float>(column) + 0.5f) * cell_m,
+                corner_m.y + (static_cast<float>(row) + 0.5f) * cell_m};
     }
 };
 
@@ -34,9 +37,10 @@ std::vector<FloorCell> standable_cells(const StandableFloor& floor);
 // Square metres.
 double standable_area_m2(const StandableFloor& floor);
 
-// The outline of the standable cells: closed polygons (x, z) along the edges of cells, without repeated or collinear corners, largest
-// first. Outer rings and the holes in them (furniture that one walks around) have opposite orientations; a point lies on standable floor
-// when a ray from it crosses the rings an odd number of times. Cells that touch at a corner only belong to different rings.
+// The outline of the standable cells: closed polygons (x, z) along the edges of cells, without repeated or collinear
+// corners, largest first. Outer rings and the holes in them (furniture that one walks around) have opposite
+// orientations; a point lies on standable floor when a ray from it crosses the rings an odd number of times. Cells that
+// touch at a corner only belong to different rings.
 std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor);
 
 }  // namespace fastscene

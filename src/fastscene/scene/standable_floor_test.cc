@@ -25,14 +25,15 @@ TEST(StandableFloor, OutlinesHoldItsCellsAndNothingElse) {
         for (const auto& ring : area.rings_m) {
             EXPECT_GE(ring.size(), 4u);
             signed_sum += signed_area(ring);
-            for (std::size_t i = 0; i < ring.size(); ++i) {   // corners turn: no collinear ones
+            for (std::size_t i = 0; i < ring.size(); ++i) {  // corners turn: no collinear ones
                 const Vec2f a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
                 EXPECT_NE((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x), 0.f);
             }
         }
         for (int row = 0; row < floor.rows; ++row)
             for (int column = 0; column < floor.columns; ++column)
-                EXPECT_EQ(contains(area, floor.center(column, row)), floor.at(column, row)) << seed << ' ' << column << ' ' << row;
+                EXPECT_EQ(contains(area, floor.center(column, row)), floor.at(column, row))
+                    << seed << ' ' << column << ' ' << row;
         EXPECT_NEAR(std::abs(signed_sum), standable_area_m2(floor), 1e-4) << "outer rings and holes turn opposite ways";
     }
 }
@@ -40,7 +41,9 @@ TEST(StandableFloor, OutlinesHoldItsCellsAndNothingElse) {
 TEST(StandableFloor, ARoomWithAnIslandHasTwoRings) {
     StandableFloor floor = floor_of(8, 8);
     for (int row = 0; row < 8; ++row)
-        for (int column = 0; column < 8; ++column) floor.standable[static_cast<std::size_t>(8 * row + column)] = !(row > 2 && row < 5 && column > 2 && column < 6);
+        for (int column = 0; column < 8; ++column)
+            floor.standable[static_cast<std::size_t>(8 * row + column)] = !(row > 2 && row < 5 && column > 2 &&
+                                                                            column < 6);
     const auto rings = outlines(floor);
     ASSERT_EQ(rings.size(), 2u);
     EXPECT_EQ(rings[0].size(), 4u);

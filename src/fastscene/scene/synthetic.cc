@@ -40,16 +40,17 @@ SyntheticWorld SyntheticWorld::furnished(SyntheticPaint walls, SyntheticPaint fl
     SyntheticWorld world;
     world.room = {{-2.4f, -1.2f, -2.8f}, {2.6f, 1.5f, 3.2f}, {0.75f, 0.72f, 0.66f}, walls};
     world.floor = floor;
-    world.boxes = {{{-0.6f, 0.7f, 1.2f}, {0.7f, 1.5f, 1.9f}, {0.55f, 0.25f, 0.12f}, SyntheticPaint::smooth},    // table
-                   {{1.9f, -0.7f, -1.f}, {2.6f, 1.5f, 0.4f}, {0.2f, 0.35f, 0.5f}, SyntheticPaint::plain},       // cupboard
-                   {{-2.f, 0.8f, -1.9f}, {-0.4f, 1.5f, -1.1f}, {0.3f, 0.5f, 0.25f}, SyntheticPaint::smooth},    // sofa
-                   {{-1.7f, 0.2f, 0.7f}, {-1.6f, 1.5f, 0.8f}, {0.1f, 0.1f, 0.1f}, SyntheticPaint::plain}};      // lamp post
+    world.boxes = {{{-0.6f, 0.7f, 1.2f}, {0.7f, 1.5f, 1.9f}, {0.55f, 0.25f, 0.12f}, SyntheticPaint::smooth},  // table
+                   {{1.9f, -0.7f, -1.f}, {2.6f, 1.5f, 0.4f}, {0.2f, 0.35f, 0.5f}, SyntheticPaint::plain},  // cupboard
+                   {{-2.f, 0.8f, -1.9f}, {-0.4f, 1.5f, -1.1f}, {0.3f, 0.5f, 0.25f}, SyntheticPaint::smooth},  // sofa
+                   {{-1.7f, 0.2f, 0.7f}, {-1.6f, 1.5f, 0.8f}, {0.1f, 0.1f, 0.1f}, SyntheticPaint::plain}};  // lamp post
     return world;
 }
 
 SyntheticHit trace_synthetic(const SyntheticWorld& world, Vec3f origin, Vec3f d) {
     SyntheticHit hit{std::numeric_limits<float>::infinity(), {}};
-    const auto slabs = [&](const SyntheticBox& box, float& enter, float& leave, std::size_t& enter_axis, std::size_t& leave_axis) {
+    const auto slabs = [&](const SyntheticBox& box, float& enter, float& leave, std::size_t& enter_axis,
+                           std::size_t& leave_axis) {
         enter = -std::numeric_limits<float>::infinity();
         leave = std::numeric_limits<float>::infinity();
         for (std::size_t i = 0; i < 3; ++i) {

@@ -10,13 +10,13 @@ namespace fastscene {
 enum class SyntheticPaint { plain, smooth, checker, planks };
 
 struct SyntheticBox {
-    Vec3f low, high;   // world, metres
-    Vec3f color;       // linear
+    Vec3f low, high;  // world, metres
+    Vec3f color;      // linear
     SyntheticPaint paint = SyntheticPaint::plain;
 };
 struct SyntheticWorld {
-    SyntheticBox room;                 // seen from inside
-    std::vector<SyntheticBox> boxes;   // seen from outside
+    SyntheticBox room;                // seen from inside
+    std::vector<SyntheticBox> boxes;  // seen from outside
     SyntheticPaint floor = SyntheticPaint::plain;
 
     // A room of 5 x 2.7 x 6 m about the origin, with a table, a cupboard and a sofa of boxes.

@@ -5,7 +5,8 @@
 
 namespace fastscene::splat {
 
-// Inlined by order what the inner loops call: the compiler gives up on it when there are many of them, and a call costs AVX2 its registers.
+// Inlined by order what the inner loops call: the compiler gives up on it when there are many of them, and a call costs
+// AVX2 its registers.
 
 // Below this transmittance what lies behind cannot be seen; blending of a block of pixels stops.
 inline constexpr float kOpaque = 1e-4f;

@@ -1,7 +1,8 @@
 // The gradient of blend(), walking front to back once more. Behind splat i lies
 //   rest_i = sum_{j > i} w_j (v . c_j) + T_end (v . background),   v = dL/d(pixel color),
-// (a loss of T_end itself, dL/d T_end, adds to v . background), and dL/d alpha_i = T_i (v . c_i) - rest_i / (1 - alpha_i). Starting from v . (final color), rest needs
-// only one subtraction a splat, so nothing has to be stored by the forward pass.
+// (a loss of T_end itself, dL/d T_end, adds to v . background), and dL/d alpha_i = T_i (v . c_i) - rest_i / (1 -
+// alpha_i). Starting from v . (final color), rest needs only one subtraction a splat, so nothing has to be stored by
+// the forward pass.
 #pragma once
 
 #include "fastscene/splat/blend.h"
@@ -28,9 +29,11 @@ template <class F>
     return quotient(alpha, F(1) - alpha);
 }
 
-// The gradient for one splat that shows with `alpha`, whose odds_of() are `odds`. kHeld: alpha may have been clamped at kMaxAlpha.
+// The gradient for one splat that shows with `alpha`, whose odds_of() are `odds`. kHeld: alpha may have been clamped at
+// kMaxAlpha.
 template <bool kDepth = false, bool kHeld = true, class F>
-[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F alpha, F odds) {
+[[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F alpha,
+                                                      F odds) {
     const F weight = alpha * pixel.transmittance;
     F vc = dot(pixel.v, s.color);
     if constexpr (kDepth) vc = vc + pixel.v_depth * s.depth_z;
@@ -39,8 +42,7 @@ template <bool kDepth = false, bool kHeld = true, class F>
     pixel.transmittance = pixel.transmittance - weight;
     if constexpr (kHeld)  // a clamped alpha does not move
         return {select(alpha < F(kMaxAlpha), slope, F(0)), weight};
-    else
-        return {slope, weight};
+    else return {slope, weight};
 }
 
 }  // namespace fastscene::splat

@@ -10,7 +10,7 @@ namespace fastscene::splat {
 
 template <class F>
 struct CameraSlopes {
-    Vec3<F> row_x, row_y;      // d px / d p, d py / d p
+    Vec3<F> row_x, row_y;  // d px / d p, d py / d p
     F inv_h2{}, inv_r2{}, h{}, range{};
 };
 
@@ -38,8 +38,10 @@ Vec2<F> equirect_angles(Vec3<F> p, const CameraSlopes<F>& s) {
 // Of L(row_x * M, row_y * M): from dL/d(row_x . M) = g0 and dL/d(row_y . M) = g1, the part of dL/dp that comes from the
 // slopes changing with p; M = camera_from_local, n0 = row_x * M, n1 = row_y * M.
 template <class F>
-Vec3<F> slopes_grad(Vec3<F> p, const CameraSlopes<F>& s, F kx, F ky, const Mat3<F>& m, Vec3<F> n0, Vec3<F> n1, Vec3<F> g0, Vec3<F> g1) {
-    const F a0 = dot(g0, m.row0), a2 = dot(g0, m.row2), b0 = dot(g1, m.row0), b1 = dot(g1, m.row1), b2 = dot(g1, m.row2);
+Vec3<F> slopes_grad(Vec3<F> p, const CameraSlopes<F>& s, F kx, F ky, const Mat3<F>& m, Vec3<F> n0, Vec3<F> n1,
+                    Vec3<F> g0, Vec3<F> g1) {
+    const F a0 = dot(g0, m.row0), a2 = dot(g0, m.row2), b0 = dot(g1, m.row0), b1 = dot(g1, m.row1),
+            b2 = dot(g1, m.row2);
     const F east = kx * s.inv_h2, south = ky * s.inv_r2 * s.inv_h2 * s.h;
     const F e = F(2) * s.inv_h2 * dot(g0, n0), r = F(2) * s.inv_r2 * dot(g1, n1), h = s.inv_h2 * dot(g1, n1);
     return {-(east * a2) - e * p.x + south * (F(2) * p.x * b1 - p.y * b0) - (r + h) * p.x,

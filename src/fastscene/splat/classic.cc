@@ -8,7 +8,7 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr float kGone = -30.f;       // logit of a dead splat: drawn nowhere
+constexpr float kGone = -30.f;        // logit of a dead splat: drawn nowhere
 constexpr float kSplitShrink = 1.6f;  // as published
 
 float median(std::vector<float> v) {
@@ -21,7 +21,8 @@ float logit_of(double opacity) { return static_cast<float>(std::log(opacity / (1
 
 void clear_moments(Cloud& c, std::int64_t i) {
     for (int p = 0; p < kParameters; ++p) c.first_moment[c.at(i, p)] = c.second_moment[c.at(i, p)] = 0;
-    for (int k = 0; k < 3 * rest_functions(c.degree); ++k) c.rest_first_moment[c.rest_at(i, k)] = c.rest_second_moment[c.rest_at(i, k)] = 0;
+    for (int k = 0; k < 3 * rest_functions(c.degree); ++k)
+        c.rest_first_moment[c.rest_at(i, k)] = c.rest_second_moment[c.rest_at(i, k)] = 0;
 }
 void copy_splat(Cloud& c, std::int64_t from, std::int64_t to) {
     for (int p = 0; p < kParameters; ++p) c.parameters[c.at(to, p)] = c.parameters[c.at(from, p)];
@@ -76,7 +77,8 @@ std::int64_t densify(Cloud& c, const Classic& how, float extent_m, std::uint64_t
         float widest = 0;
         for (int a = 3; a < 6; ++a) widest = std::max(widest, std::exp(c.parameters[c.at(from, a)]));
         if (widest > how.large * extent_m) {
-            Random random(seed, "splat.densify", static_cast<std::uint64_t>(step) << 32 | static_cast<std::uint64_t>(from));
+            Random random(seed, "splat.densify",
+                          static_cast<std::uint64_t>(step) << 32 | static_cast<std::uint64_t>(from));
             move_within(c, to, c, from, random);
             move_within(c, from, c, from, random);
             for (const std::int64_t i : {from, to})
@@ -85,7 +87,8 @@ std::int64_t densify(Cloud& c, const Classic& how, float extent_m, std::uint64_t
         }
         ++made;
     }
-    for (AlignedFloats* sums : {&c.seen_weight, &c.seen_error, &c.seen_move, &c.seen_steps}) std::fill(sums->begin(), sums->end(), 0.f);
+    for (AlignedFloats* sums : {&c.seen_weight, &c.seen_error, &c.seen_move, &c.seen_steps})
+        std::fill(sums->begin(), sums->end(), 0.f);
     return made;
 }
 

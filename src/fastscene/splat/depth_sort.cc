@@ -33,7 +33,8 @@ void sort_by_depth(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>&
             parallel_for(pieces, 1, [&](std::int64_t piece, std::int64_t) {
                 std::uint32_t* const count = counts.data() + static_cast<std::size_t>(piece) * values;
                 const std::size_t end = piece_begin(keys.size(), static_cast<int>(piece) + 1, pieces);
-                for (std::size_t i = piece_begin(keys.size(), static_cast<int>(piece), pieces); i < end; ++i) visit(count[value(keys[i])], keys[i]);
+                for (std::size_t i = piece_begin(keys.size(), static_cast<int>(piece), pieces); i < end; ++i)
+                    visit(count[value(keys[i])], keys[i]);
             });
         };
         std::fill(counts.begin(), counts.end(), 0u);

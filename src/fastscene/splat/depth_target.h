@@ -10,7 +10,8 @@ class DepthTarget {
   public:
     // Of `count` of the points.
     DepthTarget(const ViewSet& set, int count, const Run& run);
-    // Metres along the optical axis (equirectangular: along the ray); 0 where the points do not cover a pixel. Valid until the next call.
+    // Metres along the optical axis (equirectangular: along the ray); 0 where the points do not cover a pixel. Valid
+    // until the next call.
     const ImageF& of(const View& view);
 
   private:

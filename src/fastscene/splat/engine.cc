@@ -49,13 +49,25 @@ Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, Camer
     if (model == CameraModel::equirectangular)
         return {c.rotation, c.translation, w / (2 * kPi), h / kPi, w / 2, h / 2, 0, 0, 0, 0, model, antialias};
     // 15 % of the picture beyond its border, as in Kerbl et al.'s implementation.
-    return {c.rotation, c.translation, camera.fx, camera.fy, camera.cx, camera.cy,
-            (-0.15f * w - camera.cx) / camera.fx, (1.15f * w - camera.cx) / camera.fx,
-            (-0.15f * h - camera.cy) / camera.fy, (1.15f * h - camera.cy) / camera.fy, model, antialias};
+    return {c.rotation,
+            c.translation,
+            camera.fx,
+            camera.fy,
+            camera.cx,
+            camera.cy,
+            (-0.15f * w - camera.cx) / camera.fx,
+            (1.15f * w - camera.cx) / camera.fx,
+            (-0.15f * h - camera.cy) / camera.fy,
+            (1.15f * h - camera.cy) / camera.fy,
+            model,
+            antialias};
 }
 
 Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
-    : count(static_cast<std::int64_t>(s.size())), degree(s.sh_degree), capacity(std::max(count, room_for)), antialias(s.antialias) {
+    : count(static_cast<std::int64_t>(s.size())),
+      degree(s.sh_degree),
+      capacity(std::max(count, room_for)),
+      antialias(s.antialias) {
     const auto blocks = static_cast<std::size_t>((capacity + kBlock - 1) / kBlock * kBlock);
     const auto rest_floats = blocks * 3 * static_cast<std::size_t>(rest_functions(degree));
     parameters.resize(blocks * kParameters, 0.f);
@@ -73,9 +85,10 @@ Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
         for (int k = 0; k < n; ++k) rest[rest_at(i, k)] = s.sh_rest[static_cast<std::size_t>(i * n + k)];
     for (std::int64_t i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const float all[kParameters] = {s.mean_m[k].x,     s.mean_m[k].y,   s.mean_m[k].z,   s.log_scale[k].x, s.log_scale[k].y,
-                                        s.log_scale[k].z,  s.rotation[k].w, s.rotation[k].x, s.rotation[k].y,  s.rotation[k].z,
-                                        s.opacity_logit[k], s.sh0[k].x,     s.sh0[k].y,      s.sh0[k].z};
+        const float all[kParameters] = {s.mean_m[k].x,    s.mean_m[k].y,    s.mean_m[k].z,      s.log_scale[k].x,
+                                        s.log_scale[k].y, s.log_scale[k].z, s.rotation[k].w,    s.rotation[k].x,
+                                        s.rotation[k].y,  s.rotation[k].z,  s.opacity_logit[k], s.sh0[k].x,
+                                        s.sh0[k].y,       s.sh0[k].z};
         for (int p = 0; p < kParameters; ++p) parameters[at(i, p)] = all[p];
     }
 }
@@ -115,8 +128,8 @@ void Engine::set_size(int width, int height) {
     tile_begin_.assign(static_cast<std::size_t>(tiles_x_ * tiles_y_) + 1, 0);
 }
 
-void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background, bool depth,
-                    CameraModel model) {
+void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
+                    bool depth, CameraModel model) {
     set_size(camera.width, camera.height);
     lens_ = lens_of(camera, world_from_camera, model, cloud.antialias);
     background_ = background;
@@ -136,8 +149,16 @@ void Engine::project(const Cloud& cloud) {
     const Stopwatch watch(times.project);
     const auto room = static_cast<std::size_t>(cloud.padded() * records_a_splat(lens_.model));
     grow(records_, room), grow(piece_keys_, room), grow(piece_boxes_, room);
-    const ProjectJob job{cloud.parameters.data(), cloud.count, lens_, width_, height_, records_.data(), piece_keys_.data(), piece_boxes_.data(),
-                         cloud.degree ? cloud.rest.data() : nullptr, cloud.degree};
+    const ProjectJob job{cloud.parameters.data(),
+                         cloud.count,
+                         lens_,
+                         width_,
+                         height_,
+                         records_.data(),
+                         piece_keys_.data(),
+                         piece_boxes_.data(),
+                         cloud.degree ? cloud.rest.data() : nullptr,
+                         cloud.degree};
     pieces_.assign(static_cast<std::size_t>((cloud.count + kPiece - 1) / kPiece), {});
     parallel_for(cloud.count, kPiece, [&](std::int64_t begin, std::int64_t end) {
         pieces_[static_cast<std::size_t>(begin / kPiece)] = kernel_.project(job, begin, end);
@@ -168,16 +189,19 @@ void Engine::sort() {
 void Engine::bin() {
     const Stopwatch watch(times.bin);
     const int pieces = depth_pieces(keys_.size());
-    const auto columns = static_cast<std::size_t>(tiles_x_), rows = static_cast<std::size_t>(tiles_y_), tiles = columns * rows;
+    const auto columns = static_cast<std::size_t>(tiles_x_), rows = static_cast<std::size_t>(tiles_y_),
+               tiles = columns * rows;
     boxes_.resize(keys_.size());
     piece_tiles_.resize(static_cast<std::size_t>(pieces) * tiles);
     const auto each_piece = [&](auto&& work) {
         parallel_for(pieces, 1, [&](std::int64_t piece, std::int64_t) {
             const int p = static_cast<int>(piece);
-            work(piece_tiles_.data() + static_cast<std::size_t>(piece) * tiles, piece_begin(keys_.size(), p, pieces), piece_begin(keys_.size(), p + 1, pieces));
+            work(piece_tiles_.data() + static_cast<std::size_t>(piece) * tiles, piece_begin(keys_.size(), p, pieces),
+                 piece_begin(keys_.size(), p + 1, pieces));
         });
     };
-    // How many of a piece's boxes hold each tile: a step up or down at their corners, summed along the rows and down the columns.
+    // How many of a piece's boxes hold each tile: a step up or down at their corners, summed along the rows and down
+    // the columns.
     each_piece([&](std::uint32_t* count, std::size_t begin, std::size_t end) {
         const std::size_t width = columns + 1;
         std::vector<std::uint32_t> steps(width * (rows + 1));
@@ -223,7 +247,8 @@ void Engine::bin() {
 Frame Engine::frame(bool depth) {
     Frame f{};
     f.width = width_, f.height = height_, f.tiles_x = tiles_x_, f.tiles_y = tiles_y_, f.stride = stride_;
-    for (int c = 0; c < 3; ++c) f.color[c] = color_[c].data(), f.v[c] = v_[c].data(), f.error[c] = judges_ ? error_[c].data() : nullptr;
+    for (int c = 0; c < 3; ++c)
+        f.color[c] = color_[c].data(), f.v[c] = v_[c].data(), f.error[c] = judges_ ? error_[c].data() : nullptr;
     f.transmittance = transmittance_.data();
     f.depth = depth ? depth_.data() : nullptr;
     f.background[0] = background_.x, f.background[1] = background_.y, f.background[2] = background_.z;
@@ -250,7 +275,8 @@ LossSums Engine::differentiate(const View& view, float lambda, bool judge) {
         for (int y = 0; y < height_; ++y) row_weight.push_back(latitude_weight(y, height_));
         job.row_weight = row_weight.data();
     }
-    for (int c = 0; c < 3; ++c) job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = judge ? error_[c].data() : nullptr;
+    for (int c = 0; c < 3; ++c)
+        job.color[c] = color_[c].data(), job.v[c] = v_[c].data(), job.error[c] = judge ? error_[c].data() : nullptr;
     const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
     std::vector<LossSums> sums(static_cast<std::size_t>(3 * height_));
     for (int c = 0; c < 3; ++c) job.row_sums[c] = sums.data() + c * height_;
@@ -258,7 +284,8 @@ LossSums Engine::differentiate(const View& view, float lambda, bool judge) {
     const int bands = std::clamp(height_ / kLossRows, 1, thread_count());
     parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
         const int band = static_cast<int>(piece) % bands;
-        kernel_.loss(job, static_cast<int>(piece) / bands, height_ * band / bands, height_ * (band + 1) / bands, scratch(floats));
+        kernel_.loss(job, static_cast<int>(piece) / bands, height_ * band / bands, height_ * (band + 1) / bands,
+                     scratch(floats));
     });
     LossSums total;
     for (const LossSums& s : sums) total.loss += s.loss, total.squared_error += s.squared_error;
@@ -277,9 +304,11 @@ double Engine::differentiate_depth(const View& view, const ImageF& depth, float 
             const float row = view.model == CameraModel::equirectangular ? latitude_weight(y, height_) : 1.f;
             for (int x = 0; x < width_; ++x) {
                 const std::size_t i = index(x, y);
-                const float weight = scale * row * (view.weight.empty() ? 1.f : static_cast<float>(view.weight.at(x, y)) / 255.f);
+                const float weight = scale * row *
+                                     (view.weight.empty() ? 1.f : static_cast<float>(view.weight.at(x, y)) / 255.f);
                 const DepthLoss<float> l = depth_loss(depth_[i], transmittance_[i], depth.at(x, y));
-                depth_[i] = l.total, v_depth_[i] = weight * l.v, row_loss[static_cast<std::size_t>(y)] += static_cast<double>(weight * l.loss);
+                depth_[i] = l.total, v_depth_[i] = weight * l.v,
+                row_loss[static_cast<std::size_t>(y)] += static_cast<double>(weight * l.loss);
             }
         }
     });
@@ -313,8 +342,8 @@ void Engine::set_color_gradient(const std::vector<Vec3f>& v) {
         v_[c].assign(transmittance_.size(), 0.f);
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x)
-                v_[c][index(x, y)] =
-                    v[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)][static_cast<std::size_t>(c)];
+                v_[c][index(x, y)] = v[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                                       static_cast<std::size_t>(x)][static_cast<std::size_t>(c)];
     }
 }
 
@@ -334,12 +363,14 @@ void Engine::update(Cloud& cloud, UpdateJob& job) {
     job.parameters = cloud.parameters.data();
     job.first_moment = cloud.first_moment.data();
     job.second_moment = cloud.second_moment.data();
-    if (judges_ && !cloud.seen_weight.empty()) job.seen_weight = cloud.seen_weight.data(), job.seen_error = cloud.seen_error.data();
+    if (judges_ && !cloud.seen_weight.empty())
+        job.seen_weight = cloud.seen_weight.data(), job.seen_error = cloud.seen_error.data();
     job.records = records_.data();
     job.lens = lens_;
     if (cloud.degree) {
         job.degree = cloud.degree, job.rest = cloud.rest.data();
-        job.rest_first_moment = cloud.rest_first_moment.data(), job.rest_second_moment = cloud.rest_second_moment.data();
+        job.rest_first_moment = cloud.rest_first_moment.data(),
+        job.rest_second_moment = cloud.rest_second_moment.data();
     }
     if (judges_ && !cloud.seen_move.empty()) {
         job.seen_move = cloud.seen_move.data(), job.seen_steps = cloud.seen_steps.data();
@@ -358,7 +389,8 @@ void Engine::step(Cloud& cloud, const StepRates& r) {
     backward();
     UpdateJob job{};
     const auto bias = [](double beta, int step) { return 1 - std::pow(beta, step); };
-    for (int p = 0; p < kParameters; ++p) job.rate[p] = static_cast<float>(r.rates[static_cast<std::size_t>(p)] / bias(0.9, r.adam_step));
+    for (int p = 0; p < kParameters; ++p)
+        job.rate[p] = static_cast<float>(r.rates[static_cast<std::size_t>(p)] / bias(0.9, r.adam_step));
     job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.adam_step)));
     job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
     job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));

@@ -18,7 +18,8 @@
 
 namespace fastscene::splat {
 
-Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model = CameraModel::pinhole, bool antialias = false);
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model = CameraModel::pinhole,
+                    bool antialias = false);
 
 // Rows of an equirectangular picture count as much as the part of the sphere they show: the cosine of the latitude.
 inline float latitude_weight(int y, int height) {
@@ -32,14 +33,16 @@ struct Cloud {
     AlignedFloats seen_weight, seen_error;  // per splat, since they were last cleared
     AlignedFloats seen_move, seen_steps;    // the same, only where density control needs them
     int degree = 0;                         // of the spherical harmonics
-    AlignedFloats rest, rest_first_moment, rest_second_moment;  // blocks of 3 * rest_functions(degree) numbers, like the parameters
-    std::int64_t capacity = 0;              // splats there is memory for
-    bool antialias = false;                 // Splats::antialias
+    AlignedFloats rest, rest_first_moment,
+        rest_second_moment;     // blocks of 3 * rest_functions(degree) numbers, like the parameters
+    std::int64_t capacity = 0;  // splats there is memory for
+    bool antialias = false;     // Splats::antialias
 
     Cloud(const Splats& splats, bool train, std::int64_t room_for = 0);
     Splats splats() const;
     std::size_t rest_at(std::int64_t splat, int i) const {
-        return static_cast<std::size_t>(splat / kBlock * kBlock * 3 * rest_functions(degree) + i * kBlock + splat % kBlock);
+        return static_cast<std::size_t>(splat / kBlock * kBlock * 3 * rest_functions(degree) + i * kBlock +
+                                        splat % kBlock);
     }
     std::int64_t padded() const { return (count + kBlock - 1) / kBlock * kBlock; }
     std::size_t at(std::int64_t splat, int parameter) const {
@@ -55,12 +58,12 @@ struct StepTimes {
 // What a step needs besides gradients.
 struct StepRates {
     std::array<float, kParameters> rates{};
-    int adam_step = 1;             // counts from 1
-    // A step of the positions is meant for what stands within reach_m of the middle; what is farther away steps farther in proportion, so that
-    // both move as much on the pictures.
+    int adam_step = 1;  // counts from 1
+    // A step of the positions is meant for what stands within reach_m of the middle; what is farther away steps farther
+    // in proportion, so that both move as much on the pictures.
     Vec3f middle{};
     float reach_m = std::numeric_limits<float>::infinity();
-    float rest_rate = 0;           // of the higher bands; 0: not in this step
+    float rest_rate = 0;  // of the higher bands; 0: not in this step
     int rest_adam_step = 1;
     float opacity_pull = 0, scale_pull = 0;  // UpdateJob
 };
@@ -74,8 +77,9 @@ class Engine {
                 CameraModel model = CameraModel::pinhole);
     // After render(): loss against the view and dL/d color.
     LossSums differentiate(const View& view, float lambda_dssim, bool judge = true);
-    // After that, if render() was asked for depth: adds `strength` times the mean relative error of depth (depth_loss.h) and returns
-    // it. `depth`: metres along the optical axis (equirectangular: along the ray), 0 = unknown.
+    // After that, if render() was asked for depth: adds `strength` times the mean relative error of depth
+    // (depth_loss.h) and returns it. `depth`: metres along the optical axis (equirectangular: along the ray), 0 =
+    // unknown.
     double differentiate_depth(const View& view, const ImageF& depth, float strength);
     // After either: adds `strength` times the mean transmittance that is left and returns it: pictures shall be opaque.
     double differentiate_transmittance(const View& view, float strength);
@@ -83,7 +87,9 @@ class Engine {
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After either: gradients per splat; Adam with these step sizes moves the cloud.
     void step(Cloud& cloud, const StepRates& rates);
-    void step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step) { step(cloud, StepRates{rates, adam_step}); }
+    void step(Cloud& cloud, const std::array<float, kParameters>& rates, int adam_step) {
+        step(cloud, StepRates{rates, adam_step});
+    }
     // … or only hands out the gradients, in the kernel's layout; those of the higher bands into `rest`.
     AlignedFloats gradients(Cloud& cloud, AlignedFloats* rest = nullptr);
 
@@ -115,21 +121,21 @@ class Engine {
     Lens<float> lens_{};
     Vec3f background_;
     AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_, v_transmittance_;
-    bool judges_ = false;                       // the gradient to come also sums what density control asks for
-    bool depth_counts_ = false;                 // in the gradient to come
-    bool transmittance_counts_ = false;         // …
+    bool judges_ = false;                // the gradient to come also sums what density control asks for
+    bool depth_counts_ = false;          // in the gradient to come
+    bool transmittance_counts_ = false;  // …
     // As projection left them, piece after piece of splats, with gaps between the pieces.
     AlignedVector<Record> records_;
     std::vector<std::uint64_t> piece_keys_;
     std::vector<TileBox> piece_boxes_;
     std::vector<PieceCount> pieces_;
-    std::vector<std::uint32_t> piece_slot_;     // first gradient slot of each
+    std::vector<std::uint32_t> piece_slot_;  // first gradient slot of each
     int records_a_piece() const { return kPiece * records_a_splat(lens_.model); }
     std::int64_t visible_ = 0, slots_used_ = 0;
     // In depth order.
     std::vector<std::uint64_t> keys_, keys_other_;
     std::vector<TileBox> boxes_;
-    std::vector<std::uint32_t> piece_tiles_;    // per piece of them and tile: where in the tile's list it goes on
+    std::vector<std::uint32_t> piece_tiles_;  // per piece of them and tile: where in the tile's list it goes on
     std::vector<std::uint32_t> tile_begin_, list_;
     std::vector<std::uint16_t> masks_;
     AlignedFloats slots_;

@@ -11,7 +11,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kThickness = 0.08f;   // of the disc's radius: surfaces are sharp from aside
+constexpr float kThickness = 0.08f;  // of the disc's radius: surfaces are sharp from aside
 
 bool usable(const SurfacePoint& p) {
     const float reach = std::fabs(p.position_m.x) + std::fabs(p.position_m.y) + std::fabs(p.position_m.z);
@@ -25,10 +25,11 @@ std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size
         if (usable(points[i])) chosen.push_back(i);
     if (chosen.size() <= count) return chosen;
     const auto key = [&](std::size_t i) { return Random(run.seed, "splat.draw", i).next_u64(); };
-    std::nth_element(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), chosen.end(), [&](std::size_t a, std::size_t b) {
-        const auto ka = key(a), kb = key(b);
-        return ka != kb ? ka < kb : a < b;
-    });
+    std::nth_element(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), chosen.end(),
+                     [&](std::size_t a, std::size_t b) {
+                         const auto ka = key(a), kb = key(b);
+                         return ka != kb ? ka < kb : a < b;
+                     });
     chosen.resize(count);
     std::sort(chosen.begin(), chosen.end());
     return chosen;
@@ -58,12 +59,14 @@ void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::si
 
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params) {
     if (!(params.per_m2 > 0)) return params.count;
-    constexpr float kOutside_m = 100.f;      // no room is so large
-    constexpr double kLeast = 20'000;        // a closet has edges, too
-    double area = 0;                         // the squared spacings together are the surface
+    constexpr float kOutside_m = 100.f;  // no room is so large
+    constexpr double kLeast = 20'000;    // a closet has edges, too
+    double area = 0;                     // the squared spacings together are the surface
     for (const SurfacePoint& p : points)
-        if (length(p.position_m) < kOutside_m) area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
-    return static_cast<int>(std::min<double>(params.count, std::max(kLeast, static_cast<double>(params.per_m2) * area)));
+        if (length(p.position_m) < kOutside_m)
+            area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
+    return static_cast<int>(
+        std::min<double>(params.count, std::max(kLeast, static_cast<double>(params.per_m2) * area)));
 }
 
 Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run) {
@@ -72,7 +75,8 @@ Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams
     std::size_t all = 0;
     for (const SurfacePoint& p : points) all += usable(p);
     // Fewer discs must each cover more: the spacing grows with the root of the thinning.
-    const float thinning = chosen.empty() ? 1.f : std::sqrt(static_cast<float>(all) / static_cast<float>(chosen.size()));
+    const float thinning = chosen.empty() ? 1.f
+                                          : std::sqrt(static_cast<float>(all) / static_cast<float>(chosen.size()));
 
     Splats out;
     out.resize(chosen.size());

@@ -26,30 +26,35 @@ inline BlockPixels block_pixels() {
 struct TileAlpha {
     TileAlpha() = default;
     TileAlpha(const Record&, float, float) {}
-    Lanes raw(std::size_t, const Footprint<Lanes>& splat, const Vec2<Lanes>& d) const { return raw_alpha(splat, d.x, d.y); }
+    Lanes raw(std::size_t, const Footprint<Lanes>& splat, const Vec2<Lanes>& d) const {
+        return raw_alpha(splat, d.x, d.y);
+    }
 };
 
 #else
 
 // Half as many exponentials. About the middle m of a block, with (i, j) the pixel's place from there, the exponent is
 //   e(m) + de/dx i + de/dy j + (a i^2 + b i j + c j^2),
-// so alpha is a product of three: one factor for the column, one for the row, and one that is the same in every block of the splat.
-// The eight columns and rows of a block fill one vector. Where alpha counts, no factor leaves the range of exp2_near(): a, b and c are
-// bounded by the low-pass on screen (kDilationPx2).
+// so alpha is a product of three: one factor for the column, one for the row, and one that is the same in every block
+// of the splat. The eight columns and rows of a block fill one vector. Where alpha counts, no factor leaves the range
+// of exp2_near(): a, b and c are bounded by the low-pass on screen (kDilationPx2).
 struct TileAlpha {
-    Half curve_lo, curve_hi;                  // 2^(a i^2 + b i j + c j^2)
+    Half curve_lo, curve_hi;                   // 2^(a i^2 + b i j + c j^2)
     float slope_x[16], slope_y[16], half[16];  // per block: de/dx, de/dy and e / 2 in its middle
 
     TileAlpha() = default;
     [[gnu::always_inline]] TileAlpha(const Record& s, float tile_x, float tile_y) {
-        constexpr Half ii = {2.25f, 0.25f, 0.25f, 2.25f, 2.25f, 0.25f, 0.25f, 2.25f}, ij = {2.25f, 0.75f, -0.75f, -2.25f, 0.75f, 0.25f, -0.25f, -0.75f};
+        constexpr Half ii = {2.25f, 0.25f, 0.25f, 2.25f, 2.25f, 0.25f, 0.25f, 2.25f},
+                       ij = {2.25f, 0.75f, -0.75f, -2.25f, 0.75f, 0.25f, -0.25f, -0.75f};
         constexpr Half jj = {2.25f, 2.25f, 2.25f, 2.25f, 0.25f, 0.25f, 0.25f, 0.25f};
         curve_lo = exp2_near(s.a * ii + s.b * ij + s.c * jj);
-        curve_hi = __builtin_shuffle(curve_lo, HalfBits{7, 6, 5, 4, 3, 2, 1, 0});  // the same on the other side of the middle
+        curve_hi = __builtin_shuffle(curve_lo,
+                                     HalfBits{7, 6, 5, 4, 3, 2, 1, 0});  // the same on the other side of the middle
         constexpr Half columns = {2, 6, 10, 14, 2, 6, 10, 14}, rows = {2, 2, 2, 2, 6, 6, 6, 6};
         const Half x = columns + eight(tile_x - s.x), two_a_x = (2 * s.a) * x, b_x = s.b * x;
         for (int i = 0; i < 2; ++i) {
-            const Half y = rows + eight(tile_y + static_cast<float>(8 * i) - s.y), dx = two_a_x + s.b * y, dy = b_x + (2 * s.c) * y;
+            const Half y = rows + eight(tile_y + static_cast<float>(8 * i) - s.y), dx = two_a_x + s.b * y,
+                       dy = b_x + (2 * s.c) * y;
             Half middle = (dx * x + dy * y) * 0.25f + eight(0.5f * s.log2_opacity);
             // Splats that reach far beyond the picture lose digits here: not out of range for that.
             constexpr float kFaintest = -60;
@@ -65,7 +70,8 @@ struct TileAlpha {
         const Half slope = alternate_pairs(eight(slope_y[block]), eight(slope_x[block]));
         const Half factor = exp2_near(slope * place + eight(half[block]));
         const Half column = __builtin_shuffle(factor, HalfBits{2, 3, 6, 7, 2, 3, 6, 7});
-        const Half row_lo = __builtin_shuffle(factor, HalfBits{0, 0, 0, 0, 4, 4, 4, 4}), row_hi = __builtin_shuffle(factor, HalfBits{1, 1, 1, 1, 5, 5, 5, 5});
+        const Half row_lo = __builtin_shuffle(factor, HalfBits{0, 0, 0, 0, 4, 4, 4, 4}),
+                   row_hi = __builtin_shuffle(factor, HalfBits{1, 1, 1, 1, 5, 5, 5, 5});
         return {curve_lo * column * row_lo, curve_hi * column * row_hi};
     }
 };

@@ -1,5 +1,6 @@
 // The gradient of one tile, splat after splat, front to back once more. A vector is a 4x4 block of pixels; what a
-// splat's blocks say is summed up in registers, lane by lane, and over the lanes once, when the splat's last block is done.
+// splat's blocks say is summed up in registers, lane by lane, and over the lanes once, when the splat's last block is
+// done.
 #pragma once
 
 #include "fastscene/splat/blend_grad.h"
@@ -15,7 +16,8 @@ struct alignas(512) BlockGrad {  // a power of two: cheap to find
 
 inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
     const auto block = [&](const float* plane) { return load_block(plane + at, f.stride); };
-    const Vec3<Lanes> v{block(f.v[0]), block(f.v[1]), block(f.v[2])}, color{block(f.color[0]), block(f.color[1]), block(f.color[2])};
+    const Vec3<Lanes> v{block(f.v[0]), block(f.v[1]), block(f.v[2])},
+        color{block(f.color[0]), block(f.color[1]), block(f.color[2])};
     Lanes rest = dot(v, color);
     if (f.v_depth) {
         b.pixel.v_depth = block(f.v_depth);
@@ -26,7 +28,8 @@ inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
     if (f.error[0]) b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
 }
 
-// A slot whose pixels are not yet added up: moments of g = dL/d(ln alpha) about the splat's center, color, weight, error, depth.
+// A slot whose pixels are not yet added up: moments of g = dL/d(ln alpha) about the splat's center, color, weight,
+// error, depth.
 struct SlotSums {
     Summand all[kSlotFloats]{};
 
@@ -37,7 +40,8 @@ struct SlotSums {
         all[3] += gx * d.x, all[4] += gx * d.y, all[5] += gy * d.y;
 #else
         // Both halves have the same columns.
-        const Half both = g.lo + g.hi, x = d.x.lo, gx = both * x, gy_lo = g.lo * d.y.lo, gy_hi = g.hi * d.y.hi, gy = gy_lo + gy_hi;
+        const Half both = g.lo + g.hi, x = d.x.lo, gx = both * x, gy_lo = g.lo * d.y.lo, gy_hi = g.hi * d.y.hi,
+                   gy = gy_lo + gy_hi;
         all[0] += both, all[1] += gx, all[2] += gy;
         all[3] += gx * x, all[4] += gy * x, all[5] += gy_lo * d.y.lo, all[5] += gy_hi * d.y.hi;
 #endif
@@ -59,7 +63,8 @@ struct SlotSums {
 };
 // One block.
 template <bool kDepth, bool kJudge, bool kHeld>
-[[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d, Lanes alpha, Lanes odds, SlotSums& sums) {
+[[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d,
+                                              Lanes alpha, Lanes odds, SlotSums& sums) {
     const BlendGrad<Lanes> grad = blend_grad<kDepth, kHeld>(b.pixel, splat, alpha, odds);
     sums.moments(grad.g, d);
     sums.add(6, grad.weight, b.pixel.v.x), sums.add(7, grad.weight, b.pixel.v.y), sums.add(8, grad.weight, b.pixel.v.z);
@@ -69,28 +74,32 @@ template <bool kDepth, bool kJudge, bool kHeld>
 
 // All blocks that a splat touches, at least one.
 template <bool kDepth, bool kJudge, bool kHeld>
-[[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y, const BlockPixels& grid,
-                                                  BlockGrad* blocks) {
+[[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y,
+                                                  const BlockPixels& grid, BlockGrad* blocks) {
     const Footprint<Lanes> splat = spread(s);
     const Lanes from_x = grid.x + Lanes(tile_x - s.x), from_y = grid.y + Lanes(tile_y - s.y);
     alignas(64) static constexpr float kCornerX[16] = {0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12};
     alignas(64) static constexpr float kCornerY[16] = {0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12};
-    const auto offset = [&](std::size_t block) { return Vec2<Lanes>{from_x + Lanes(kCornerX[block]), from_y + Lanes(kCornerY[block])}; };
+    const auto offset = [&](std::size_t block) {
+        return Vec2<Lanes>{from_x + Lanes(kCornerX[block]), from_y + Lanes(kCornerY[block])};
+    };
     const TileAlpha alphas(s, tile_x, tile_y);
     SlotSums sums;
-    // First how much the splat covers everywhere, then the gradient, which waits for itself: the processor sees only some hundred operations
-    // ahead, and one block after the other would leave half of its units idle.
+    // First how much the splat covers everywhere, then the gradient, which waits for itself: the processor sees only
+    // some hundred operations ahead, and one block after the other would leave half of its units idle.
     alignas(64) float shown[16][2 * kLanes];
     int count = 0;
     for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
         const auto block = static_cast<std::size_t>(__builtin_ctz(bits));
-        const Lanes raw = alphas.raw(block, splat, offset(block)), alpha = kHeld ? shown_alpha(raw) : above(raw, Lanes(kMinAlpha));
+        const Lanes raw = alphas.raw(block, splat, offset(block)),
+                    alpha = kHeld ? shown_alpha(raw) : above(raw, Lanes(kMinAlpha));
         alpha.store(shown[count]), odds_of(alpha).store(shown[count] + kLanes);
     }
     count = 0;
     for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
         const auto block = static_cast<std::size_t>(__builtin_ctz(bits));
-        blend_back<kDepth, kJudge, kHeld>(blocks[block], splat, offset(block), Lanes::load(shown[count]), Lanes::load(shown[count] + kLanes), sums);
+        blend_back<kDepth, kJudge, kHeld>(blocks[block], splat, offset(block), Lanes::load(shown[count]),
+                                          Lanes::load(shown[count] + kLanes), sums);
     }
     return sums12(sums.all);
 }
@@ -111,12 +120,14 @@ inline void backward_tile(const Frame& f, int tile) {
             if constexpr (kJudge) fetch_tile<0>(f.error[c] + corner, f.stride);
         }
     }
-    // Records, and then the slots they point at, fetched before their turn: they lie in the splats' order, not in this one.
+    // Records, and then the slots they point at, fetched before their turn: they lie in the splats' order, not in this
+    // one.
     constexpr std::uint32_t kRecordAhead = 8, kSlotAhead = 2;
     const std::uint32_t end = f.tile_begin[tile + 1];
     const auto slot_of = [&](std::uint32_t record) {
         const Record& s = f.records[record];
-        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot + static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide +
+        const std::size_t slot = f.piece_slot[record >> f.piece_shift] + s.first_slot +
+                                 static_cast<std::size_t>(row - s.tile_y) * s.tiles_wide +
                                  static_cast<std::size_t>(column - s.tile_x);
         return f.slots + slot * kSlotFloats;
     };
@@ -127,19 +138,20 @@ inline void backward_tile(const Frame& f, int tile) {
         const Record& s = f.records[record];
         Lanes sums;
         const auto gradient = [&]<bool kHeld>() __attribute__((always_inline)) {
-            return tile_gradient<kDepth, kJudge, kHeld>(s, f.masks[i], static_cast<float>(column * kTile), static_cast<float>(row * kTile), grid, blocks);
+            return tile_gradient<kDepth, kJudge, kHeld>(s, f.masks[i], static_cast<float>(column * kTile),
+                                                        static_cast<float>(row * kTile), grid, blocks);
         };
-        if (f.masks[i]) sums = FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld ? gradient.template operator()<true>() : gradient.template operator()<false>();
+        if (f.masks[i])
+            sums = FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld ? gradient.template operator()<true>()
+                                                                     : gradient.template operator()<false>();
         store12(sums, slot_of(record));
     }
 }
 
 inline void backward_any(const Frame& f, int tile) {
     const bool judge = f.error[0];
-    if (f.v_depth)
-        judge ? backward_tile<true, true>(f, tile) : backward_tile<true, false>(f, tile);
-    else
-        judge ? backward_tile<false, true>(f, tile) : backward_tile<false, false>(f, tile);
+    if (f.v_depth) judge ? backward_tile<true, true>(f, tile) : backward_tile<true, false>(f, tile);
+    else judge ? backward_tile<false, true>(f, tile) : backward_tile<false, false>(f, tile);
 }
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

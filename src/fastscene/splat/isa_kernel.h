@@ -11,8 +11,13 @@
 namespace fastscene::splat::FASTSCENE_ISA {
 
 const Kernel& kernel() {
-    static constexpr Kernel it{FASTSCENE_STRING(FASTSCENE_ISA), project_piece,  forward_any, backward_any, loss_scratch,
-                               loss_band, update_piece};
+    static constexpr Kernel it{FASTSCENE_STRING(FASTSCENE_ISA),
+                               project_piece,
+                               forward_any,
+                               backward_any,
+                               loss_scratch,
+                               loss_band,
+                               update_piece};
     return it;
 }
 

@@ -26,16 +26,21 @@ alignas(64) inline constexpr float kColumns[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8
 
 inline std::ptrdiff_t scratch_row(std::ptrdiff_t stride) { return stride + 2 * kMargin; }
 
-// The scratch memory of one band: rings of rows, the rows blurred down, a row of weights, and one to write what nobody wants.
+// The scratch memory of one band: rings of rows, the rows blurred down, a row of weights, and one to write what nobody
+// wants.
 struct LossScratch {
     float* memory;
     std::ptrdiff_t row_floats;
     float* ring(int map, int y) const { return memory + (map * kRing + (y & (kRing - 1))) * row_floats + kMargin; }
-    float* blurred(int map, int i) const { return memory + (kLossMaps * kRing + map * kGroup + i) * row_floats + kMargin; }
+    float* blurred(int map, int i) const {
+        return memory + (kLossMaps * kRing + map * kGroup + i) * row_floats + kMargin;
+    }
     float* weights() const { return memory + (kLossMaps * kRing + 4 * kGroup) * row_floats + kMargin; }
     float* unused() const { return weights() + row_floats; }
 };
-inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) { return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 2); }
+inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) {
+    return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 2);
+}
 
 // blurred(out, i) = the rows around y + i of `map`, blurred down the columns; i < kGroup.
 inline void blur_down(const LossScratch& s, int map, int out, int y, int width) {
@@ -56,7 +61,8 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
         for (int i = 0; i < kGroup; ++i) sum[i].store(to[i] + x);
     }
 #else
-    // Rows equally far from the middle are added first: additions have units of their own. Twelve rows fill the registers; two rows come of them.
+    // Rows equally far from the middle are added first: additions have units of their own. Twelve rows fill the
+    // registers; two rows come of them.
     for (int x = 0; x < width; x += kLanes / 2)
 #pragma GCC unroll 2
         for (int first = 0; first < kGroup; first += 2) {
@@ -73,14 +79,14 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
         }
 #endif
 }
-// `at` is aligned: three loads and shifts cost less than eleven loads across cache lines. What lies equally far on both sides is
-// added first: additions have units of their own.
+// `at` is aligned: three loads and shifts cost less than eleven loads across cache lines. What lies equally far on both
+// sides is added first: additions have units of their own.
 [[gnu::always_inline]] inline Lanes blur_along(const float* at) {
     const Neighbours n{at};
     const auto pair = [&]<int k>() { return (n.shifted<-k>() + n.shifted<k>()) * Lanes(kWindow[kReach + k]); };
     static_assert(kReach == 5);
-    return n.shifted<0>() * Lanes(kWindow[kReach]) + pair.template operator()<1>() + pair.template operator()<2>() + pair.template operator()<3>() +
-           pair.template operator()<4>() + pair.template operator()<5>();
+    return n.shifted<0>() * Lanes(kWindow[kReach]) + pair.template operator()<1>() + pair.template operator()<2>() +
+           pair.template operator()<3>() + pair.template operator()<4>() + pair.template operator()<5>();
 }
 
 // One channel of a row of interleaved bytes, as 0..1.
@@ -94,12 +100,16 @@ inline void target_row(const LossJob& job, int channel, int y, float* out) {
     const __m128i pick2 = _mm_setr_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 1, 4, 7, 10, 13);
     // The last vector would read up to two bytes beyond the row: left to the loop below.
     for (; x + kLanes < job.width; x += kLanes) {
-        const auto third = [&](int i) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(in + 3 * x + 16 * i)); };
-        const __m128i bytes =
-            _mm_or_si128(_mm_shuffle_epi8(third(0), pick0), _mm_or_si128(_mm_shuffle_epi8(third(1), pick1), _mm_shuffle_epi8(third(2), pick2)));
+        const auto third = [&](int i) {
+            return _mm_loadu_si128(reinterpret_cast<const __m128i*>(in + 3 * x + 16 * i));
+        };
+        const __m128i bytes = _mm_or_si128(
+            _mm_shuffle_epi8(third(0), pick0),
+            _mm_or_si128(_mm_shuffle_epi8(third(1), pick1), _mm_shuffle_epi8(third(2), pick2)));
         const __m256 scale = _mm256_set1_ps(1.f / 255);
         _mm256_storeu_ps(out + x, _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes)), scale));
-        _mm256_storeu_ps(out + x + 8, _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_srli_si128(bytes, 8))), scale));
+        _mm256_storeu_ps(out + x + 8,
+                         _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_srli_si128(bytes, 8))), scale));
     }
 #endif
     for (; x < job.width; ++x) out[x] = static_cast<float>(in[3 * x]) * (1.f / 255);
@@ -121,7 +131,8 @@ inline double sum_of(Lanes a) {
 inline void source_row(const LossJob& job, const LossScratch& s, int channel, int y) {
     float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *squares = s.ring(kSquares, y), *product = s.ring(kProduct, y);
     if (y < 0 || y >= job.height) {
-        for (float* row : {x1, y1, squares, product}) __builtin_memset(row, 0, static_cast<std::size_t>(job.stride) * sizeof(float));
+        for (float* row : {x1, y1, squares, product})
+            __builtin_memset(row, 0, static_cast<std::size_t>(job.stride) * sizeof(float));
         return;
     }
     __builtin_memcpy(x1, job.color[channel] + y * job.stride, static_cast<std::size_t>(job.width) * sizeof(float));
@@ -175,9 +186,12 @@ inline void gradient_row(const LossJob& job, const LossScratch& s, int channel, 
     float* out = job.v[channel] + y * job.stride;
     for (int x = 0; x < job.width; x += kLanes) {
         const Lanes c = Lanes::load(x1 + x), t = Lanes::load(y1 + x), size = Lanes::load(weights + x) * scale;
-        (signed_like(c - t, size) + blur_along(s.blurred(0, i) + x) + c * blur_along(s.blurred(1, i) + x) + t * blur_along(s.blurred(2, i) + x)).store(out + x);
+        (signed_like(c - t, size) + blur_along(s.blurred(0, i) + x) + c * blur_along(s.blurred(1, i) + x) +
+         t * blur_along(s.blurred(2, i) + x))
+            .store(out + x);
     }
-    const std::ptrdiff_t end = (job.width + kLanes - 1) / kLanes * kLanes;  // what the last vector wrote beyond the picture is no gradient
+    const std::ptrdiff_t end = (job.width + kLanes - 1) / kLanes *
+                               kLanes;  // what the last vector wrote beyond the picture is no gradient
     __builtin_memset(out + job.width, 0, static_cast<std::size_t>(end - job.width) * sizeof(float));
 }
 
@@ -188,7 +202,8 @@ inline void loss_band(const LossJob& job, int channel, int row_begin, int row_en
     const std::ptrdiff_t inside = job.width / kLanes * kLanes;
     for (float* row = scratch; row != scratch + loss_scratch(job.stride); row += s.row_floats) {
         __builtin_memset(row, 0, kMargin * sizeof(float));
-        __builtin_memset(row + kMargin + inside, 0, static_cast<std::size_t>(s.row_floats - kMargin - inside) * sizeof(float));
+        __builtin_memset(row + kMargin + inside, 0,
+                         static_cast<std::size_t>(s.row_floats - kMargin - inside) * sizeof(float));
     }
     const bool weighted = job.weight || job.row_weight;
     if (!weighted)  // ones over the picture's columns, zeros beyond
@@ -204,7 +219,8 @@ inline void loss_band(const LossJob& job, int channel, int row_begin, int row_en
         for (int i = 0; i < kGroup; ++i) {
             const int row = y + i;
             if (row < 0 || row >= job.height) {
-                for (const int map : {kP, kQ, kR}) __builtin_memset(s.ring(map, row), 0, static_cast<std::size_t>(job.stride) * sizeof(float));
+                for (const int map : {kP, kQ, kR})
+                    __builtin_memset(s.ring(map, row), 0, static_cast<std::size_t>(job.stride) * sizeof(float));
                 continue;
             }
             if (weighted) weight_row(job, row, s.weights());
@@ -212,7 +228,9 @@ inline void loss_band(const LossJob& job, int channel, int row_begin, int row_en
             float* const error = own && job.error[channel] ? job.error[channel] + row * job.stride : s.unused();
             const RowSums of_row = statistics_row(job, s, row, i, error);
             if (!own) continue;
-            job.row_sums[channel][row] = {((1 - lambda) * sum_of(of_row.size) + lambda * sum_of(of_row.dissimilarity)) * scale, sum_of(of_row.squared) * scale};
+            job.row_sums[channel][row] = {
+                ((1 - lambda) * sum_of(of_row.size) + lambda * sum_of(of_row.dissimilarity)) * scale,
+                sum_of(of_row.squared) * scale};
         }
         const int done = y - kReach;
         if (done < row_begin) continue;

@@ -9,19 +9,32 @@ namespace fastscene::splat::FASTSCENE_ISA {
 
 inline Gaussian<Lanes> load_gaussians(const float* block) {
     const auto at = [&](int i) { return Lanes::load(block + i * kBlock); };
-    return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8), at(9)}, at(10), {at(11), at(12), at(13)}};
+    return {
+        {at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8), at(9)}, at(10), {at(11), at(12), at(13)}};
 }
 inline Vec3<Lanes> spread(Vec3f a) { return {a.x, a.y, a.z}; }
 inline Lens<Lanes> spread(const Lens<float>& l) {
     return {{spread(l.rotation.row0), spread(l.rotation.row1), spread(l.rotation.row2)},
-            spread(l.translation), l.fx, l.fy, l.cx, l.cy, l.min_u, l.max_u, l.min_v, l.max_v, l.model, l.antialias};
+            spread(l.translation),
+            l.fx,
+            l.fy,
+            l.cx,
+            l.cy,
+            l.min_u,
+            l.max_u,
+            l.min_v,
+            l.max_v,
+            l.model,
+            l.antialias};
 }
 
 // What the higher bands add to the color of the block that starts at splat `first`.
-inline Vec3<Lanes> more_color_of(const float* rest, int degree, std::int64_t first, const Vec3<Lanes>& mean, const Lens<Lanes>& lens) {
+inline Vec3<Lanes> more_color_of(const float* rest, int degree, std::int64_t first, const Vec3<Lanes>& mean,
+                                 const Lens<Lanes>& lens) {
     if (!rest) return {};
     const float* block = rest + first * 3 * rest_functions(degree);
-    return more_color(degree, sight_of(mean, lens.camera_center()), [&](int i) { return Lanes::load(block + i * kBlock); });
+    return more_color(degree, sight_of(mean, lens.camera_center()),
+                      [&](int i) { return Lanes::load(block + i * kBlock); });
 }
 
 // The other half of a splat that the seam cuts. One that reaches around more than the whole picture is cut there.
@@ -48,7 +61,8 @@ inline PieceCount project_piece(const ProjectJob& job, std::int64_t begin, std::
         Record& r = job.records[at] = record;
         r.first_slot = count.slots;
         count.slots += static_cast<std::uint32_t>(r.tiles_wide) * r.tiles_high;
-        job.keys[at] = static_cast<std::uint64_t>(__builtin_bit_cast(std::uint32_t, r.depth_z)) << 32 | static_cast<std::uint64_t>(at);
+        job.keys[at] = static_cast<std::uint64_t>(__builtin_bit_cast(std::uint32_t, r.depth_z)) << 32 |
+                       static_cast<std::uint64_t>(at);
         job.boxes[at] = {r.tile_x, r.tile_y, r.tiles_wide, r.tiles_high};
     };
     for (std::int64_t first = begin; first < end; first += kBlock) {
@@ -72,19 +86,34 @@ inline PieceCount project_piece(const ProjectJob& job, std::int64_t begin, std::
         std::uint32_t to_right = 0, to_left = 0;  // splats that also show a picture's width to the right, to the left
         if (equirect) to_right = (left < Lanes(0.f)).bits(), to_left = (right > last_x).bits();
         static_assert(kTile == 16);
-        const Lanes corner = sixteenths(max(left, Lanes(0.f)), max(top, Lanes(0.f))), far_corner = sixteenths(min(right, last_x), min(bottom, last_y));
+        const Lanes corner = sixteenths(max(left, Lanes(0.f)), max(top, Lanes(0.f))),
+                    far_corner = sixteenths(min(right, last_x), min(bottom, last_y));
         const Lanes half_b = f.b * Lanes(-0.5f);
         // The fields of Record, a row each; turned around, a record each.
-        Lanes rows[16] = {f.x,       f.y,           f.a,          f.b,          f.c,
-                          f.log2_opacity, f.color.x, f.color.y,   f.color.z,    f.depth_z,
-                          half_b / f.c, half_b / f.a, lane_numbers(static_cast<std::int32_t>(first)), Lanes(0.f), corner, spans(corner, far_corner)};
+        Lanes rows[16] = {f.x,
+                          f.y,
+                          f.a,
+                          f.b,
+                          f.c,
+                          f.log2_opacity,
+                          f.color.x,
+                          f.color.y,
+                          f.color.z,
+                          f.depth_z,
+                          half_b / f.c,
+                          half_b / f.a,
+                          lane_numbers(static_cast<std::int32_t>(first)),
+                          Lanes(0.f),
+                          corner,
+                          spans(corner, far_corner)};
         transpose16(rows);
         Record record[kBlock];
         __builtin_memcpy(record, rows, sizeof record);
         for (; bits; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
             add(record[lane]);
-            if ((to_right | to_left) >> lane & 1) add(across_seam(record[lane], to_right >> lane & 1, half_x, lane, job));
+            if ((to_right | to_left) >> lane & 1)
+                add(across_seam(record[lane], to_right >> lane & 1, half_x, lane, job));
         }
     }
     return count;

@@ -28,7 +28,8 @@ inline void store_block(Lanes x, float* p, std::ptrdiff_t stride) {
     for (int i = 0; i < 4; ++i) __builtin_memcpy(p + i * stride, rows + 4 * i, 16);
 }
 
-// Asks for a tile's rows of a plane (a line each) before they are needed: rows lie far apart, so the processor does not foresee them.
+// Asks for a tile's rows of a plane (a line each) before they are needed: rows lie far apart, so the processor does not
+// foresee them.
 template <int kWrite>
 inline void fetch_tile(const float* corner, std::ptrdiff_t stride) {
     for (int y = 0; y < kTile; ++y) __builtin_prefetch(corner + y * stride, kWrite);
@@ -40,7 +41,9 @@ inline void fetch_tile(const float* corner, std::ptrdiff_t stride) {
 inline std::uint16_t touched_blocks(const Record& s, float tile_x, float tile_y, const BlockPixels& grid) {
     const Lanes left = Lanes(tile_x + 0.5f - s.x) + (grid.x - Lanes(0.5f)) * Lanes(4.f), right = left + Lanes(3.f);
     const Lanes top = Lanes(tile_y + 0.5f - s.y) + (grid.y - Lanes(0.5f)) * Lanes(4.f), bottom = top + Lanes(3.f);
-    const auto exponent = [&](Lanes dx, Lanes dy) { return dx * (Lanes(s.a) * dx + Lanes(s.b) * dy) + Lanes(s.c) * dy * dy; };
+    const auto exponent = [&](Lanes dx, Lanes dy) {
+        return dx * (Lanes(s.a) * dx + Lanes(s.b) * dy) + Lanes(s.c) * dy * dy;
+    };
     const Lanes near_x = min(max(Lanes(0.f), left), right), near_y = min(max(Lanes(0.f), top), bottom);
     const Lanes best_y = min(max(near_x * Lanes(s.dy_per_dx), top), bottom);
     const Lanes best_x = min(max(near_y * Lanes(s.dx_per_dy), left), right);
@@ -55,10 +58,12 @@ inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
     const __m512i low = _mm512_loadu_si512(masks), high = _mm512_loadu_si512(masks + 32);
     for (int i = 0; i < 16; ++i) {
         const __m512i bit = _mm512_set1_epi16(static_cast<short>(1u << i));
-        sets[i] = _mm512_test_epi16_mask(low, bit) | static_cast<std::uint64_t>(_mm512_test_epi16_mask(high, bit)) << 32;
+        sets[i] = _mm512_test_epi16_mask(low, bit) | static_cast<std::uint64_t>(_mm512_test_epi16_mask(high, bit))
+                                                         << 32;
     }
 #elif defined(__AVX2__)
-    // A byte a splat, blocks 0..7 and 8..15; the topmost bits of all bytes come out together, then the next are shifted up.
+    // A byte a splat, blocks 0..7 and 8..15; the topmost bits of all bytes come out together, then the next are shifted
+    // up.
     const auto load = [&](int i) { return _mm256_load_si256(reinterpret_cast<const __m256i*>(masks) + i); };
     const auto bytes = [](__m256i a, __m256i b) { return _mm256_permute4x64_epi64(_mm256_packus_epi16(a, b), 0xd8); };
     const __m256i low_byte = _mm256_set1_epi16(0xff);
@@ -67,7 +72,9 @@ inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
         const __m256i a = load(2 * part), b = load(2 * part + 1);
         __m256i low = bytes(_mm256_and_si256(a, low_byte), _mm256_and_si256(b, low_byte));
         __m256i high = bytes(_mm256_srli_epi16(a, 8), _mm256_srli_epi16(b, 8));
-        const auto topmost = [&](__m256i x) { return std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(x))} << (32 * part); };
+        const auto topmost = [&](__m256i x) {
+            return std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(x))} << (32 * part);
+        };
         for (int i = 7; i >= 0; --i) {
             sets[i] |= topmost(low), sets[i + 8] |= topmost(high);
             low = _mm256_add_epi8(low, low), high = _mm256_add_epi8(high, high);
@@ -117,7 +124,8 @@ inline void forward_tile(const Frame& f, int tile) {
         __builtin_memset(chunk.masks, 0, sizeof chunk.masks);
         for (int i = 0; i < chunk.count; ++i) {
             const Record& s = chunk.records[i];
-            chunk.masks[i] = static_cast<std::uint16_t>(open & touched_blocks(s, static_cast<float>(tile_x), static_cast<float>(tile_y), grid));
+            chunk.masks[i] = static_cast<std::uint16_t>(
+                open & touched_blocks(s, static_cast<float>(tile_x), static_cast<float>(tile_y), grid));
             chunk.alphas[i] = TileAlpha(s, static_cast<float>(tile_x), static_cast<float>(tile_y));
         }
         __builtin_memcpy(f.masks + begin, chunk.masks, static_cast<std::size_t>(chunk.count) * sizeof(std::uint16_t));
@@ -133,7 +141,9 @@ inline void forward_tile(const Frame& f, int tile) {
                 const int i = __builtin_ctzll(bits);
                 const Record& s = chunk.records[i];
                 const Footprint<Lanes> splat = spread(s);
-                const Lanes weight = blend(pixel, splat, chunk.alphas[i].raw(static_cast<std::size_t>(block), splat, {px - splat.x, py - splat.y}));
+                const Lanes weight = blend(
+                    pixel, splat,
+                    chunk.alphas[i].raw(static_cast<std::size_t>(block), splat, {px - splat.x, py - splat.y}));
                 if constexpr (kDepth) z += weight * Lanes(s.depth_z);
             }
             state[block] = pixel;
@@ -152,6 +162,8 @@ inline void forward_tile(const Frame& f, int tile) {
         if constexpr (kDepth) store_block(depth[block], f.depth + at, f.stride);
     }
 }
-inline void forward_any(const Frame& f, int tile) { f.depth ? forward_tile<true>(f, tile) : forward_tile<false>(f, tile); }
+inline void forward_any(const Frame& f, int tile) {
+    f.depth ? forward_tile<true>(f, tile) : forward_tile<false>(f, tile);
+}
 
 }  // namespace fastscene::splat::FASTSCENE_ISA

@@ -30,7 +30,8 @@ inline Jet sqrt(Jet a) {
     return {r, a.slope / (2 * r)};
 }
 inline Jet atan2(Jet y, Jet x) {
-    return {std::atan2(y.value, x.value), (y.slope * x.value - x.slope * y.value) / (x.value * x.value + y.value * y.value)};
+    return {std::atan2(y.value, x.value),
+            (y.slope * x.value - x.slope * y.value) / (x.value * x.value + y.value * y.value)};
 }
 inline Jet exp(Jet a) {
     const double e = std::exp(a.value);

@@ -65,11 +65,14 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
 inline Lanes cut(Lanes x, Lanes low, Lanes high) {
     return Lanes(_mm512_maskz_min_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r, high.r));
 }
-inline Lanes above(Lanes x, Lanes low) { return Lanes(_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r)); }
+inline Lanes above(Lanes x, Lanes low) {
+    return Lanes(_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, low.r, _CMP_GE_OQ), x.r));
+}
 // `size` with the sign of x; 0 where x is 0.
 inline Lanes signed_like(Lanes x, Lanes size) {
     const __m512 positive = _mm512_maskz_mov_ps(_mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_GT_OQ), size.r);
-    return Lanes(_mm512_mask_sub_ps(positive, _mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_LT_OQ), positive, size.r));
+    return Lanes(
+        _mm512_mask_sub_ps(positive, _mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_LT_OQ), positive, size.r));
 }
 // 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
 inline Lanes reciprocal(Lanes a) {
@@ -96,8 +99,10 @@ inline Lanes lane_numbers(std::int32_t first) {
 }
 // floor(x / 16) in the lower, floor(y / 16) in the upper 16 bits; 0 <= x, y < 2^20.
 inline Lanes sixteenths(Lanes x, Lanes y) {
-    const __m512i low = _mm512_srli_epi32(_mm512_cvttps_epi32(x.r), 4), high = _mm512_slli_epi32(_mm512_cvttps_epi32(y.r), 12);
-    return Lanes(_mm512_castsi512_ps(_mm512_or_si512(low, _mm512_and_si512(high, _mm512_set1_epi32(static_cast<int>(0xffff0000u))))));
+    const __m512i low = _mm512_srli_epi32(_mm512_cvttps_epi32(x.r), 4),
+                  high = _mm512_slli_epi32(_mm512_cvttps_epi32(y.r), 12);
+    return Lanes(_mm512_castsi512_ps(
+        _mm512_or_si512(low, _mm512_and_si512(high, _mm512_set1_epi32(static_cast<int>(0xffff0000u))))));
 }
 // How many there are from one pair to another, both counted.
 inline Lanes spans(Lanes from, Lanes to) {
@@ -116,7 +121,8 @@ struct Mask {
     std::uint32_t bits() const {
         std::uint32_t out = 0;
 #if defined(__AVX__)
-        out = static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)lo)) | static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)hi)) << 8;
+        out = static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)lo)) |
+              static_cast<std::uint32_t>(_mm256_movemask_ps((__m256)hi)) << 8;
 #else
         for (int i = 0; i < 8; ++i) out |= (lo[i] ? 1u : 0u) << i | (hi[i] ? 1u : 0u) << (i + 8);
 #endif
@@ -218,7 +224,8 @@ inline Half alternate_pairs(Half a, Half b) {
     return __builtin_shuffle(a, b, HalfBits{0, 1, 10, 11, 4, 5, 14, 15});
 #endif
 }
-// 2^x to 2e-7 relative, |x| <= 126 (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]): the exponent is added to the bits.
+// 2^x to 2e-7 relative, |x| <= 126 (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]): the exponent is
+// added to the bits.
 [[gnu::always_inline]] inline Half exp2_near(Half x) {
     const Half magic = Half{} + 12582912.f, shifted = x + magic, f = x - (shifted - magic);  // round_near
     Half p = Half{} + 0.00133813025f;
@@ -300,13 +307,16 @@ inline void transpose16(Lanes* r) {
     }
     for (int i = 0; i < 16; i += 4)
         for (int k = 0; k < 2; ++k) {
-            b[i + 2 * k] = _mm512_castpd_ps(_mm512_unpacklo_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
-            b[i + 2 * k + 1] = _mm512_castpd_ps(_mm512_unpackhi_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
+            b[i + 2 * k] = _mm512_castpd_ps(
+                _mm512_unpacklo_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
+            b[i + 2 * k + 1] = _mm512_castpd_ps(
+                _mm512_unpackhi_pd(_mm512_castps_pd(a[i + k]), _mm512_castps_pd(a[i + k + 2])));
         }
     // b[4 g + c] holds, in its 128-bit quarter q, column 4 q + c of rows 4 g .. 4 g + 3.
     for (int c = 0; c < 4; ++c) {
         const __m512 p = _mm512_shuffle_f32x4(b[c], b[4 + c], 0x88), q = _mm512_shuffle_f32x4(b[c], b[4 + c], 0xdd);
-        const __m512 s = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0x88), t = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0xdd);
+        const __m512 s = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0x88),
+                     t = _mm512_shuffle_f32x4(b[8 + c], b[12 + c], 0xdd);
         r[c].r = _mm512_shuffle_f32x4(p, s, 0x88);
         r[8 + c].r = _mm512_shuffle_f32x4(p, s, 0xdd);
         r[4 + c].r = _mm512_shuffle_f32x4(q, t, 0x88);
@@ -318,7 +328,8 @@ inline void transpose16(Lanes* r) {
         constexpr HalfBits lo = {0, 8, 1, 9, 4, 12, 5, 13}, hi = {2, 10, 3, 11, 6, 14, 7, 15};
         constexpr HalfBits lo2 = {0, 1, 8, 9, 4, 5, 12, 13}, hi2 = {2, 3, 10, 11, 6, 7, 14, 15};
         constexpr HalfBits left = {0, 1, 2, 3, 8, 9, 10, 11}, right = {4, 5, 6, 7, 12, 13, 14, 15};
-        for (int i = 0; i < 8; i += 2) a[i] = __builtin_shuffle(x[i], x[i + 1], lo), a[i + 1] = __builtin_shuffle(x[i], x[i + 1], hi);
+        for (int i = 0; i < 8; i += 2)
+            a[i] = __builtin_shuffle(x[i], x[i + 1], lo), a[i + 1] = __builtin_shuffle(x[i], x[i + 1], hi);
         for (int i = 0; i < 8; i += 4)
             for (int k = 0; k < 2; ++k) {
                 b[i + 2 * k] = __builtin_shuffle(a[i + k], a[i + k + 2], lo2);
@@ -364,13 +375,16 @@ inline Lanes sums12(const Summand* r) {
     constexpr HalfBits low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
     constexpr HalfBits even = {0, 8, 1, 9, 4, 12, 5, 13}, odd = {2, 10, 3, 11, 6, 14, 7, 15};
     constexpr HalfBits left = {0, 1, 8, 9, 4, 5, 12, 13}, right = {2, 3, 10, 11, 6, 7, 14, 15};
-    const auto pair = [&](int i, int j) { return __builtin_shuffle(r[i], r[j], low) + __builtin_shuffle(r[i], r[j], high); };
+    const auto pair = [&](int i, int j) {
+        return __builtin_shuffle(r[i], r[j], low) + __builtin_shuffle(r[i], r[j], high);
+    };
     const auto woven = [&](Half a, Half b) { return __builtin_shuffle(a, b, even) + __builtin_shuffle(a, b, odd); };
     const Half p = woven(pair(0, 4), pair(1, 5)), q = woven(pair(2, 6), pair(3, 7));
     // The last four: in each half two sums, each still in two parts.
     const Half two = woven(pair(8, 10), pair(9, 11));
     const Half four = two + __builtin_shuffle(two, HalfBits{2, 3, 0, 1, 6, 7, 4, 5});
-    return {__builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right), __builtin_shuffle(four, Half{}, HalfBits{0, 1, 4, 5, 8, 9, 10, 11})};
+    return {__builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right),
+            __builtin_shuffle(four, Half{}, HalfBits{0, 1, 4, 5, 8, 9, 10, 11})};
 #endif
 }
 inline void store12(Lanes a, float* p) {
@@ -383,27 +397,36 @@ inline void store12(Lanes a, float* p) {
 #endif
 }
 
-// The 16 floats at an aligned place with those before and after: shifted<k>() is what stands k floats further on, |k| < 16.
+// The 16 floats at an aligned place with those before and after: shifted<k>() is what stands k floats further on, |k|
+// < 16.
 struct Neighbours {
     const float* at;
 #if FASTSCENE_WIDE
     __m512 before, here, after;
-    explicit Neighbours(const float* p) : at(p), before(_mm512_load_ps(p - kLanes)), here(_mm512_load_ps(p)), after(_mm512_load_ps(p + kLanes)) {}
+    explicit Neighbours(const float* p)
+        : at(p), before(_mm512_load_ps(p - kLanes)), here(_mm512_load_ps(p)), after(_mm512_load_ps(p + kLanes)) {}
     template <int k>
     Lanes shifted() const {
         const auto joined = [](__m512 high, __m512 low) {
-            return Lanes(_mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(high), _mm512_castps_si512(low), (k + kLanes) % kLanes)));
+            return Lanes(_mm512_castsi512_ps(
+                _mm512_alignr_epi32(_mm512_castps_si512(high), _mm512_castps_si512(low), (k + kLanes) % kLanes)));
         };
         if constexpr (k == 0) return Lanes(here);
         else if constexpr (k < 0) return joined(here, before);
         else return joined(after, here);
     }
 #elif defined(__AVX2__)
-    // Half of the loads would touch two cache lines, which costs as much as two loads: those halves are shifted together in registers.
+    // Half of the loads would touch two cache lines, which costs as much as two loads: those halves are shifted
+    // together in registers.
     __m256 before, lo, hi, after, before_lo, hi_after;
     explicit Neighbours(const float* p)
-        : at(p), before(_mm256_load_ps(p - 8)), lo(_mm256_load_ps(p)), hi(_mm256_load_ps(p + 8)), after(_mm256_load_ps(p + 16)),
-          before_lo(_mm256_permute2f128_ps(before, lo, 0x21)), hi_after(_mm256_permute2f128_ps(hi, after, 0x21)) {}
+        : at(p),
+          before(_mm256_load_ps(p - 8)),
+          lo(_mm256_load_ps(p)),
+          hi(_mm256_load_ps(p + 8)),
+          after(_mm256_load_ps(p + 16)),
+          before_lo(_mm256_permute2f128_ps(before, lo, 0x21)),
+          hi_after(_mm256_permute2f128_ps(hi, after, 0x21)) {}
     template <int k>
     Lanes shifted() const {
         static_assert(k >= -8 && k <= 8);
@@ -413,7 +436,8 @@ struct Neighbours {
     }
 
   private:
-    // Eight floats from the k-th of `low` and `high` on; `middle` is the upper half of the one and the lower half of the other.
+    // Eight floats from the k-th of `low` and `high` on; `middle` is the upper half of the one and the lower half of
+    // the other.
     template <int k>
     static __m256 joined(__m256 low, __m256 middle, __m256 high) {
         const auto shift = []<int bytes>(__m256 b, __m256 a) {
@@ -428,7 +452,9 @@ struct Neighbours {
 #else
     explicit Neighbours(const float* p) : at(p) {}
     template <int k>
-    Lanes shifted() const { return Lanes::load(at + k); }
+    Lanes shifted() const {
+        return Lanes::load(at + k);
+    }
 #endif
 };
 

@@ -12,8 +12,8 @@
 namespace fastscene::splat {
 
 inline constexpr float kNearM = 0.1f;          // nearer splats are dropped: the linearization breaks down there
-inline constexpr double kDilationPx2 = 0.3;     // low-pass added to the variance on screen, as every 3DGS viewer does
-inline constexpr double kLeastArea2 = 1e-12;    // px^4: keeps the logarithm of a vanishing splat finite
+inline constexpr double kDilationPx2 = 0.3;    // low-pass added to the variance on screen, as every 3DGS viewer does
+inline constexpr double kLeastArea2 = 1e-12;   // px^4: keeps the logarithm of a vanishing splat finite
 inline constexpr float kMinAlpha = 1.f / 255;  // weaker contributions are invisible in 8 bit
 inline constexpr float kMaxAlpha = 0.99f;      // keeps 1 / (1 - alpha) in the backward pass tame
 inline constexpr double kLog2E = 1.4426950408889634;
@@ -27,7 +27,7 @@ struct Gaussian {
     Vec3<F> sh0;
 };
 inline constexpr int kParameters = 14;
-inline constexpr int kLogit = 10;   // the place of the opacity among them
+inline constexpr int kLogit = 10;  // the place of the opacity among them
 
 // camera_from_world and the lens. Pinhole: the slope x/z used in the linearization is held within [min_u, max_u]:
 // far outside the picture the tangent plane is no likeness of the perspective. Equirectangular: fx and fy are
@@ -61,19 +61,19 @@ struct Footprint {
 template <class F>
 struct Projection {
     Vec3<F> p_camera;
-    F inv_z, u, v, u_held, v_held;   // pinhole
-    CameraSlopes<F> slopes;          // rows of J: d(px, py) / d(p_camera)
-    F depth;                         // what splats are sorted by: depth_z, or range for equirectangular pictures
-    F x, y;                          // pixels
+    F inv_z, u, v, u_held, v_held;  // pinhole
+    CameraSlopes<F> slopes;         // rows of J: d(px, py) / d(p_camera)
+    F depth;                        // what splats are sorted by: depth_z, or range for equirectangular pictures
+    F x, y;                         // pixels
     Mat3<F> camera_from_local;
     Vec3<F> scale;
-    Vec3<F> n0, n1;                  // rows of J * camera_from_local
-    Vec3<F> m0, m1;                  // the same times scale: covariance = m m^T + dilation
-    F cov_xx, cov_xy, cov_yy;        // pixels^2
-    F conic_a, conic_b, conic_c;     // its inverse
-    Vec3<F> area;                    // m0 x m1
-    F opacity, log2_opacity;         // the latter with what antialiasing takes
-    Vec3<F> color_raw, color;        // before and after the clamp at 0
+    Vec3<F> n0, n1;               // rows of J * camera_from_local
+    Vec3<F> m0, m1;               // the same times scale: covariance = m m^T + dilation
+    F cov_xx, cov_xy, cov_yy;     // pixels^2
+    F conic_a, conic_b, conic_c;  // its inverse
+    Vec3<F> area;                 // m0 x m1
+    F opacity, log2_opacity;      // the latter with what antialiasing takes
+    Vec3<F> color_raw, color;     // before and after the clamp at 0
 };
 
 template <class F>
@@ -106,7 +106,8 @@ void project_equirect(Projection<F>& o, const Lens<F>& lens) {
     o.y = lens.cy - lens.fy * at.y;
     o.depth = o.slopes.range;
     o.n0 = o.slopes.row_x.x * o.camera_from_local.row0 + o.slopes.row_x.z * o.camera_from_local.row2;
-    o.n1 = o.slopes.row_y.x * o.camera_from_local.row0 + o.slopes.row_y.y * o.camera_from_local.row1 + o.slopes.row_y.z * o.camera_from_local.row2;
+    o.n1 = o.slopes.row_y.x * o.camera_from_local.row0 + o.slopes.row_y.y * o.camera_from_local.row1 +
+           o.slopes.row_y.z * o.camera_from_local.row2;
 }
 
 }  // namespace detail
@@ -120,10 +121,8 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_co
     o.p_camera = lens.rotation * g.mean + lens.translation;
     o.camera_from_local = lens.rotation * matrix_of(g.rotation);
     o.scale = {exp(g.log_scale.x), exp(g.log_scale.y), exp(g.log_scale.z)};
-    if (lens.equirect())
-        detail::project_equirect(o, lens);
-    else
-        detail::project_pinhole(o, lens);
+    if (lens.equirect()) detail::project_equirect(o, lens);
+    else detail::project_pinhole(o, lens);
     o.m0 = o.n0 * o.scale;
     o.m1 = o.n1 * o.scale;
     o.cov_xx = dot(o.m0, o.m0) + F(kDilationPx2);
@@ -153,7 +152,14 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_co
 template <class F>
 Footprint<F> footprint_of(const Projection<F>& p, const Lens<F>& lens) {
     (void)lens;
-    return {p.x, p.y, F(-0.5 * kLog2E) * p.conic_a, F(-kLog2E) * p.conic_b, F(-0.5 * kLog2E) * p.conic_c, p.log2_opacity, p.color, p.depth};
+    return {p.x,
+            p.y,
+            F(-0.5 * kLog2E) * p.conic_a,
+            F(-kLog2E) * p.conic_b,
+            F(-0.5 * kLog2E) * p.conic_c,
+            p.log2_opacity,
+            p.color,
+            p.depth};
 }
 
 // Squared Mahalanobis radius at which alpha falls to kMinAlpha; not positive for splats too faint to show.
@@ -168,9 +174,8 @@ auto is_drawable(const Gaussian<F>& g, const Projection<F>& p) {
     const Quat<F>& q = g.rotation;
     const F q2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     const F color = p.color_raw.x * p.color_raw.x + p.color_raw.y * p.color_raw.y + p.color_raw.z * p.color_raw.z;
-    return (p.depth > F(kNearM)) & (p.depth < F(1e6f)) & (q2 > F(1e-20f)) & (q2 < F(1e20f)) &
-           (p.cov_xx < F(1e10f)) & (p.cov_yy < F(1e10f)) & (p.conic_a > F(0)) & (p.conic_c > F(0)) &
-           (reach2_of(p) > F(0)) & (color < F(1e8f));
+    return (p.depth > F(kNearM)) & (p.depth < F(1e6f)) & (q2 > F(1e-20f)) & (q2 < F(1e20f)) & (p.cov_xx < F(1e10f)) &
+           (p.cov_yy < F(1e10f)) & (p.conic_a > F(0)) & (p.conic_c > F(0)) & (reach2_of(p) > F(0)) & (color < F(1e8f));
 }
 
 }  // namespace fastscene::splat

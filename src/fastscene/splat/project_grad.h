@@ -35,7 +35,8 @@ Quat<F> quaternion_grad(const Quat<F>& q, const Mat3<F>& g) {
 
 // n to the rotation (by way of g_camera_from_local) and to the point.
 template <class F>
-Vec3<F> pinhole_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1, Mat3<F>& g_camera_from_local) {
+Vec3<F> pinhole_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1,
+                     Mat3<F>& g_camera_from_local) {
     const F sx = lens.fx * p.inv_z, sy = lens.fy * p.inv_z;
     const Vec3<F>& w2 = p.camera_from_local.row2;
     const Vec3<F> gw0 = gn0 * sx, gw1 = gn1 * sy;
@@ -49,7 +50,8 @@ Vec3<F> pinhole_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen
     return {gu * p.inv_z, gv * p.inv_z, -(p.inv_z * (gu * p.u + gv * p.v + dot(gn0, p.n0) + dot(gn1, p.n1)))};
 }
 template <class F>
-Vec3<F> equirect_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1, Mat3<F>& g_camera_from_local) {
+Vec3<F> equirect_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1,
+                      Mat3<F>& g_camera_from_local) {
     const Vec3<F>&jx = p.slopes.row_x, &jy = p.slopes.row_y;
     g_camera_from_local = {gn0 * jx.x + gn1 * jy.x, gn1 * jy.y, gn0 * jx.z + gn1 * jy.z};
     return jx * screen.x + jy * screen.y +
@@ -91,10 +93,8 @@ Gaussian<F> project_grad(const Gaussian<F>& in, const Lens<F>& lens, const Proje
     Mat3<F> g_camera_from_local;
     Vec3<F> gp = lens.equirect() ? detail::equirect_grad(lens, p, screen, gn0, gn1, g_camera_from_local)
                                  : detail::pinhole_grad(lens, p, screen, gn0, gn1, g_camera_from_local);
-    if (lens.equirect())
-        gp += p.p_camera * (s.depth / p.depth);
-    else
-        gp.z = gp.z + s.depth;
+    if (lens.equirect()) gp += p.p_camera * (s.depth / p.depth);
+    else gp.z = gp.z + s.depth;
     const Mat3<F> world_from_camera = transpose(lens.rotation);
     out.mean = world_from_camera * gp;
 

@@ -15,7 +15,8 @@ constexpr int kReach = 5;
 std::array<double, 2 * kReach + 1> window() {
     std::array<double, 2 * kReach + 1> w{};
     double sum = 0;
-    for (int k = -kReach; k <= kReach; ++k) sum += w[static_cast<std::size_t>(k + kReach)] = std::exp(-k * k / (2 * 1.5 * 1.5));
+    for (int k = -kReach; k <= kReach; ++k)
+        sum += w[static_cast<std::size_t>(k + kReach)] = std::exp(-k * k / (2 * 1.5 * 1.5));
     for (double& x : w) x /= sum;
     return w;
 }
@@ -27,8 +28,9 @@ void each_neighbour(int x, int y, int width, int height, Visit&& visit) {
     for (int j = -kReach; j <= kReach; ++j)
         for (int i = -kReach; i <= kReach; ++i)
             if (x + i >= 0 && x + i < width && y + j >= 0 && y + j < height)
-                visit(static_cast<std::size_t>(y + j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x + i),
-                      w[static_cast<std::size_t>(i + kReach)] * w[static_cast<std::size_t>(j + kReach)]);
+                visit(
+                    static_cast<std::size_t>(y + j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x + i),
+                    w[static_cast<std::size_t>(i + kReach)] * w[static_cast<std::size_t>(j + kReach)]);
 }
 
 }  // namespace
@@ -40,10 +42,13 @@ ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view
     ReferenceLoss out;
     out.v.assign(picture.size(), {});
     for (std::size_t c = 0; c < 3; ++c) {
-        const auto target = [&](std::size_t i) { return static_cast<double>(unit_from_srgb8(view.color.pixels[i])[c]); };
+        const auto target = [&](std::size_t i) {
+            return static_cast<double>(unit_from_srgb8(view.color.pixels[i])[c]);
+        };
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+                const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                      static_cast<std::size_t>(x);
                 double weight = view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0;
                 if (view.model == CameraModel::equirectangular) weight *= latitude_weight(y, height);
                 double mx = 0, my = 0, squares = 0, product = 0;
@@ -67,27 +72,32 @@ ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view
     return out;
 }
 
-double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength, std::vector<double>& v_depth) {
+double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength,
+                            std::vector<double>& v_depth) {
     const double scale = strength / static_cast<double>(picture.pixels.size());
     double sum = 0;
     v_depth.clear();
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         double weight = scale * (view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0);
-        if (view.model == CameraModel::equirectangular) weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
-        const DepthLoss<double> l = depth_loss(picture.depth_sum[i], picture.pixels[i].transmittance, static_cast<double>(depth.pixels[i]));
+        if (view.model == CameraModel::equirectangular)
+            weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
+        const DepthLoss<double> l = depth_loss(picture.depth_sum[i], picture.pixels[i].transmittance,
+                                               static_cast<double>(depth.pixels[i]));
         picture.depth_sum[i] = l.total, sum += weight * l.loss;
         v_depth.push_back(weight * l.v);
     }
     return sum;
 }
 
-double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength, std::vector<double>& v_transmittance) {
+double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength,
+                                    std::vector<double>& v_transmittance) {
     const double scale = strength / static_cast<double>(picture.pixels.size());
     double sum = 0;
     v_transmittance.clear();
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         double weight = scale * (view.weight.empty() ? 1.0 : view.weight.pixels[i] / 255.0);
-        if (view.model == CameraModel::equirectangular) weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
+        if (view.model == CameraModel::equirectangular)
+            weight *= latitude_weight(static_cast<int>(i) / picture.width, picture.height);
         v_transmittance.push_back(weight);
         sum += weight * picture.pixels[i].transmittance;
     }

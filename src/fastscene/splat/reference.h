@@ -26,7 +26,9 @@ struct RestBands {
     int degree = 0;
     std::vector<F> values;
     auto of(std::size_t splat) const {
-        return [this, at = splat * 3 * static_cast<std::size_t>(rest_functions(degree))](int i) { return values[at + static_cast<std::size_t>(i)]; };
+        return [this, at = splat * 3 * static_cast<std::size_t>(rest_functions(degree))](int i) {
+            return values[at + static_cast<std::size_t>(i)];
+        };
     }
 };
 
@@ -45,15 +47,19 @@ double plain(F x) {
 }
 // Drawable splats, front to back; equal depths in order.
 template <class F>
-std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens, const RestBands<F>& rest) {
+std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
+                                 const RestBands<F>& rest) {
     std::vector<Drawn<F>> out;
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        const Projection<F> p = project(splats[i], lens, more_color(rest.degree, sight_of(splats[i].mean, lens.camera_center()), rest.of(i)));
+        const Projection<F> p = project(
+            splats[i], lens, more_color(rest.degree, sight_of(splats[i].mean, lens.camera_center()), rest.of(i)));
         if (!is_drawable(splats[i], p)) continue;
         const double reach2 = plain(reach2_of(p));
-        out.push_back({i, p, footprint_of(p, lens), std::sqrt(reach2 * plain(p.cov_xx)), std::sqrt(reach2 * plain(p.cov_yy))});
+        out.push_back(
+            {i, p, footprint_of(p, lens), std::sqrt(reach2 * plain(p.cov_xx)), std::sqrt(reach2 * plain(p.cov_yy))});
     }
-    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.footprint.depth_z < b.footprint.depth_z; });
+    std::stable_sort(out.begin(), out.end(),
+                     [](const auto& a, const auto& b) { return a.footprint.depth_z < b.footprint.depth_z; });
     return out;
 }
 // Calls visit(pixel number, dx, dy) for every pixel the splat may show at; `aside` pixels to the right of where it is.
@@ -72,10 +78,8 @@ void each_pixel(const Drawn<F>& d, int width, int height, bool wraps, Visit&& vi
     each_pixel_aside(d, width, height, 0, visit);
     const double x = plain(d.footprint.x);
     if (!wraps) return;
-    if (x - d.half_x < 0.5)
-        each_pixel_aside(d, width, height, width, visit);
-    else if (x + d.half_x > width - 0.5)
-        each_pixel_aside(d, width, height, -width, visit);
+    if (x - d.half_x < 0.5) each_pixel_aside(d, width, height, width, visit);
+    else if (x + d.half_x > width - 0.5) each_pixel_aside(d, width, height, -width, visit);
 }
 }  // namespace detail
 
@@ -94,11 +98,13 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
     return out;
 }
 
-// dL/d(parameters) from v = dL/d(pixel color) and, if there are any, v_depth = dL/d(depth sum), v_transmittance = dL/d(transmittance left).
+// dL/d(parameters) from v = dL/d(pixel color) and, if there are any, v_depth = dL/d(depth sum), v_transmittance =
+// dL/d(transmittance left).
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                              const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
-                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr, const std::vector<F>& v_depth = {},
+                                             const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr,
+                                             const std::vector<F>& v_depth = {},
                                              const std::vector<F>& v_transmittance = {}) {
     std::vector<Gaussian<F>> out(splats.size());
     const auto n = static_cast<std::size_t>(3 * rest_functions(rest.degree));
@@ -127,8 +133,8 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
         out[d.splat] = project_grad(splats[d.splat], lens, d.projection, sums);
         if (rest.degree == 0) continue;
         F slopes[kMostRest];
-        out[d.splat].mean +=
-            more_color_grad(rest.degree, sight_of(splats[d.splat].mean, lens.camera_center()), out[d.splat].sh0 / F(kSh0), rest.of(d.splat), slopes);
+        out[d.splat].mean += more_color_grad(rest.degree, sight_of(splats[d.splat].mean, lens.camera_center()),
+                                             out[d.splat].sh0 / F(kSh0), rest.of(d.splat), slopes);
         if (rest_out) std::copy(slopes, slopes + n, rest_out->begin() + static_cast<std::ptrdiff_t>(d.splat * n));
     }
     return out;
@@ -140,7 +146,11 @@ std::vector<Gaussian<F>> gaussians_of(const Splats& s) {
     const auto wide = [](Vec3f a) { return Vec3<F>{F(a.x), F(a.y), F(a.z)}; };
     for (std::size_t i = 0; i < s.size(); ++i) {
         const Quatf q = s.rotation[i];
-        out.push_back({wide(s.mean_m[i]), wide(s.log_scale[i]), {F(q.w), F(q.x), F(q.y), F(q.z)}, F(s.opacity_logit[i]), wide(s.sh0[i])});
+        out.push_back({wide(s.mean_m[i]),
+                       wide(s.log_scale[i]),
+                       {F(q.w), F(q.x), F(q.y), F(q.z)},
+                       F(s.opacity_logit[i]),
+                       wide(s.sh0[i])});
     }
     return out;
 }
@@ -151,8 +161,18 @@ RestBands<F> rest_of(const Splats& s) {
 template <class F>
 Lens<F> lens_over(const Lens<float>& l) {
     const auto wide = [](Vec3f a) { return Vec3<F>{F(a.x), F(a.y), F(a.z)}; };
-    return {{wide(l.rotation.row0), wide(l.rotation.row1), wide(l.rotation.row2)}, wide(l.translation),
-            F(l.fx), F(l.fy), F(l.cx), F(l.cy), F(l.min_u), F(l.max_u), F(l.min_v), F(l.max_v), l.model, l.antialias};
+    return {{wide(l.rotation.row0), wide(l.rotation.row1), wide(l.rotation.row2)},
+            wide(l.translation),
+            F(l.fx),
+            F(l.fy),
+            F(l.cx),
+            F(l.cy),
+            F(l.min_u),
+            F(l.max_u),
+            F(l.min_v),
+            F(l.max_v),
+            l.model,
+            l.antialias};
 }
 
 struct ReferenceLoss {
@@ -162,8 +182,10 @@ struct ReferenceLoss {
 // (1 - lambda) L1 + lambda (1 - SSIM), windows summed directly: O(121) a pixel.
 ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view, double lambda);
 // The regularizer of depth (depth_loss.h); puts the target behind the picture's depth sums. v_depth = dL/d(depth sum).
-double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength, std::vector<double>& v_depth);
+double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength,
+                            std::vector<double>& v_depth);
 // `strength` times the mean transmittance left.
-double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength, std::vector<double>& v_transmittance);
+double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength,
+                                    std::vector<double>& v_transmittance);
 
 }  // namespace fastscene::splat

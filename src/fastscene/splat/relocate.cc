@@ -13,9 +13,11 @@ constexpr float kDeadOpacity = 0.005f;  // nowhere above 1/255 for long
 // Two halves of one splat along its longest axis: sizes and places chosen so that together they look much
 // like it did (the sum of the two, 0.75 sigma wide and 1.2 sigma apart, is within 4 % of one of 1 sigma).
 constexpr float kHalfOffset = 0.6f, kHalfSize = 0.75f;
-constexpr double kHalfDensity = 0.72;   // of -ln(1 - opacity)
+constexpr double kHalfDensity = 0.72;  // of -ln(1 - opacity)
 
-double opacity_of(const Cloud& c, std::int64_t i) { return 1 / (1 + std::exp(-static_cast<double>(c.parameters[c.at(i, kLogit)]))); }
+double opacity_of(const Cloud& c, std::int64_t i) {
+    return 1 / (1 + std::exp(-static_cast<double>(c.parameters[c.at(i, kLogit)])));
+}
 
 bool is_finite_splat(const Cloud& cloud, std::int64_t i) {
     double sum = 0;
@@ -34,13 +36,15 @@ std::vector<std::int64_t> useless_splats(const Cloud& cloud, double fraction) {
     }
     std::vector<std::int64_t> out;
     for (std::int64_t i = 0; i < cloud.count; ++i)
-        if (cloud.seen_weight[static_cast<std::size_t>(i)] < limit || !(opacity_of(cloud, i) >= kDeadOpacity) || !is_finite_splat(cloud, i))
+        if (cloud.seen_weight[static_cast<std::size_t>(i)] < limit || !(opacity_of(cloud, i) >= kDeadOpacity) ||
+            !is_finite_splat(cloud, i))
             out.push_back(i);
     return out;
 }
 
 // `count` different splats drawn with chances after their error, none of them in `excluded` (sorted).
-std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<std::int64_t>& excluded, std::size_t count, Random random) {
+std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<std::int64_t>& excluded,
+                                          std::size_t count, Random random) {
     std::vector<std::int64_t> candidates;
     std::vector<double> up_to;  // running sum of the errors
     double sum = 0;
@@ -60,7 +64,8 @@ std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<
     std::vector<bool> taken(candidates.size());
     for (std::size_t k = 0; k < count; ++k) {
         const auto found = std::upper_bound(up_to.begin(), up_to.end(), sum * random.uniform()) - up_to.begin();
-        const auto c = static_cast<std::size_t>(std::min<std::ptrdiff_t>(found, static_cast<std::ptrdiff_t>(candidates.size()) - 1));
+        const auto c = static_cast<std::size_t>(
+            std::min<std::ptrdiff_t>(found, static_cast<std::ptrdiff_t>(candidates.size()) - 1));
         if (!taken[c]) out.push_back(candidates[c]);
         taken[c] = true;
     }
@@ -83,7 +88,8 @@ void split(Cloud& cloud, std::int64_t from, std::int64_t to) {
     x[cloud.at(from, kLogit)] = static_cast<float>(std::log(opacity / (1 - opacity)));
     for (int p = 0; p < kParameters; ++p) {
         x[cloud.at(to, p)] = get(p);
-        for (const std::int64_t i : {from, to}) cloud.first_moment[cloud.at(i, p)] = cloud.second_moment[cloud.at(i, p)] = 0;
+        for (const std::int64_t i : {from, to})
+            cloud.first_moment[cloud.at(i, p)] = cloud.second_moment[cloud.at(i, p)] = 0;
     }
     for (int a = 0; a < 3; ++a) {
         x[cloud.at(from, a)] -= offset[static_cast<std::size_t>(a)];
@@ -91,15 +97,16 @@ void split(Cloud& cloud, std::int64_t from, std::int64_t to) {
     }
     for (int k = 0; k < 3 * rest_functions(cloud.degree); ++k) {
         cloud.rest[cloud.rest_at(to, k)] = cloud.rest[cloud.rest_at(from, k)];
-        for (const std::int64_t i : {from, to}) cloud.rest_first_moment[cloud.rest_at(i, k)] = cloud.rest_second_moment[cloud.rest_at(i, k)] = 0;
+        for (const std::int64_t i : {from, to})
+            cloud.rest_first_moment[cloud.rest_at(i, k)] = cloud.rest_second_moment[cloud.rest_at(i, k)] = 0;
     }
 }
 
 std::int64_t grow(Cloud& cloud, std::int64_t wanted, std::uint64_t seed, int step) {
     wanted = std::min(wanted, cloud.capacity - cloud.count);
     if (wanted <= 0) return 0;
-    const std::vector<std::int64_t> sources =
-        splats_to_split(cloud, {}, static_cast<std::size_t>(wanted), Random(seed, "splat.grow", static_cast<std::uint64_t>(step)));
+    const std::vector<std::int64_t> sources = splats_to_split(
+        cloud, {}, static_cast<std::size_t>(wanted), Random(seed, "splat.grow", static_cast<std::uint64_t>(step)));
     for (const std::int64_t from : sources) split(cloud, from, cloud.count++);
     return static_cast<std::int64_t>(sources.size());
 }
@@ -121,8 +128,8 @@ void add_noise(Cloud& cloud, float size_m, std::uint64_t seed, int step) {
 
 std::int64_t relocate(Cloud& cloud, const Relocation& how, std::uint64_t seed, int step) {
     const std::vector<std::int64_t> useless = useless_splats(cloud, how.useless_fraction);
-    const std::vector<std::int64_t> sources =
-        splats_to_split(cloud, useless, useless.size(), Random(seed, "splat.relocate", static_cast<std::uint64_t>(step)));
+    const std::vector<std::int64_t> sources = splats_to_split(
+        cloud, useless, useless.size(), Random(seed, "splat.relocate", static_cast<std::uint64_t>(step)));
     for (std::size_t k = 0; k < sources.size(); ++k) split(cloud, sources[k], useless[k]);
     std::fill(cloud.seen_weight.begin(), cloud.seen_weight.end(), 0.f);
     std::fill(cloud.seen_error.begin(), cloud.seen_error.end(), 0.f);

@@ -18,12 +18,12 @@ struct Relocation {
 // longest axis; clears the statistics. Returns how many moved.
 std::int64_t relocate(Cloud& cloud, const Relocation& how, std::uint64_t seed, int step);
 
-// Up to `wanted` new splats (as far as there is memory), each the second half of a splat drawn by its error. Call it before
-// relocate(), which clears the statistics.
+// Up to `wanted` new splats (as far as there is memory), each the second half of a splat drawn by its error. Call it
+// before relocate(), which clears the statistics.
 std::int64_t grow(Cloud& cloud, std::int64_t wanted, std::uint64_t seed, int step);
 
-// Pushes positions about, most where splats are faint (Kheradmand et al., equation 9): `size_m` standard deviations of a splat
-// times its shape.
+// Pushes positions about, most where splats are faint (Kheradmand et al., equation 9): `size_m` standard deviations of
+// a splat times its shape.
 void add_noise(Cloud& cloud, float size_m, std::uint64_t seed, int step);
 
 // Splat `to` becomes the second half of splat `from`; both start with fresh moments.

@@ -30,17 +30,18 @@ SplatPicture render_cpu(const Splats& splats, const Pinhole& camera, const Rigid
     return out;
 }
 
-SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
-                           CameraModel model) {
-    const auto picture = splat::render_reference(splat::gaussians_of<double>(splats),
-                                                 splat::lens_over<double>(splat::lens_of(camera, world_from_camera, model, splats.antialias)),
-                                                 camera.width, camera.height, Vec3d{background.x, background.y, background.z},
-                                                 splat::rest_of<double>(splats));
+SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
+                           Vec3f background, CameraModel model) {
+    const auto picture = splat::render_reference(
+        splat::gaussians_of<double>(splats),
+        splat::lens_over<double>(splat::lens_of(camera, world_from_camera, model, splats.antialias)), camera.width,
+        camera.height, Vec3d{background.x, background.y, background.z}, splat::rest_of<double>(splats));
     SplatPicture out = empty_picture(camera);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const auto& p = picture.pixels[i];
         const double alpha = 1 - p.transmittance;
-        out.color.pixels[i] = {static_cast<float>(p.color.x), static_cast<float>(p.color.y), static_cast<float>(p.color.z)};
+        out.color.pixels[i] = {static_cast<float>(p.color.x), static_cast<float>(p.color.y),
+                               static_cast<float>(p.color.z)};
         out.alpha.pixels[i] = static_cast<float>(alpha);
         out.depth_z.pixels[i] = alpha > 0 ? static_cast<float>(picture.depth_sum[i] / alpha) : 0.f;
     }
@@ -49,8 +50,8 @@ SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Ri
 
 }  // namespace
 
-SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
-                           const std::string& backend, CameraModel model) {
+SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
+                           Vec3f background, const std::string& backend, CameraModel model) {
     if (backend == "cpu") return render_cpu(splats, camera, world_from_camera, background, model);
     if (backend == "reference") return render_slowly(splats, camera, world_from_camera, background, model);
     throw UsageError("splat: unknown backend \"{}\"; expected cpu or reference", backend);

@@ -46,17 +46,19 @@ Vec3<F> sh_slope(int degree, Vec3<F> d, const F* w) {
     if (degree >= 2) {
         const F a = c(1.0925484305920792) * w[3], b = c(-1.0925484305920792) * w[4], e = c(0.31539156525252005) * w[5];
         const F f = c(-1.0925484305920792) * w[6], h = c(0.5462742152960396) * w[7], two = F(2);
-        g += Vec3<F>{a * y - two * e * x + f * z + two * h * x, a * x + b * z - two * e * y - two * h * y, b * y + F(4) * e * z + f * x};
+        g += Vec3<F>{a * y - two * e * x + f * z + two * h * x, a * x + b * z - two * e * y - two * h * y,
+                     b * y + F(4) * e * z + f * x};
     }
     if (degree >= 3) {
         const F a = c(-0.5900435899266435) * w[8], b = c(2.890611442640554) * w[9], e = c(-0.4570457994644658) * w[10];
         const F f = c(0.3731763325901154) * w[11], h = c(-0.4570457994644658) * w[12], i = c(1.445305721320277) * w[13];
         const F j = c(-0.5900435899266435) * w[14], two = F(2), three = F(3), four = F(4), six = F(6), eight = F(8);
-        g += Vec3<F>{six * a * x * y + b * y * z - two * e * x * y - six * f * x * z + h * (four * zz - three * xx - yy) + two * i * x * z +
-                         three * j * (xx - yy),
-                     three * a * (xx - yy) + b * x * z + e * (four * zz - xx - three * yy) - six * f * y * z - two * h * x * y - two * i * y * z -
-                         six * j * x * y,
-                     b * x * y + eight * e * y * z + three * f * (two * zz - xx - yy) + eight * h * x * z + i * (xx - yy)};
+        g += Vec3<F>{
+            six * a * x * y + b * y * z - two * e * x * y - six * f * x * z + h * (four * zz - three * xx - yy) +
+                two * i * x * z + three * j * (xx - yy),
+            three * a * (xx - yy) + b * x * z + e * (four * zz - xx - three * yy) - six * f * y * z - two * h * x * y -
+                two * i * y * z - six * j * x * y,
+            b * x * y + eight * e * y * z + three * f * (two * zz - xx - yy) + eight * h * x * z + i * (xx - yy)};
     }
     return g;
 }

@@ -20,20 +20,20 @@ inline constexpr int kAutomaticShDegree = -1;
 
 struct SplatParams {
     std::string backend = "cpu";
-    int count = 200000;                // Gaussians, at most; fixed: memory is known in advance
-    float per_m2 = 0;                  // Gaussians a square metre of what the points lie on, where that makes fewer
+    int count = 200000;  // Gaussians, at most; fixed: memory is known in advance
+    float per_m2 = 0;    // Gaussians a square metre of what the points lie on, where that makes fewer
     int steps = 3000;
-    float start_opacity = 0.6f;        // high enough to cover, low enough that the ones behind still get gradients
-    float start_overlap = 0.6f;        // standard deviations per spacing: neighbours close the surface
-    float coarse = 0;                  // share of the steps
+    float start_opacity = 0.6f;  // high enough to cover, low enough that the ones behind still get gradients
+    float start_overlap = 0.6f;  // standard deviations per spacing: neighbours close the surface
+    float coarse = 0;            // share of the steps
     float lambda_dssim = 0.2f;
     float learning_rate_logit = 0.03f;
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
-    std::string strategy = "mcmc";     // what becomes of splats that are of no use, and where new ones appear
-    int sh_degree = 0;                 // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
+    std::string strategy = "mcmc";         // what becomes of splats that are of no use, and where new ones appear
+    int sh_degree = 0;  // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
     float opacity_pull = 0, scale_pull = 0;
-    float depth = 0;                   // of the regularizer of depth
-    float opaque = 0;                  // of the loss of what is left transparent
+    float depth = 0;   // of the regularizer of depth
+    float opaque = 0;  // of the loss of what is left transparent
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -50,32 +50,42 @@ void visit_fields(SplatParams& p, V&& v) {
     v("per-m2", p.per_m2, Bounds{0, 1e6}, "Gaussians a square metre of surface, up to --splat-count; 0: that count.");
     v("steps", p.steps, Bounds{0, 1e6}, "Training steps; each looks at one view.");
     v("start-opacity", p.start_opacity, Bounds{0.01, 0.999}, "Opacity of the Gaussians at the start.");
-    v("start-overlap", p.start_overlap, Bounds{0.05, 5}, "Standard deviation of the Gaussians at the start, as a share of their spacing.");
+    v("start-overlap", p.start_overlap, Bounds{0.05, 5},
+      "Standard deviation of the Gaussians at the start, as a share of their spacing.");
     v("lr-logit", p.learning_rate_logit, Bounds{0, 1}, "First step size of the opacities' logits.");
     v("coarse", p.coarse, Bounds{0, 1}, "Share of the steps, the first ones, that look at views of half the size.");
     v("lambda", p.lambda_dssim, Bounds{0, 1}, "Weight of D-SSIM in the loss.");
     v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
     v("strategy", p.strategy, Choices{{"mcmc", "classic", "none"}},
-      "mcmc: the dead move to where the error is, missing ones grow there; classic: clone, split, prune and reset opacities; none: all stay.");
+      "mcmc: the dead move to where the error is, missing ones grow there; classic: clone, split, prune and reset "
+      "opacities; none: all stay.");
     v("sh-degree", p.sh_degree, Bounds{-1, 3},
-      "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a room's reflections, else 0.");
+      "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a "
+      "room's reflections, else 0.");
     v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
     v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
-    v("depth", p.depth, Bounds{0, 10}, "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
-    v("opaque", p.opaque, Bounds{0, 10}, "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
-    v("antialias", p.antialias, "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
-    v("random-background", p.random_background, "A background of random color behind every step: nothing may hide in black.");
-    v("eval-every", p.eval_every, Bounds{0, 1e6}, "Measure held-out views every so many steps; 0 = train on all views.");
+    v("depth", p.depth, Bounds{0, 10},
+      "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
+    v("opaque", p.opaque, Bounds{0, 10},
+      "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
+    v("antialias", p.antialias,
+      "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
+    v("random-background", p.random_background,
+      "A background of random color behind every step: nothing may hide in black.");
+    v("eval-every", p.eval_every, Bounds{0, 1e6},
+      "Measure held-out views every so many steps; 0 = train on all views.");
     v("holdout", p.holdout, Bounds{2, 1e6}, "With eval-every: every so manieth view is held out.");
-    v("patience", p.patience, Bounds{0, 1e6}, "With eval-every: stop after so many measurements without improvement; 0 = never.");
-    v("until", p.until, Bounds{0, 1e6}, "Stop at this step, or go on to it beyond `steps` at the last step sizes; 0 = at `steps`.");
+    v("patience", p.patience, Bounds{0, 1e6},
+      "With eval-every: stop after so many measurements without improvement; 0 = never.");
+    v("until", p.until, Bounds{0, 1e6},
+      "Stop at this step, or go on to it beyond `steps` at the last step sizes; 0 = at `steps`.");
     v("checkpoint", p.checkpoint, "File to go on from where it is there, and to leave the whole state of training in.");
     v("checkpoint-every", p.checkpoint_every, Bounds{1, 1e6}, "Steps between two writings of the checkpoint.");
 }
 
 struct CurvePoint {
     int step;
-    float loss, psnr;   // mean over the last steps' training views
+    float loss, psnr;  // mean over the last steps' training views
 };
 // Means over the held-out views.
 struct EvalPoint {
@@ -104,7 +114,8 @@ int most_that_fit(const SplatParams& params);
 // Throws Error where that is more than there is, `beside_bytes` taken for something else.
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes = 0);
 
-// params.count, or fewer where params.per_m2 asks for fewer on the surface that the points lie on (the outside does not count).
+// params.count, or fewer where params.per_m2 asks for fewer on the surface that the points lie on (the outside does not
+// count).
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params);
 
 // Starting Gaussians: flat discs on the surfaces, params.count of them drawn from the points.
@@ -114,27 +125,32 @@ inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count,
     params.count = count;
     return initial_splats(points, params, run);
 }
-// Throws Error for views that do not fit together, for more Gaussians than there is memory for, for a checkpoint of other settings, a
-// damaged one or one that cannot be written (later on, with a full disk, it only warns); Stopped (after writing the
-// checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the bytes of a run that was never stopped.
+// Throws Error for views that do not fit together, for more Gaussians than there is memory for, for a checkpoint of
+// other settings, a damaged one or one that cannot be written (later on, with a full disk, it only warns); Stopped
+// (after writing the checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the
+// bytes of a run that was never stopped.
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run);
-// Whether `file` is a checkpoint that fit_splats would go on from with these views, settings and seed. Not whether it is whole.
+// Whether `file` is a checkpoint that fit_splats would go on from with these views, settings and seed. Not whether it
+// is whole.
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed);
 
 // A picture of the splats: sRGB-encoded floats 0..1 on `background` (sRGB), and if asked the expected depth.
 struct SplatPicture {
-    ImageColor color;     // sRGB-encoded (what 3DGS stores), NOT linear
+    ImageColor color;  // sRGB-encoded (what 3DGS stores), NOT linear
     ImageF alpha;
-    ImageF depth_z;       // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0 where alpha is 0
+    ImageF depth_z;  // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0
+                     // where alpha is 0
 };
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background = {}, const std::string& backend = "cpu", CameraModel model = CameraModel::pinhole);
+                           Vec3f background = {}, const std::string& backend = "cpu",
+                           CameraModel model = CameraModel::pinhole);
 
 // A still: one picture to look at, through a flat camera or all around.
 struct Still {
     ImageRgb8 color;
-    ImageMask alpha;   // 255 where the splats hide all that lies behind
-    ImageF distance;   // metres; flat: along the optical axis (depth_z), sphere: along the ray (range); 0 where nothing is
+    ImageMask alpha;  // 255 where the splats hide all that lies behind
+    ImageF
+        distance;  // metres; flat: along the optical axis (depth_z), sphere: along the ray (range); 0 where nothing is
 };
 // On `background` (sRGB, 0..1).
 Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {});

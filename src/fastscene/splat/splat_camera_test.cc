@@ -30,8 +30,8 @@ Splats splats_of(const Case& c, int count, std::uint64_t seed) {
     for (float& x : s.sh_rest) x = r.uniform(-0.4f, 0.4f);
     if (c.model == CameraModel::equirectangular)
         for (std::size_t i = 0; i < s.size(); ++i) {
-            const float lon = i % 4 == 0 ? 3.14f + r.uniform(-0.1f, 0.1f) : r.uniform(-3.f, 3.f), lat = r.uniform(-1.2f, 1.2f),
-                        range = r.uniform(1.f, 4.f);
+            const float lon = i % 4 == 0 ? 3.14f + r.uniform(-0.1f, 0.1f) : r.uniform(-3.f, 3.f),
+                        lat = r.uniform(-1.2f, 1.2f), range = r.uniform(1.f, 4.f);
             s.mean_m[i] = Vec3f{std::cos(lat) * std::sin(lon), -std::sin(lat), std::cos(lat) * std::cos(lon)} * range;
         }
     return s;
@@ -39,12 +39,16 @@ Splats splats_of(const Case& c, int count, std::uint64_t seed) {
 Pinhole camera_of(const Case& c, int width) {
     return c.model == CameraModel::pinhole ? test_camera(width, width * 3 / 4) : Pinhole{width, width / 2, 0, 0, 0, 0};
 }
-Lens<float> lens_of_case(const Case& c, const Pinhole& camera) { return lens_of(camera, test_pose(), c.model, c.antialias); }
+Lens<float> lens_of_case(const Case& c, const Pinhole& camera) {
+    return lens_of(camera, test_pose(), c.model, c.antialias);
+}
 
 class SplatCamera : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(All, SplatCamera,
-                         ::testing::Values(Case{"bands", CameraModel::pinhole, false, 3}, Case{"bands1", CameraModel::pinhole, false, 1},
-                                           Case{"antialias", CameraModel::pinhole, true, 0}, Case{"sphere", CameraModel::equirectangular, false, 0},
+                         ::testing::Values(Case{"bands", CameraModel::pinhole, false, 3},
+                                           Case{"bands1", CameraModel::pinhole, false, 1},
+                                           Case{"antialias", CameraModel::pinhole, true, 0},
+                                           Case{"sphere", CameraModel::equirectangular, false, 0},
                                            Case{"everything", CameraModel::equirectangular, true, 2}),
                          [](const auto& i) { return std::string(i.param.name); });
 
@@ -56,13 +60,15 @@ TEST_P(SplatCamera, GradientIsTheSlopeOfTheJet) {
     const auto jet_lens = lens_over<Jet>(lens_of_case(c, camera));
     const auto v = random_color_gradient(camera, 2);
     const Vec3d background{0.2, 0.4, 0.6};
-    const auto picture = render_reference(gaussians_of<double>(s), lens, camera.width, camera.height, background, rest_of<double>(s));
+    const auto picture = render_reference(gaussians_of<double>(s), lens, camera.width, camera.height, background,
+                                          rest_of<double>(s));
     std::vector<double> rest_gradient;
     auto gradient = gradients_reference(gaussians_of<double>(s), lens, picture, v, rest_of<double>(s), &rest_gradient);
     auto jets = gaussians_of<Jet>(s);
     auto rest = rest_of<Jet>(s);
     const auto slope = [&] {
-        const auto moved = render_reference(jets, jet_lens, camera.width, camera.height, Vec3<Jet>{0.2, 0.4, 0.6}, rest);
+        const auto moved = render_reference(jets, jet_lens, camera.width, camera.height, Vec3<Jet>{0.2, 0.4, 0.6},
+                                            rest);
         double sum = 0;
         for (std::size_t k = 0; k < v.size(); ++k)
             for (std::size_t i = 0; i < 3; ++i) sum += v[k][i] * moved.pixels[k].color[i].slope;
@@ -95,7 +101,8 @@ TEST_P(SplatCamera, KernelsAreTheReference) {
     const Splats s = splats_of(c, 150, 5);
     const auto lens = lens_over<double>(lens_of_case(c, camera));
     const Vec3d background{0.2f, 0.4f, 0.6f};
-    const auto ruler = render_reference(gaussians_of<double>(s), lens, camera.width, camera.height, background, rest_of<double>(s));
+    const auto ruler = render_reference(gaussians_of<double>(s), lens, camera.width, camera.height, background,
+                                        rest_of<double>(s));
     const auto v = random_color_gradient(camera, 3);
     std::vector<double> rest_ruler;
     auto gradient = gradients_reference(gaussians_of<double>(s), lens, ruler, v, rest_of<double>(s), &rest_ruler);
@@ -115,20 +122,23 @@ TEST_P(SplatCamera, KernelsAreTheReference) {
         for (int y = 0; y < camera.height; ++y)
             for (int x = 0; x < camera.width; ++x)
                 for (std::size_t i = 0; i < 3; ++i)
-                    color.add(engine.color(x, y)[i], ruler.pixels[static_cast<std::size_t>(y * camera.width + x)].color[i]);
+                    color.add(engine.color(x, y)[i],
+                              ruler.pixels[static_cast<std::size_t>(y * camera.width + x)].color[i]);
         EXPECT_LT(color.relative(), 2e-4) << name;
         engine.set_color_gradient(vf);
         AlignedFloats rest;
         const AlignedFloats mine = engine.gradients(cloud, &rest);
         for (int p = 0; p < kParameters; ++p) {
             Distance distance;
-            for (std::int64_t i = 0; i < cloud.count; ++i) distance.add(mine[cloud.at(i, p)], parameter(gradient[static_cast<std::size_t>(i)], p));
-            EXPECT_LT(distance.relative(), 6e-4) << name << ' ' << p;   // kernels are within 6e-5 of each other
+            for (std::int64_t i = 0; i < cloud.count; ++i)
+                distance.add(mine[cloud.at(i, p)], parameter(gradient[static_cast<std::size_t>(i)], p));
+            EXPECT_LT(distance.relative(), 6e-4) << name << ' ' << p;  // kernels are within 6e-5 of each other
         }
         Distance distance;
         const int n = 3 * rest_functions(c.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i)
-            for (int k = 0; k < n; ++k) distance.add(rest[cloud.rest_at(i, k)], rest_ruler[static_cast<std::size_t>(i * n + k)]);
+            for (int k = 0; k < n; ++k)
+                distance.add(rest[cloud.rest_at(i, k)], rest_ruler[static_cast<std::size_t>(i * n + k)]);
         if (n > 0) {
             EXPECT_LT(distance.relative(), 2e-4) << name;
         }
@@ -145,7 +155,8 @@ TEST(SplatSphere, SplatsLandWhereTheSphereSays) {
         s.log_scale[0] = Vec3f{1, 1, 1} * std::log(0.1f);
         s.opacity_logit[0] = 4;
         s.sh0[0] = {1, 1, 1};
-        const SplatPicture picture = render_splats(s, {size.width, size.height, 0, 0, 0, 0}, {}, {}, "cpu", CameraModel::equirectangular);
+        const SplatPicture picture = render_splats(s, {size.width, size.height, 0, 0, 0, 0}, {}, {}, "cpu",
+                                                   CameraModel::equirectangular);
         const Vec2f at = pixel_of_direction(p, size);
         // Mean of the picture's alpha, about the splat's place around the seam.
         double sum = 0, x_sum = 0, y_sum = 0;

@@ -19,7 +19,8 @@ class SplatDepth : public ::testing::TestWithParam<CameraModel> {
   protected:
     SplatDepth()
         : camera_(GetParam() == CameraModel::pinhole ? test_camera(48, 36) : Pinhole{64, 32, 0, 0, 0, 0}),
-          view_(noise_view(camera_, test_pose(), 3, true)), target_(camera_.width, camera_.height) {
+          view_(noise_view(camera_, test_pose(), 3, true)),
+          target_(camera_.width, camera_.height) {
         view_.model = GetParam();
         Random random(4, "test.depth");
         for (float& d : target_.pixels) d = random.uniform() < 0.2f ? 0.f : random.uniform(0.5f, 5.f);
@@ -39,17 +40,20 @@ TEST_P(SplatDepth, GradientIsTheSlopeOfTheJet) {
     std::vector<double> v_depth;
     EXPECT_GT(depth_loss_reference(picture, view_, target_, kStrength, v_depth), 0);
     std::vector<double> no_bands;
-    auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v_depth.size()), {}, &no_bands, v_depth);
+    auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v_depth.size()), {},
+                                        &no_bands, v_depth);
     auto jets = gaussians_of<Jet>(splats_);
     for (int p = 0; p < kParameters - 3; ++p) {  // depth has no color
         Distance distance;
         for (std::size_t i = 0; i < jets.size(); i += 4) {
             parameter(jets[i], p).slope = 1;
-            const auto moved = render_reference(jets, lens_over<Jet>(lens_), camera_.width, camera_.height, Vec3<Jet>{});
+            const auto moved = render_reference(jets, lens_over<Jet>(lens_), camera_.width, camera_.height,
+                                                Vec3<Jet>{});
             parameter(jets[i], p).slope = 0;
             double slope = 0;
             for (std::size_t k = 0; k < v_depth.size(); ++k)
-                slope += v_depth[k] * (moved.depth_sum[k].slope + moved.pixels[k].transmittance.slope * static_cast<double>(target_.pixels[k]));
+                slope += v_depth[k] * (moved.depth_sum[k].slope +
+                                       moved.pixels[k].transmittance.slope * static_cast<double>(target_.pixels[k]));
             distance.add(parameter(gradient[i], p), slope);
         }
         EXPECT_GT(distance.size2, 0) << p;
@@ -63,13 +67,15 @@ TEST_P(SplatDepth, TransmittanceHasTheGradientOfItsJets) {
     const auto picture = render_reference(g, lens_over<double>(lens_), camera_.width, camera_.height, Vec3d{});
     std::vector<double> v, no_bands;
     EXPECT_GT(transmittance_loss_reference(picture, view_, kStrength, v), 0);
-    auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v.size()), {}, &no_bands, {}, v);
+    auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v.size()), {},
+                                        &no_bands, {}, v);
     auto jets = gaussians_of<Jet>(splats_);
     for (int p = 0; p < kParameters - 3; ++p) {  // transmittance has no color
         Distance distance;
         for (std::size_t i = 0; i < jets.size(); i += 4) {
             parameter(jets[i], p).slope = 1;
-            const auto moved = render_reference(jets, lens_over<Jet>(lens_), camera_.width, camera_.height, Vec3<Jet>{});
+            const auto moved = render_reference(jets, lens_over<Jet>(lens_), camera_.width, camera_.height,
+                                                Vec3<Jet>{});
             parameter(jets[i], p).slope = 0;
             double slope = 0;
             for (std::size_t k = 0; k < v.size(); ++k) slope += v[k] * moved.pixels[k].transmittance.slope;
@@ -105,12 +111,16 @@ TEST_P(SplatDepth, KernelsAreTheReference) {
         Engine engine(*kernel);
         engine.render(cloud, camera_, test_pose(), {}, true, GetParam());
         engine.differentiate(view_, 0.2f);
-        EXPECT_NEAR(engine.differentiate_depth(view_, target_, static_cast<float>(kStrength)), loss, 1e-5 * loss) << name;
-        EXPECT_NEAR(engine.differentiate_transmittance(view_, static_cast<float>(kStrength)), open_loss, 1e-5 * open_loss) << name;
+        EXPECT_NEAR(engine.differentiate_depth(view_, target_, static_cast<float>(kStrength)), loss, 1e-5 * loss)
+            << name;
+        EXPECT_NEAR(engine.differentiate_transmittance(view_, static_cast<float>(kStrength)), open_loss,
+                    1e-5 * open_loss)
+            << name;
         const AlignedFloats mine = engine.gradients(cloud);
         for (int p = 0; p < kParameters; ++p) {
             Distance distance;
-            for (std::int64_t i = 0; i < cloud.count; ++i) distance.add(mine[cloud.at(i, p)], parameter(ruler[static_cast<std::size_t>(i)], p));
+            for (std::int64_t i = 0; i < cloud.count; ++i)
+                distance.add(mine[cloud.at(i, p)], parameter(ruler[static_cast<std::size_t>(i)], p));
             EXPECT_LT(distance.relative(), 5e-4) << name << ' ' << p;
         }
     }

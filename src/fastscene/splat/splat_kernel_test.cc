@@ -33,8 +33,8 @@ TEST_P(SplatKernel, PictureIsTheReference) {
     const Cloud cloud(s, false);
     Engine engine(*kernel_);
     engine.render(cloud, camera, test_pose(), kBackground, true);
-    const auto ruler = render_reference(gaussians_of<double>(s), lens_over<double>(lens_of(camera, test_pose())), camera.width,
-                                        camera.height, Vec3d{0.2f, 0.4f, 0.6f});
+    const auto ruler = render_reference(gaussians_of<double>(s), lens_over<double>(lens_of(camera, test_pose())),
+                                        camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f});
     Distance color, transmittance, depth;
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
@@ -61,16 +61,19 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
     const AlignedFloats mine = engine.gradients(cloud);
     const auto g = gaussians_of<double>(s);
     const auto lens = lens_over<double>(lens_of(camera, test_pose()));
-    auto ruler = gradients_reference(g, lens, render_reference(g, lens, camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f}), v);
+    auto ruler = gradients_reference(
+        g, lens, render_reference(g, lens, camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f}), v);
     for (int p = 0; p < kParameters; ++p) {
         Distance distance;
-        for (std::int64_t i = 0; i < cloud.count; ++i) distance.add(mine[cloud.at(i, p)], parameter(ruler[static_cast<std::size_t>(i)], p));
+        for (std::int64_t i = 0; i < cloud.count; ++i)
+            distance.add(mine[cloud.at(i, p)], parameter(ruler[static_cast<std::size_t>(i)], p));
         EXPECT_GT(distance.size2, 0) << p;
         EXPECT_LT(distance.relative(), 1e-4) << p;
     }
 }
 
-// Adam's first step is as long as its rate: what stands beyond the reach steps farther, in proportion, and only its position does.
+// Adam's first step is as long as its rate: what stands beyond the reach steps farther, in proportion, and only its
+// position does.
 TEST_P(SplatKernel, FarSplatsStepFarther) {
     const Pinhole camera = test_camera(75, 58);
     const Splats s = random_splats(60, 11);
@@ -87,7 +90,8 @@ TEST_P(SplatKernel, FarSplatsStepFarther) {
     const Splats same = stepped(1e9f), far = stepped(0.5f);
     int moved = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
-        const float stride = std::max(1.f, length(s.mean_m[i] - Vec3f{0.1f, 0, 0.2f}) / 0.5f), step = length(same.mean_m[i] - s.mean_m[i]);
+        const float stride = std::max(1.f, length(s.mean_m[i] - Vec3f{0.1f, 0, 0.2f}) / 0.5f),
+                    step = length(same.mean_m[i] - s.mean_m[i]);
         EXPECT_NEAR(length(far.mean_m[i] - s.mean_m[i]), stride * step, 1e-5f + 1e-3f * stride * step);
         EXPECT_EQ(std::memcmp(&far.log_scale[i], &same.log_scale[i], sizeof(Vec3f)), 0);
         moved += step > 0 && stride > 1.5f;
@@ -118,7 +122,8 @@ TEST_P(SplatKernel, LossAndItsGradientAreTheReference) {
             for (int y = 0; y < camera.height; ++y)
                 for (int x = 0; x < camera.width; ++x)
                     for (std::size_t c = 0; c < 3; ++c)
-                        distance.add(engine.color_gradient(x, y)[c], ruler.v[static_cast<std::size_t>(y * camera.width + x)][c]);
+                        distance.add(engine.color_gradient(x, y)[c],
+                                     ruler.v[static_cast<std::size_t>(y * camera.width + x)][c]);
             EXPECT_LT(distance.relative(), 1e-4);
         }
 }
@@ -153,11 +158,14 @@ TEST_P(SplatKernel, PoisonStaysWhereItIs) {
             Engine engine(*kernel_);
             engine.render(cloud, camera, test_pose(), {}, false);
             engine.differentiate(noise_view(camera, test_pose(), 5, false), 0.2f);
-            engine.step(cloud, {1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f}, 1);
+            engine.step(
+                cloud,
+                {1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-3f}, 1);
             for (std::int64_t i = 0; i < cloud.count; ++i)
                 for (int q = 0; q < kParameters; ++q)
                     if (i != kVictim) {
-                        ASSERT_TRUE(std::isfinite(cloud.parameters[cloud.at(i, q)])) << p << ' ' << poison << ' ' << i << ' ' << q;
+                        ASSERT_TRUE(std::isfinite(cloud.parameters[cloud.at(i, q)]))
+                            << p << ' ' << poison << ' ' << i << ' ' << q;
                     }
         }
     }
@@ -188,10 +196,12 @@ TEST(Splat, MovingWorldAndCameraTogetherChangesNothing) {
     const Quatf turn{0.8f, 0.3f, -0.4f, 0.33f};
     const Rigid move{matrix_of(turn), {3.f, -2.f, 1.f}};
     Splats moved = s;
-    for (std::size_t i = 0; i < s.size(); ++i) moved.mean_m[i] = move * s.mean_m[i], moved.rotation[i] = turn * s.rotation[i];
+    for (std::size_t i = 0; i < s.size(); ++i)
+        moved.mean_m[i] = move * s.mean_m[i], moved.rotation[i] = turn * s.rotation[i];
     const SplatPicture a = render_splats(s, camera, test_pose()), b = render_splats(moved, camera, move * test_pose());
     double worst = 0;
-    for (std::size_t i = 0; i < a.color.size(); ++i) worst = std::max(worst, static_cast<double>(length(a.color.pixels[i] - b.color.pixels[i])));
+    for (std::size_t i = 0; i < a.color.size(); ++i)
+        worst = std::max(worst, static_cast<double>(length(a.color.pixels[i] - b.color.pixels[i])));
     EXPECT_LT(worst, 5e-3);  // an alpha near 1/255 may fall on the other side
 }
 
@@ -207,7 +217,10 @@ TEST_P(SplatKernel, NumberOfThreadsDoesNotChangeAByte) {
         for (int step = 1; step <= 4; ++step) {
             engine.render(cloud, camera, test_pose(), {}, false);
             losses.push_back(engine.differentiate(noise_view(camera, test_pose(), 7, false), 0.2f).loss);
-            engine.step(cloud, {1e-3f, 1e-3f, 1e-3f, 1e-2f, 1e-2f, 1e-2f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-2f, 1e-2f, 1e-2f, 1e-2f}, step);
+            engine.step(
+                cloud,
+                {1e-3f, 1e-3f, 1e-3f, 1e-2f, 1e-2f, 1e-2f, 1e-3f, 1e-3f, 1e-3f, 1e-3f, 1e-2f, 1e-2f, 1e-2f, 1e-2f},
+                step);
         }
         results.push_back(cloud.parameters);
     }

@@ -11,7 +11,8 @@ namespace {
 const char* const kKinds[] = {"mean",     "mean",     "mean",     "scale",   "scale", "scale", "rotation",
                               "rotation", "rotation", "rotation", "opacity", "color", "color", "color"};
 
-double objective(const std::vector<Gaussian<double>>& g, const Lens<double>& lens, const Pinhole& camera, const std::vector<Vec3d>& v) {
+double objective(const std::vector<Gaussian<double>>& g, const Lens<double>& lens, const Pinhole& camera,
+                 const std::vector<Vec3d>& v) {
     const auto picture = render_reference(g, lens, camera.width, camera.height, Vec3d{0.2, 0.4, 0.6});
     double sum = 0;
     for (std::size_t i = 0; i < v.size(); ++i) sum += dot(v[i], picture.pixels[i].color);

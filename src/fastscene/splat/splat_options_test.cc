@@ -109,7 +109,8 @@ TEST_F(SplatOptions, CheckpointGoesOnToTheSameBytes) {
         params.until = 57;
         EXPECT_EQ(fit_splats(room().train, params, fastscene::Run{}).steps, 57);
         params.until = 0;
-        const FittedSplats resumed = fit_splats(room().train, params, fastscene::Run{}), straight = fit_splats(room().train, whole, fastscene::Run{});
+        const FittedSplats resumed = fit_splats(room().train, params, fastscene::Run{}),
+                           straight = fit_splats(room().train, whole, fastscene::Run{});
         EXPECT_EQ(resumed.steps, 130);
         EXPECT_TRUE(resumed.splats == straight.splats) << strategy;
         ASSERT_EQ(resumed.curve.size(), straight.curve.size());
@@ -129,7 +130,8 @@ TEST_F(SplatOptions, CheckpointOfSomethingElseIsRefused) {
     other.lambda_dssim = 0.3f;
     EXPECT_THROW(fit_splats(room().train, other, fastscene::Run{}), Error);
     std::string bytes = read_file(params.checkpoint);
-    for (const std::size_t cut : {std::size_t{0}, std::size_t{10}, std::size_t{70}, bytes.size() / 2, bytes.size() - 1}) {
+    for (const std::size_t cut :
+         {std::size_t{0}, std::size_t{10}, std::size_t{70}, bytes.size() / 2, bytes.size() - 1}) {
         write_file(params.checkpoint, std::string_view(bytes).substr(0, cut));
         EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error) << cut;
     }
@@ -138,14 +140,16 @@ TEST_F(SplatOptions, CheckpointOfSomethingElseIsRefused) {
     EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error);
 }
 
-// A disk that fills in the middle costs the checkpoint, not the training; one that cannot be written at all is said before it.
+// A disk that fills in the middle costs the checkpoint, not the training; one that cannot be written at all is said
+// before it.
 TEST_F(SplatOptions, TrainingOutlivesItsCheckpoint) {
     struct Listener : EventSink {
         std::vector<std::string> warnings;
         std::function<void()> at_half;
         void tell(const Event& event) override {
             if (const auto* w = std::get_if<WarningEvent>(&event)) warnings.push_back(w->text);
-            if (const auto* p = std::get_if<ProgressEvent>(&event); p && p->done == p->total / 2 && at_half) std::exchange(at_half, nullptr)();
+            if (const auto* p = std::get_if<ProgressEvent>(&event); p && p->done == p->total / 2 && at_half)
+                std::exchange(at_half, nullptr)();
         }
     } listener;
     SplatParams params = short_run(500, 20);
@@ -218,8 +222,9 @@ TEST_F(SplatOptions, HigherBandsLearnWhatHangsOnTheDirection) {
             v.name = std::to_string(set.views.size());
             for (int py = 0; py < 48; ++py)
                 for (int px = 0; px < 48; ++px) {
-                    const Vec3f d =
-                        normalize(v.world_from_camera.rotation * camera.direction_at({static_cast<float>(px) + 0.5f, static_cast<float>(py) + 0.5f}));
+                    const Vec3f d = normalize(
+                        v.world_from_camera.rotation *
+                        camera.direction_at({static_cast<float>(px) + 0.5f, static_cast<float>(py) + 0.5f}));
                     Rgb8& p = v.color.at(px, py);
                     p.r = static_cast<std::uint8_t>(static_cast<float>(p.r) * (0.6f + 0.4f * d.x));
                 }
@@ -258,7 +263,8 @@ TEST_F(SplatOptions, PullsLowerOpacitiesAndSizes) {
     const auto means = [&] {
         const Splats s = fit_splats(room().train, params, fastscene::Run{}).splats;
         double opacity = 0, scale = 0;
-        for (std::size_t i = 0; i < s.size(); ++i) opacity += 1 / (1 + std::exp(-s.opacity_logit[i])), scale += std::exp(s.log_scale[i].x);
+        for (std::size_t i = 0; i < s.size(); ++i)
+            opacity += 1 / (1 + std::exp(-s.opacity_logit[i])), scale += std::exp(s.log_scale[i].x);
         return std::pair(opacity, scale);
     };
     const auto before = means();
@@ -291,10 +297,12 @@ TEST_F(SplatOptions, EquirectangularPicturesTeachWithoutCuts) {
         set.views.push_back(std::move(v));
     }
     const SplatParams params = short_run(3000, 300);
-    const Splats before = initial_splats(set.points, params.count, fastscene::Run{}), after = fit_splats(set, params, fastscene::Run{}).splats;
+    const Splats before = initial_splats(set.points, params.count, fastscene::Run{}),
+                 after = fit_splats(set, params, fastscene::Run{}).splats;
     double gain = 0;
     for (const View& v : room().held_out)
-        gain += psnr_of(render_splats(after, v.camera, v.world_from_camera), v) - psnr_of(render_splats(before, v.camera, v.world_from_camera), v);
+        gain += psnr_of(render_splats(after, v.camera, v.world_from_camera), v) -
+                psnr_of(render_splats(before, v.camera, v.world_from_camera), v);
     EXPECT_GT(gain / static_cast<double>(room().held_out.size()), 2);
 }
 
@@ -311,7 +319,9 @@ TEST(SplatGrow, NewSplatsGrowWhereTheErrorIsUpToTheCap) {
     cloud.seen_error[7] = 1, cloud.seen_error[8] = 1;
     EXPECT_EQ(splat::grow(cloud, 1, 1, 1), 1);
     EXPECT_EQ(cloud.count, 101);
-    EXPECT_LT(std::min(length(cloud.splats().mean_m[100] - s.mean_m[7]), length(cloud.splats().mean_m[100] - s.mean_m[8])), 0.5f);
+    EXPECT_LT(
+        std::min(length(cloud.splats().mean_m[100] - s.mean_m[7]), length(cloud.splats().mean_m[100] - s.mean_m[8])),
+        0.5f);
     EXPECT_LE(splat::grow(cloud, 50, 1, 2), 2);
     EXPECT_LE(cloud.count, 103);
 }

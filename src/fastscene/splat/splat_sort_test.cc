@@ -13,7 +13,8 @@ namespace {
 
 std::vector<std::uint64_t> keys_of(const std::vector<float>& depths) {
     std::vector<std::uint64_t> keys;
-    for (std::size_t i = 0; i < depths.size(); ++i) keys.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(depths[i])} << 32 | i);
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        keys.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(depths[i])} << 32 | i);
     return keys;
 }
 
@@ -25,14 +26,16 @@ TEST(DepthSort, FrontToBackAndStable) {
         for (int i = 0; i < count; ++i) depths.push_back(std::round(random.uniform(0.1f, 9.f) * 512) / 512);
         if (count > 100) depths[7] = 1e6f, depths[70] = 0.1f, depths[71] = 1e-30f;
         std::vector<std::uint64_t> keys = keys_of(depths), other, wanted = keys;
-        std::stable_sort(wanted.begin(), wanted.end(), [](std::uint64_t a, std::uint64_t b) { return a >> 32 < b >> 32; });
+        std::stable_sort(wanted.begin(), wanted.end(),
+                         [](std::uint64_t a, std::uint64_t b) { return a >> 32 < b >> 32; });
         sort_by_depth(keys, other);
         EXPECT_EQ(keys, wanted) << count;
     }
 }
 
 TEST(DepthSort, PiecesHoldEverythingOnce) {
-    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{16383}, std::size_t{16384}, std::size_t{200001}, std::size_t{5000000}}) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{16383}, std::size_t{16384},
+                                    std::size_t{200001}, std::size_t{5000000}}) {
         const int pieces = depth_pieces(count);
         EXPECT_GE(pieces, 1);
         EXPECT_LE(pieces, 8);

@@ -127,7 +127,8 @@ TEST(SplatInit, DiscsLieOnTheirSurface) {
     const Splats s = initial_splats(points, 1000, seeded(1));
     ASSERT_EQ(s.size(), 1000u);
     for (std::size_t i = 0; i < s.size(); ++i) {
-        const auto p = std::find_if(points.begin(), points.end(), [&](const SurfacePoint& q) { return q.position_m == s.mean_m[i]; });
+        const auto p = std::find_if(points.begin(), points.end(),
+                                    [&](const SurfacePoint& q) { return q.position_m == s.mean_m[i]; });
         ASSERT_NE(p, points.end());
         EXPECT_GT(std::fabs(dot(matrix_of(s.rotation[i]).column(2), p->normal)), 0.999f);
         EXPECT_LT(s.log_scale[i].z, s.log_scale[i].x - 1.f);
@@ -177,7 +178,7 @@ TEST(SplatCount, FollowsTheSurface) {
     SplatParams params;
     params.count = 500'000;
     params.per_m2 = 2000;
-    std::vector<SurfacePoint> points(1000, {{1, 0, 2}, {0, 0, -1}, {}, 0.3f});   // 90 m2
+    std::vector<SurfacePoint> points(1000, {{1, 0, 2}, {0, 0, -1}, {}, 0.3f});  // 90 m2
     EXPECT_NEAR(count_for(points, params), 180'000, 10);
     points.push_back({{0, 0, 600}, {0, 0, -1}, {}, 50.f});
     EXPECT_NEAR(count_for(points, params), 180'000, 10);

@@ -33,7 +33,8 @@ void adam(AdamSlot slot, double gradient, double rate, int step) {
     const double v = 0.999 * slot.second_moment + 0.001 * gradient * gradient;
     slot.first_moment = static_cast<float>(m);
     slot.second_moment = static_cast<float>(v);
-    slot.x = static_cast<float>(slot.x - rate * (m / (1 - std::pow(0.9, step))) / (std::sqrt(v / (1 - std::pow(0.999, step))) + 1e-15));
+    slot.x = static_cast<float>(slot.x - rate * (m / (1 - std::pow(0.9, step))) /
+                                             (std::sqrt(v / (1 - std::pow(0.999, step))) + 1e-15));
 }
 
 class ReferenceStepper : public Stepper {
@@ -49,30 +50,39 @@ class ReferenceStepper : public Stepper {
         for (const auto& p : picture.pixels) colors.push_back(p.color);
         ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
         std::vector<double> v_depth;
-        if (plan.depth) loss.loss += depth_loss_reference(picture, view, *plan.depth, static_cast<double>(plan.depth_strength), v_depth);
+        if (plan.depth)
+            loss.loss += depth_loss_reference(picture, view, *plan.depth, static_cast<double>(plan.depth_strength),
+                                              v_depth);
         std::vector<double> v_transmittance;
-        if (plan.alpha_strength > 0) loss.loss += transmittance_loss_reference(picture, view, static_cast<double>(plan.alpha_strength), v_transmittance);
+        if (plan.alpha_strength > 0)
+            loss.loss += transmittance_loss_reference(picture, view, static_cast<double>(plan.alpha_strength),
+                                                      v_transmittance);
         std::vector<double> rest_gradient;
-        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth, v_transmittance);
+        const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth,
+                                                   v_transmittance);
         const int n = 3 * rest_functions(cloud.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i) {
             const Gaussian<double>& g = gradients[static_cast<std::size_t>(i)];
-            double all[kParameters] = {g.mean.x,     g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y, g.log_scale.z, g.rotation.w,
-                                       g.rotation.x, g.rotation.y, g.rotation.z, g.logit,       g.sh0.x,       g.sh0.y,       g.sh0.z};
+            double all[kParameters] = {g.mean.x,      g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y,
+                                       g.log_scale.z, g.rotation.w, g.rotation.x, g.rotation.y,  g.rotation.z,
+                                       g.logit,       g.sh0.x,      g.sh0.y,      g.sh0.z};
             add_pull(splats[static_cast<std::size_t>(i)], plan.rates, all);
             bool seen = false;
             for (const double x : all) seen |= x != 0;
             const Vec3d m = splats[static_cast<std::size_t>(i)].mean;
-            const double far = std::max(1.0, length(m - Vec3d{plan.rates.middle.x, plan.rates.middle.y, plan.rates.middle.z}) / static_cast<double>(plan.rates.reach_m));
+            const double far = std::max(
+                1.0, length(m - Vec3d{plan.rates.middle.x, plan.rates.middle.y, plan.rates.middle.z}) /
+                         static_cast<double>(plan.rates.reach_m));
             for (int p = 0; p < kParameters; ++p) {
                 const std::size_t at = cloud.at(i, p);
-                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p], plan.rates.rates[static_cast<std::size_t>(p)] * (p < 3 ? far : 1.0),
-                     plan.rates.adam_step);
+                adam({cloud.parameters[at], cloud.first_moment[at], cloud.second_moment[at]}, all[p],
+                     plan.rates.rates[static_cast<std::size_t>(p)] * (p < 3 ? far : 1.0), plan.rates.adam_step);
             }
             for (int k = 0; k < n && seen && plan.rates.rest_rate > 0; ++k) {
                 const std::size_t at = cloud.rest_at(i, k);
-                adam({cloud.rest[at], cloud.rest_first_moment[at], cloud.rest_second_moment[at]}, rest_gradient[static_cast<std::size_t>(i * n + k)],
-                     plan.rates.rest_rate, plan.rates.rest_adam_step);
+                adam({cloud.rest[at], cloud.rest_first_moment[at], cloud.rest_second_moment[at]},
+                     rest_gradient[static_cast<std::size_t>(i * n + k)], plan.rates.rest_rate,
+                     plan.rates.rest_adam_step);
             }
         }
         return {loss.loss, loss.squared_error};

@@ -28,26 +28,32 @@ Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, V
     const EquirectSize size{width, width / 2};
     // Two degrees over the cube's edges, so that no bilinear sample falls outside.
     constexpr float kFovDeg = 94.f;
-    // Every splat is drawn at least as wide as a pixel (0.3 of one is added to its variance). A sphere is mostly coarser than the views that
-    // taught the splats, so faces as fine as the sphere would blur it; they are twice as fine, and averaged.
-    constexpr int kWidestAveraged = 4096;   // beyond that the six faces would take gigabytes
+    // Every splat is drawn at least as wide as a pixel (0.3 of one is added to its variance). A sphere is mostly
+    // coarser than the views that taught the splats, so faces as fine as the sphere would blur it; they are twice as
+    // fine, and averaged.
+    constexpr int kWidestAveraged = 4096;  // beyond that the six faces would take gigabytes
     const double finer = width <= kWidestAveraged ? 2 : 1;
-    const double side = finer * width / std::numbers::pi * std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
-    const Pinhole camera = Pinhole::with_fov(std::max(8, static_cast<int>(std::ceil(side))), std::max(8, static_cast<int>(std::ceil(side))), kFovDeg);
+    const double side = finer * width / std::numbers::pi *
+                        std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
+    const Pinhole camera = Pinhole::with_fov(std::max(8, static_cast<int>(std::ceil(side))),
+                                             std::max(8, static_cast<int>(std::ceil(side))), kFovDeg);
     std::array<ImageColor, 6> colors, others;  // the others: alpha and range
     for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
-        const Rigid world_from_face{world_from_pano.rotation * pano_from_face(kCubeFaces[f]), world_from_pano.translation};
+        const Rigid world_from_face{world_from_pano.rotation * pano_from_face(kCubeFaces[f]),
+                                    world_from_pano.translation};
         const SplatPicture picture = render_splats(splats, camera, world_from_face, background);
         colors[f] = picture.color;
         others[f] = ImageColor(camera.width, camera.height);
         for (int y = 0; y < camera.height; ++y)
             for (int x = 0; x < camera.width; ++x) {
-                const float slant = length(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+                const float slant = length(
+                    camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
                 const float alpha = picture.alpha.at(x, y);
                 others[f].at(x, y) = {alpha, picture.depth_z.at(x, y) * slant * alpha, 0};
             }
     }
-    const ImageColor color = equirect_from_faces(colors, camera, size), other = equirect_from_faces(others, camera, size);
+    const ImageColor color = equirect_from_faces(colors, camera, size),
+                     other = equirect_from_faces(others, camera, size);
     ImageF alpha(size.width, size.height), range(size.width, size.height);
     for (std::size_t i = 0; i < other.size(); ++i) {
         alpha.pixels[i] = other.pixels[i].x;

@@ -11,7 +11,8 @@
 namespace fastscene {
 namespace {
 
-// A ball of small opaque splats of many colors about the camera, each about as wide as a pixel of a sphere of 256 columns.
+// A ball of small opaque splats of many colors about the camera, each about as wide as a pixel of a sphere of 256
+// columns.
 Splats speckled_ball() {
     constexpr EquirectSize kGrid{256, 128};
     Splats out;
@@ -30,8 +31,8 @@ Splats speckled_ball() {
     return out;
 }
 
-// Splats are never drawn narrower than a pixel, so a coarse sphere must be drawn finer and averaged: it shows what the mean of a
-// sphere four times as wide shows.
+// Splats are never drawn narrower than a pixel, so a coarse sphere must be drawn finer and averaged: it shows what the
+// mean of a sphere four times as wide shows.
 TEST(Still, ACoarseSphereIsTheMeanOfAFineOne) {
     const Splats splats = speckled_ball();
     constexpr int kWidth = 192, kTimes = 4;
@@ -41,7 +42,8 @@ TEST(Still, ACoarseSphereIsTheMeanOfAFineOne) {
         for (int x = 0; x < coarse.width; ++x) {
             double mean = 0;
             for (int j = 0; j < kTimes; ++j)
-                for (int i = 0; i < kTimes; ++i) mean += fine.at(kTimes * x + i, kTimes * y + j).g / static_cast<double>(kTimes * kTimes);
+                for (int i = 0; i < kTimes; ++i)
+                    mean += fine.at(kTimes * x + i, kTimes * y + j).g / static_cast<double>(kTimes * kTimes);
             squares += (coarse.at(x, y).g - mean) * (coarse.at(x, y).g - mean);
         }
     const double rms = std::sqrt(squares / static_cast<double>(coarse.size()));

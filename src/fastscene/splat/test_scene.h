@@ -36,9 +36,7 @@ inline Pinhole test_camera(int width = 61, int height = 45) {
             0.43f * static_cast<float>(width),
             0.56f * static_cast<float>(height)};
 }
-inline Rigid test_pose() {
-    return {rotation_about(normalize(Vec3f{0.3f, 1.f, -0.2f}), 0.2f), {0.1f, -0.05f, -0.2f}};
-}
+inline Rigid test_pose() { return {rotation_about(normalize(Vec3f{0.3f, 1.f, -0.2f}), 0.2f), {0.1f, -0.05f, -0.2f}}; }
 inline std::vector<Vec3d> random_color_gradient(const Pinhole& camera, std::uint64_t seed) {
     std::vector<Vec3d> v;
     Random r(seed, "test.v");
@@ -62,7 +60,8 @@ inline View noise_view(const Pinhole& camera, const Rigid& pose, std::uint64_t s
     View view{"noise.png", camera, pose, ImageRgb8(camera.width, camera.height), {}};
     Random r(seed, "test.view");
     for (Rgb8& p : view.color.pixels)
-        p = {static_cast<std::uint8_t>(r.index(256)), static_cast<std::uint8_t>(r.index(256)), static_cast<std::uint8_t>(r.index(256))};
+        p = {static_cast<std::uint8_t>(r.index(256)), static_cast<std::uint8_t>(r.index(256)),
+             static_cast<std::uint8_t>(r.index(256))};
     if (weighted) {
         view.weight = ImageMask(camera.width, camera.height);
         for (auto& w : view.weight.pixels) w = static_cast<std::uint8_t>(r.index(4) * 85);

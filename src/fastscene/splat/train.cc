@@ -31,7 +31,8 @@ class ViewOrder {
             round_ = k / n;
             std::iota(order_.begin(), order_.end(), std::size_t{0});
             Random random(seed_, "splat.views", round_);
-            for (std::size_t i = n - 1; i > 0; --i) std::swap(order_[i], order_[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
+            for (std::size_t i = n - 1; i > 0; --i)
+                std::swap(order_[i], order_[static_cast<std::size_t>(random.index(static_cast<int>(i) + 1))]);
         }
         return order_[k % n];
     }
@@ -44,7 +45,8 @@ class ViewOrder {
 std::array<float, kParameters> rates_at(float done, const SplatParams& params, const TrainTuning& t) {
     const float other = std::pow(t.other_end, done);
     const float mean = params.learning_rate_mean_m * std::pow(t.mean_end, done);
-    const float scale = t.scale * other, rotation = t.rotation * other, logit = params.learning_rate_logit * other, sh0 = t.sh0 * other;
+    const float scale = t.scale * other, rotation = t.rotation * other, logit = params.learning_rate_logit * other,
+                sh0 = t.sh0 * other;
     return {mean, mean, mean, scale, scale, scale, rotation, rotation, rotation, rotation, logit, sh0, sh0, sh0};
 }
 
@@ -52,10 +54,11 @@ void check_views(const ViewSet& set) {
     if (set.views.empty()) throw Error("splat: no views to train on");
     for (const View& v : set.views) {
         if (v.color.empty() || v.color.width != v.camera.width || v.color.height != v.camera.height)
-            throw Error("splat: view {}: camera is {}x{}, picture is {}x{}", v.name, v.camera.width, v.camera.height, v.color.width, v.color.height);
+            throw Error("splat: view {}: camera is {}x{}, picture is {}x{}", v.name, v.camera.width, v.camera.height,
+                        v.color.width, v.color.height);
         if (!v.weight.empty() && !v.weight.same_size(v.color))
-            throw Error("splat: view {}: weights are {}x{}, picture is {}x{}", v.name, v.weight.width, v.weight.height, v.color.width,
-                        v.color.height);
+            throw Error("splat: view {}: weights are {}x{}, picture is {}x{}", v.name, v.weight.width, v.weight.height,
+                        v.color.width, v.color.height);
     }
 }
 
@@ -67,11 +70,13 @@ Split split_views(const ViewSet& set, const SplatParams& params) {
     Split out;
     for (std::size_t i = 0; i < set.views.size(); ++i) {
         // The first view is kept for training: with one view alone there is nothing to hold out.
-        const bool held = params.eval_every > 0 && i % static_cast<std::size_t>(params.holdout) == static_cast<std::size_t>(params.holdout) - 1;
+        const bool held = params.eval_every > 0 &&
+                          i % static_cast<std::size_t>(params.holdout) == static_cast<std::size_t>(params.holdout) - 1;
         (held ? out.held_out : out.train).push_back(&set.views[i]);
     }
     if (params.eval_every > 0 && out.held_out.empty())
-        throw Error("splat: expected at least {} views to hold one out (holdout {}), found {}", params.holdout, params.holdout, set.views.size());
+        throw Error("splat: expected at least {} views to hold one out (holdout {}), found {}", params.holdout,
+                    params.holdout, set.views.size());
     return out;
 }
 
@@ -93,10 +98,12 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     return hash.hex();
 }
 
-// Parameters with two moments each, what density control remembers, a record with its key and tiles for the picture in progress; and the splat at the end.
+// Parameters with two moments each, what density control remembers, a record with its key and tiles for the picture in
+// progress; and the splat at the end.
 std::int64_t memory_of_one(const SplatParams& params) {
     const auto rest = static_cast<std::int64_t>(3 * rest_functions(std::max(0, params.sh_degree)));
-    return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) + static_cast<std::int64_t>(sizeof(Record) + sizeof(std::uint64_t) + sizeof(TileBox));
+    return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) +
+           static_cast<std::int64_t>(sizeof(Record) + sizeof(std::uint64_t) + sizeof(TileBox));
 }
 
 float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
@@ -163,11 +170,13 @@ class Training {
         }
         save();
         FittedSplats out;
-        out.splats = params_.strategy == "classic" ? alive(state_.cloud.splats(), Classic{}.faint) : state_.cloud.splats();
+        out.splats = params_.strategy == "classic" ? alive(state_.cloud.splats(), Classic{}.faint)
+                                                   : state_.cloud.splats();
         out.curve = state_.curve, out.evals = state_.evals, out.steps = state_.step;
         close_curve(out.curve);
         if (!views_.held_out.empty()) {
-            if (out.evals.empty() || out.evals.back().step != state_.step) out.evals.push_back(evaluate(state_, views_.held_out));
+            if (out.evals.empty() || out.evals.back().step != state_.step)
+                out.evals.push_back(evaluate(state_, views_.held_out));
             out.eval_pictures = eval_pictures(out.splats, views_.held_out);
         }
         return out;
@@ -183,7 +192,8 @@ class Training {
                 run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
-            write_file(params_.checkpoint, std::string_view());  // whether it can be written is better known now than hours later
+            write_file(params_.checkpoint,
+                       std::string_view());  // whether it can be written is better known now than hours later
             std::filesystem::remove(params_.checkpoint);
         }
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
@@ -192,7 +202,8 @@ class Training {
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
         splats.resize(splats.size());
         TrainState state{0, Cloud(splats, true, params_.strategy == "none" ? 0 : params_.count), 0, 0, 0, {}, {}};
-        if (params_.strategy == "classic") state.cloud.seen_move = state.cloud.seen_steps = AlignedFloats(state.cloud.seen_weight.size(), 0.f);
+        if (params_.strategy == "classic")
+            state.cloud.seen_move = state.cloud.seen_steps = AlignedFloats(state.cloud.seen_weight.size(), 0.f);
         return state;
     }
 
@@ -206,15 +217,18 @@ class Training {
         constexpr float kReach = 4.f;  // of the scene's radius
         plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
         const auto count = static_cast<float>(state_.cloud.count);
-        plan.rates.opacity_pull = params_.opacity_pull / count, plan.rates.scale_pull = params_.scale_pull / (3 * count);
+        plan.rates.opacity_pull = params_.opacity_pull / count,
+        plan.rates.scale_pull = params_.scale_pull / (3 * count);
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
-            plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done), plan.rates.rest_adam_step = now / tuning_.rest_every;
+            plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done),
+            plan.rates.rest_adam_step = now / tuning_.rest_every;
         if (params_.random_background) {
             Random random(run_.seed, "splat.background", static_cast<std::uint64_t>(now));
             plan.background = {random.uniform(), random.uniform(), random.uniform()};
         }
         const View& view = view_of(now);
-        plan.judge = (params_.strategy == "mcmc" && done < tuning_.relocate_until) || (params_.strategy == "classic" && done < Classic{}.until);
+        plan.judge = (params_.strategy == "mcmc" && done < tuning_.relocate_until) ||
+                     (params_.strategy == "classic" && done < Classic{}.until);
         if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
         plan.alpha_strength = params_.opaque;
         const LossSums sums = stepper_->step(state_.cloud, view, plan);
@@ -224,7 +238,8 @@ class Training {
         if (params_.strategy == "classic") densify_splats(now, done);
         constexpr int kCurveSteps = 50;
         if (now % kCurveSteps == 0) close_curve(state_.curve);
-        if (params_.eval_every > 0 && now % params_.eval_every == 0) state_.evals.push_back(evaluate(state_, views_.held_out));
+        if (params_.eval_every > 0 && now % params_.eval_every == 0)
+            state_.evals.push_back(evaluate(state_, views_.held_out));
         if (now % params_.checkpoint_every == 0) save();
     }
 
@@ -242,12 +257,14 @@ class Training {
     void move_splats(int now, float done, float rate_m) {
         if (tuning_.noise > 0) add_noise(state_.cloud, tuning_.noise * rate_m, run_.seed, now);
         if (now % density_every_ != 0 || done >= tuning_.relocate_until) return;
-        grow(state_.cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(state_.cloud.count)), run_.seed, now);
+        grow(state_.cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(state_.cloud.count)),
+             run_.seed, now);
         relocate(state_.cloud, {tuning_.relocate_fraction}, run_.seed, now);
     }
     void densify_splats(int now, float done) {
         const Classic classic;
-        if (now % density_every_ == 0 && done >= classic.from && done < classic.until) densify(state_.cloud, classic, extent_.radius_m, run_.seed, now);
+        if (now % density_every_ == 0 && done >= classic.from && done < classic.until)
+            densify(state_.cloud, classic, extent_.radius_m, run_.seed, now);
         if (now % classic.reset_every == 0 && done < classic.until) reset_opacities(state_.cloud);
     }
 
@@ -313,27 +330,35 @@ namespace fastscene {
 void check_splat_params(const SplatParams& params) {
     check_fields("splat", params);
     if (params.patience > 0 && params.eval_every == 0)
-        throw UsageError("--splat-patience: expected --splat-eval-every beside it, which says when to measure; found 0");
+        throw UsageError(
+            "--splat-patience: expected --splat-eval-every beside it, which says when to measure; found 0");
 }
 
 std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
-    const std::int64_t count = params.strategy == "none" ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points)) : params.count;
+    const std::int64_t count = params.strategy == "none"
+                                   ? std::min<std::int64_t>(params.count, static_cast<std::int64_t>(points))
+                                   : params.count;
     return count * splat::memory_of_one(params);
 }
 
 int most_that_fit(const SplatParams& params) {
-    constexpr double kShare = 0.8;   // views and pictures want theirs
+    constexpr double kShare = 0.8;  // views and pictures want theirs
     const std::int64_t found = available_memory();
     if (found <= 0) return params.count;
-    return static_cast<int>(std::min<double>(2e9, kShare * static_cast<double>(found) / static_cast<double>(splat::memory_of_one(params))));
+    return static_cast<int>(
+        std::min<double>(2e9, kShare * static_cast<double>(found) / static_cast<double>(splat::memory_of_one(params))));
 }
 
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes) {
-    const std::int64_t wanted = splat_memory(params, points), found = available_memory(), have = std::max<std::int64_t>(found - beside_bytes, 0);
+    const std::int64_t wanted = splat_memory(params, points), found = available_memory(),
+                       have = std::max<std::int64_t>(found - beside_bytes, 0);
     if (found <= 0 || wanted <= have) return;
     constexpr double kGiB = 1 << 30;
-    throw Error("--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB free: enough for {}",
-                params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(have) / kGiB, have / splat::memory_of_one(params));
+    throw Error(
+        "--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB "
+        "free: enough for {}",
+        params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(have) / kGiB,
+        have / splat::memory_of_one(params));
 }
 
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed) {

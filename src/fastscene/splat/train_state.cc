@@ -15,8 +15,8 @@ namespace {
 constexpr std::string_view kMagic = "fastscene splat checkpoint 2\n";
 constexpr std::size_t kHashChars = 32;
 
-// One description for both directions: Out writes, In reads. Piece by piece: a second copy of the state may not fit in memory. What went
-// through is hashed; a checkpoint ends in the hash.
+// One description for both directions: Out writes, In reads. Piece by piece: a second copy of the state may not fit in
+// memory. What went through is hashed; a checkpoint ends in the hash.
 struct Out {
     std::ofstream file;
     Hash hash;
@@ -59,8 +59,8 @@ void everything(Stream& s, TrainState& t) {
     list(s, t.curve), list(s, t.evals);
     Cloud& c = t.cloud;
     value(s, c.count), value(s, c.capacity), value(s, c.degree);
-    for (AlignedFloats* v : {&c.parameters, &c.first_moment, &c.second_moment, &c.seen_weight, &c.seen_error, &c.seen_move, &c.seen_steps, &c.rest,
-                             &c.rest_first_moment, &c.rest_second_moment})
+    for (AlignedFloats* v : {&c.parameters, &c.first_moment, &c.second_moment, &c.seen_weight, &c.seen_error,
+                             &c.seen_move, &c.seen_steps, &c.rest, &c.rest_first_moment, &c.rest_second_moment})
         list(s, *v);
 }
 
@@ -74,7 +74,8 @@ void save_checkpoint(const std::string& file, TrainState& state, std::string_vie
         everything(out, state);
         out.file << out.hash.hex();
         out.file.close();
-        if (!out.file) throw Error("{}: cannot be written: {}", file, errno ? std::strerror(errno) : "the disk may be full");
+        if (!out.file)
+            throw Error("{}: cannot be written: {}", file, errno ? std::strerror(errno) : "the disk may be full");
     });
 }
 
@@ -92,9 +93,12 @@ TrainState load_checkpoint(const std::string& file, std::string_view key) {
         throw Error("{}: expected a checkpoint of fastscene splat, found another file", file);
     found.resize(key.size() + 1);
     in.file.read(found.data(), static_cast<std::streamsize>(found.size()));
-    if (!in.file || found.back() != '\n') throw Error("{}: the checkpoint is damaged: it ends in its first lines", file);
+    if (!in.file || found.back() != '\n')
+        throw Error("{}: the checkpoint is damaged: it ends in its first lines", file);
     found.pop_back();
-    if (found != key) throw Error("{}: expected a checkpoint of the same views and settings (key {}), found key {}", file, key, found);
+    if (found != key)
+        throw Error("{}: expected a checkpoint of the same views and settings (key {}), found key {}", file, key,
+                    found);
     const std::uint64_t size = std::filesystem::file_size(file), head = kMagic.size() + key.size() + 1;
     if (size < head + kHashChars) throw Error("{}: the checkpoint is damaged: it ends after {} bytes", file, size);
     in.left = size - head - kHashChars;

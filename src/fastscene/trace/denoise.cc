@@ -12,21 +12,22 @@ namespace fastscene {
 namespace {
 
 constexpr std::array<float, 5> kSpline{1.f / 16, 1.f / 4, 3.f / 8, 1.f / 4, 1.f / 16};
-constexpr float kDeviations = 2.2f;       // values that differ by less are the same light
-constexpr float kExact = 0.004f;          // relative standard error below which nothing is left to do
-constexpr float kOffPlane = 0.12f;            // how far off a pixel's plane, by its distance, a neighbour may lie
+constexpr float kDeviations = 2.2f;  // values that differ by less are the same light
+constexpr float kExact = 0.004f;     // relative standard error below which nothing is left to do
+constexpr float kOffPlane = 0.12f;   // how far off a pixel's plane, by its distance, a neighbour may lie
 
 bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
-// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know together how far a ray strays;
-// and a pixel that is surer of its error than they are is believed, or one lucky ray would stay a speck.
+// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know
+// together how far a ray strays; and a pixel that is surer of its error than they are is believed, or one lucky ray
+// would stay a speck.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     constexpr int kReach = 2;
     ImageF out = variance;
     parallel_for(variance.height, 8, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < variance.width; ++x) {
-                if (!is_surface(guides.normal.at(x, y))) continue;   // the sky, or nothing at all
+                if (!is_surface(guides.normal.at(x, y))) continue;  // the sky, or nothing at all
                 float sum = 0, count = 0;
                 for (int qy = std::max(0, y - kReach); qy <= std::min(variance.height - 1, y + kReach); ++qy)
                     for (int dx = -kReach; dx <= kReach; ++dx) {
@@ -74,9 +75,10 @@ struct Level {
                 int qx = x + i * step;
                 if (guides.wraps) qx = wrap_column(qx, width);
                 else if (qx < 0 || qx >= width) continue;
-                const float spline = kSpline[static_cast<std::size_t>(i + 2)] * kSpline[static_cast<std::size_t>(j + 2)];
+                const float spline = kSpline[static_cast<std::size_t>(i + 2)] *
+                                     kSpline[static_cast<std::size_t>(j + 2)];
                 const float agrees = i == 0 && j == 0 ? 1.f : agreement(position, normal, bright, own, qx, qy);
-                const float w = spline * agrees * guides.rays_of(qx, qy);   // a mean of all rays, not of pixels
+                const float w = spline * agrees * guides.rays_of(qx, qy);  // a mean of all rays, not of pixels
                 sum += light.value.at(qx, qy) * w;
                 weights += w;
                 squares += w * w * light.variance.at(qx, qy);
@@ -106,7 +108,8 @@ void denoise(NoisyLight& light, const Guides& guides, int levels) {
         const Level level{light, guides, 1 << k};
         parallel_for(light.value.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (int x = 0; x < light.value.width; ++x) level.filter(x, y, next.value.at(x, y), next.variance.at(x, y));
+                for (int x = 0; x < light.value.width; ++x)
+                    level.filter(x, y, next.value.at(x, y), next.variance.at(x, y));
         });
         std::swap(light, next);
     }

@@ -1,8 +1,8 @@
 // Denoise: what chance left in a picture's light, averaged over neighbours on the same surface.
 //
-// The filter is an à-trous wavelet (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's own mean
-// (Schied et al. 2017, without its history). It sees light alone: textures, outlines and whatever else is known exactly are put
-// back by the caller.
+// The filter is an à-trous wavelet (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's
+// own mean (Schied et al. 2017, without its history). It sees light alone: textures, outlines and whatever else is
+// known exactly are put back by the caller.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -16,9 +16,9 @@ struct NoisyLight {
 };
 
 struct Guides {
-    ImageColor position, normal;     // of the first hit; a normal of zero: nothing, neither changed nor used
-    bool wraps = false;              // the last column is the first one's neighbour
-    ImageF rays = {};                // how many a pixel's light is the mean of; empty: all of equally many
+    ImageColor position, normal;  // of the first hit; a normal of zero: nothing, neither changed nor used
+    bool wraps = false;           // the last column is the first one's neighbour
+    ImageF rays = {};             // how many a pixel's light is the mean of; empty: all of equally many
     float rays_of(int x, int y) const { return rays.empty() ? 1.f : rays.at(x, y); }
 };
 

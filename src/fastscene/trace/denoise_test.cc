@@ -16,7 +16,7 @@ constexpr float kNoise = 0.1f;
 
 // A wall that faces the viewer, lit evenly but for noise whose size is known.
 struct Wall {
-    NoisyLight light{ImageColor(kWidth, kHeight), ImageF(kWidth, kHeight, kNoise * kNoise)};
+    NoisyLight light{ImageColor(kWidth, kHeight), ImageF(kWidth, kHeight, kNoise* kNoise)};
     Guides guides{ImageColor(kWidth, kHeight), ImageColor(kWidth, kHeight, {0, 0, -1}), true};
     explicit Wall(float level_right = 1.f) {
         Random random(3, "wall");
@@ -45,12 +45,13 @@ TEST(Denoise, EvenLightBecomesEven) {
 TEST(Denoise, ASpeckThatKnowsItselfGoes) {
     Wall wall;
     wall.light.value.at(30, 12) = {9, 9, 9};
-    wall.light.variance.at(30, 12) = 64;   // one of sixteen rays was lucky
+    wall.light.variance.at(30, 12) = 64;  // one of sixteen rays was lucky
     denoise(wall.light, wall.guides, 4);
     EXPECT_LT(wall.light.value.at(30, 12).x, 1.6f);
 }
 
-// Four rays that missed the lamp agree with each other; the pixels around had a hundred rays and know how far one strays.
+// Four rays that missed the lamp agree with each other; the pixels around had a hundred rays and know how far one
+// strays.
 TEST(Denoise, AFewRaysThatAgreeAreNotBelieved) {
     Wall wall;
     wall.guides.rays = ImageF(kWidth, kHeight, 100.f);
@@ -64,7 +65,7 @@ TEST(Denoise, AFewRaysThatAgreeAreNotBelieved) {
 }
 
 TEST(Denoise, AShadowsEdgeStaysWhereItIs) {
-    Wall wall(3.f);   // a step of twenty standard errors
+    Wall wall(3.f);  // a step of twenty standard errors
     denoise(wall.light, wall.guides, 4);
     EXPECT_LT(spread(wall.light.value, 1, 2, kWidth / 2), kNoise / 3);
     EXPECT_LT(spread(wall.light.value, 3, kWidth / 2, kWidth - 2), kNoise / 3);
@@ -72,12 +73,14 @@ TEST(Denoise, AShadowsEdgeStaysWhereItIs) {
 
 TEST(Denoise, NothingCrossesAnEdgeOfTheRoom) {
     Wall wall;
-    // The right half stands at a right angle to the left one and is dark: by so little that variance alone would let it through.
+    // The right half stands at a right angle to the left one and is dark: by so little that variance alone would let it
+    // through.
     for (int y = 0; y < kHeight; ++y)
         for (int x = kWidth / 2; x < kWidth; ++x) {
             wall.light.value.at(x, y) = {0.9f, 0.9f, 0.9f};
             wall.guides.normal.at(x, y) = {-1, 0, 0};
-            wall.guides.position.at(x, y) = {0.32f, 0.01f * static_cast<float>(y), 2 - 0.01f * static_cast<float>(x - kWidth / 2)};
+            wall.guides.position.at(x, y) = {0.32f, 0.01f * static_cast<float>(y),
+                                             2 - 0.01f * static_cast<float>(x - kWidth / 2)};
         }
     denoise(wall.light, wall.guides, 4);
     EXPECT_LT(spread(wall.light.value, 0.9f, kWidth / 2, kWidth), 1e-4f);
@@ -102,7 +105,8 @@ TEST(Denoise, TheSeamIsNoEdge) {
     Wall wall, turned;
     constexpr int kTurn = 20;
     const auto turn = [](auto image) {
-        for (int y = 0; y < image.height; ++y) std::rotate(image.row(y), image.row(y) + kTurn, image.row(y) + image.width);
+        for (int y = 0; y < image.height; ++y)
+            std::rotate(image.row(y), image.row(y) + kTurn, image.row(y) + image.width);
         return image;
     };
     for (int y = 0; y < kHeight; ++y)

@@ -10,13 +10,15 @@
 namespace fastscene {
 namespace {
 
-// The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction inspired by
-// photoreceptor physiology"): middle gray stays, blacks close gently, and white is reached far above it, so that lamps, flames and
-// patches of sun keep their shape and color.
+// The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction
+// inspired by photoreceptor physiology"): middle gray stays, blacks close gently, and white is reached far above it, so
+// that lamps, flames and patches of sun keep their shape and color.
 class FilmCurve {
   public:
     explicit FilmCurve(float contrast)
-        : power_(1.32f * contrast), knee_(std::pow(kMiddle, power_) * (1 - kMiddle) / kMiddle), scale_(1 / response(kWhite)) {}
+        : power_(1.32f * contrast),
+          knee_(std::pow(kMiddle, power_) * (1 - kMiddle) / kMiddle),
+          scale_(1 / response(kWhite)) {}
     float operator()(float x) const { return x > 0 ? std::min(1.f, scale_ * response(x)) : 0.f; }
 
   private:
@@ -33,7 +35,8 @@ struct Weighted {
 };
 // The mean without the lowest and the highest tenth: they say little about a room.
 float middle_mean(std::vector<Weighted>& values) {
-    std::stable_sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    std::stable_sort(values.begin(), values.end(),
+                     [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
     float weights = 0, sum = 0, used = 0, passed = 0;
     for (const Weighted& v : values) weights += v.weight;
     for (const Weighted& v : values) {
@@ -45,15 +48,17 @@ float middle_mean(std::vector<Weighted>& values) {
     return used > 0 ? sum / used : 0.f;
 }
 
-// What is left of a light `times` as bright as it may be: each doubling still adds something, so that the brighter stays brighter.
+// What is left of a light `times` as bright as it may be: each doubling still adds something, so that the brighter
+// stays brighter.
 float restrained(float times, float doubling) { return times > 1 ? (1 + doubling * std::log2(times)) / times : 1.f; }
 
 }  // namespace
 
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
     if (!wish.automatic) return wish;
-    constexpr float kLeast = 1e-5f, kLeastAlbedo = 0.02f;   // below it a surface tells nothing about the light: sky, lamps, mirrors
-    std::vector<Weighted> seen, arriving;   // log2 of luminance
+    constexpr float kLeast = 1e-5f,
+                    kLeastAlbedo = 0.02f;  // below it a surface tells nothing about the light: sky, lamps, mirrors
+    std::vector<Weighted> seen, arriving;  // log2 of luminance
     Vec3f hue{};
     for (int y = 0; y < panorama.height; ++y) {
         const auto w = static_cast<float>(pixel_solid_angle(y, {panorama.width, panorama.height}));
@@ -66,49 +71,63 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
                 c = {c.x / a.x, c.y / a.y, c.z / a.z};
                 arriving.push_back({std::log2(std::max(kLeast, luminance(c))), w});
             }
-            hue += c * (w / std::max(kLeast, luminance(c)));   // hue only: a bright window does not decide
+            hue += c * (w / std::max(kLeast, luminance(c)));  // hue only: a bright window does not decide
         }
     }
     Look look = wish;
     look.automatic = false;
-    // Night and dusk stay darker than day. As a photographer meters, more by the light that falls on things than by what they return.
+    // Night and dusk stay darker than day. As a photographer meters, more by the light that falls on things than by
+    // what they return.
     const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
     const float key = night ? 0.21f : dusk ? 0.3f : 0.44f;
     float ev = std::log2(key) - middle_mean(seen);
     constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
     if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);
     look.exposure_ev = wish.exposure_ev + ev;
-    // White is pulled most of the way towards the light's color, along the line from candles to the blue sky. What lies off that line,
-    // a neon sign, walls that light each other pink, is no light that eyes get used to.
+    // White is pulled most of the way towards the light's color, along the line from candles to the blue sky. What lies
+    // off that line, a neon sign, walls that light each other pink, is no light that eyes get used to.
     const float pull = night || dusk ? 0.6f : 0.65f;
-    constexpr float kLineRed = 0.62f, kLineBlue = -0.785f, kOffLine = 0.25f;   // per octave over green, of thermal light about 4000 K
-    const auto octaves = [&](float c) { return std::clamp(std::log2(std::max(kLeast, c) / std::max(kLeast, hue.y)), -1.4f, 1.4f); };
+    constexpr float kLineRed = 0.62f, kLineBlue = -0.785f,
+                    kOffLine = 0.25f;  // per octave over green, of thermal light about 4000 K
+    const auto octaves = [&](float c) {
+        return std::clamp(std::log2(std::max(kLeast, c) / std::max(kLeast, hue.y)), -1.4f, 1.4f);
+    };
     const float red = octaves(hue.x), blue = octaves(hue.z), on_line = red * kLineRed + blue * kLineBlue;
     look.white = {std::exp2(pull * std::lerp(on_line * kLineRed, red, kOffLine)) / wish.white.x, 1 / wish.white.y,
                   std::exp2(pull * std::lerp(on_line * kLineBlue, blue, kOffLine)) / wish.white.z};
     const float l = luminance(look.white);
     look.white = look.white / l;
-    // Where the sun meets dim walls its patches are a hundred times as bright as the rest, and no curve keeps both: they would be white
-    // paper, whatever lies there. The same share everywhere in the room, so patches keep textures, hues and edges.
+    // Where the sun meets dim walls its patches are a hundred times as bright as the rest, and no curve keeps both:
+    // they would be white paper, whatever lies there. The same share everywhere in the room, so patches keep textures,
+    // hues and edges.
     if (sky.sun_limit > 0) {
         constexpr float kSunDoubling = 0.12f;
-        look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
+        look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit),
+                                   kSunDoubling);
     }
-    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: all outside is lifted with its ground.
+    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: all outside is lifted
+    // with its ground.
     constexpr float kMostLift = 4.f;
-    look.outside_seen = std::clamp(sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f, kMostLift);
+    look.outside_seen = std::clamp(
+        sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f,
+        kMostLift);
     // A room of few lamps is exposed longer, and the night before its windows would be day.
-    constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;   // of the sky at the horizon, 1 = white by the room's light
-    if (night || dusk) look.outside_seen = std::min(1.f, (night ? kNightMost : kDuskMost) / std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
+    constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;  // of the sky at the horizon, 1 = white by the room's light
+    if (night || dusk)
+        look.outside_seen = std::min(
+            1.f, (night ? kNightMost : kDuskMost) /
+                     std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
     look.contrast = wish.contrast * 1.1f;
     look.saturation = wish.saturation * 1.06f;
     return look;
 }
 
-Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) { return sky_radiance(sky, direction) * (sky.seen * look.outside_seen); }
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) {
+    return sky_radiance(sky, direction) * (sky.seen * look.outside_seen);
+}
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
-    constexpr float kDoubling = 0.15f;   // what each doubling of its light still adds, once it is brighter than white
+    constexpr float kDoubling = 0.15f;  // what each doubling of its light still adds, once it is brighter than white
     return emission * restrained(luminance(emission) * std::exp2(look.exposure_ev), kDoubling);
 }
 

@@ -52,7 +52,8 @@ int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
         const float agree = dot(cell.normal, normal), far = length(cell.center - position) + cell_m_ * (1 - agree) * 2;
         if (agree > least_agreement && far < best_far) best_far = far, best = c;
     };
-    // Most often the surface only grazes this cell, or turns to another main direction in it: a dozen looks instead of 162.
+    // Most often the surface only grazes this cell, or turns to another main direction in it: a dozen looks instead of
+    // 162.
     for (int f = 0; f < 6; ++f) consider(x, y, z, f, 0.6f);
     for (const int d : {-1, 1}) {
         consider(x + d, y, z, facing, 0.6f);
@@ -75,7 +76,7 @@ IrradianceCache::Near IrradianceCache::near(Vec3f position, Vec3f normal) const 
 }
 
 IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) const {
-    constexpr float kSameSurface = 0.2f;   // of a cell: how far from an entry's plane a point may lie
+    constexpr float kSameSurface = 0.2f;  // of a cell: how far from an entry's plane a point may lie
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);

@@ -17,14 +17,15 @@ using namespace irradiance;
 
 namespace {
 
-constexpr int kMaxSamples = 12;      // places kept in a cell
-constexpr float kEven = 0.12f;       // of a cell: how far off their plane the places of an even one may lie
+constexpr int kMaxSamples = 12;  // places kept in a cell
+constexpr float kEven = 0.12f;   // of a cell: how far off their plane the places of an even one may lie
 enum : std::uint8_t { kBuried, kCrevice };
 
 // The middle of piece `i` of `n`.
 float middle(int i, int n) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(n); }
 
-// How many middles of nu x nv pieces of a parallelogram lie in one of its two triangles. More than half: those on the diagonal are in both.
+// How many middles of nu x nv pieces of a parallelogram lie in one of its two triangles. More than half: those on the
+// diagonal are in both.
 int points_within(int nu, int nv) {
     int count = 0;
     for (int ui = 0; ui < nu; ++ui)
@@ -44,7 +45,7 @@ void IrradianceCache::build(const Room& room) {
         int material;
     };
     std::vector<Entry> entries;
-    float area = 0;    // what each point of the triangle at hand stands for
+    float area = 0;  // what each point of the triangle at hand stands for
     int material = 0;
     const float step = 0.5f * cell_m_;
     const auto add = [&](Vec3f p, Vec3f n) {
@@ -60,7 +61,9 @@ void IrradianceCache::build(const Room& room) {
             const std::size_t i[3] = {mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2]};
             const Vec3f a = mesh.positions[i[0]], ab = mesh.positions[i[1]] - a, ac = mesh.positions[i[2]] - a;
             const Vec3f flat = normalize(cross(ab, ac));
-            const auto pieces = [&](Vec3f edge) { return std::max(1, static_cast<int>(std::ceil(length(edge) / step))); };
+            const auto pieces = [&](Vec3f edge) {
+                return std::max(1, static_cast<int>(std::ceil(length(edge) / step)));
+            };
             const int nu = pieces(ab), nv = pieces(ac);
             area = 0.5f * length(cross(ab, ac)) / static_cast<float>(points_within(nu, nv));
             for (int ui = 0; ui < nu; ++ui)
@@ -72,7 +75,8 @@ void IrradianceCache::build(const Room& room) {
                     } else if (nu == 1 && nv == 1) {
                         u = v = 1.f / 3;
                     }
-                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u + mesh.normals[i[2]] * v);
+                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u +
+                                        mesh.normals[i[2]] * v);
                     if (!(dot(n, flat) > 0.1f)) n = flat;
                     add(a + ab * u + ac * v, n);
                     if (both) add(a + ab * u + ac * v, -n);
@@ -80,16 +84,18 @@ void IrradianceCache::build(const Room& room) {
             area = 0;
             // The rim, where a neighbouring cell may be touched by a hair.
             if (nu > 1 || nv > 1)
-                for (const auto& [u, v] :
-                     {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f}, std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
-                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u + mesh.normals[i[2]] * v);
+                for (const auto& [u, v] : {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f},
+                                           std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
+                    Vec3f n = normalize(mesh.normals[i[0]] * (1 - u - v) + mesh.normals[i[1]] * u +
+                                        mesh.normals[i[2]] * v);
                     if (!(dot(n, flat) > 0.1f)) n = flat;
                     add(a + ab * u + ac * v, n);
                     if (both) add(a + ab * u + ac * v, -n);
                 }
         }
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
     for (std::size_t i = 0; i < entries.size();) {
         std::size_t end = i;
         Vec3f center{}, normal{};
@@ -102,8 +108,8 @@ void IrradianceCache::build(const Room& room) {
         float passed = entries[i].area;
         std::size_t at = i;
         for (std::size_t k = 0; k < kept; ++k) {
-            // A cell of a hundred slivers along a rounded edge and of the board behind them is mostly board: places are drawn by their area, evenly
-            // along its sum. Rims alone have none.
+            // A cell of a hundred slivers along a rounded edge and of the board behind them is mostly board: places are
+            // drawn by their area, evenly along its sum. Rims alone have none.
             if (whole > 0) {
                 const float wanted = whole * (static_cast<float>(k) + 0.5f) / static_cast<float>(kept);
                 while (passed < wanted && at + 1 < end) passed += entries[++at].area;
@@ -115,15 +121,22 @@ void IrradianceCache::build(const Room& room) {
             normal += entries[at].sample.normal;
             color += reflectances_[static_cast<std::size_t>(entries[at].material)] / static_cast<float>(kept);
         }
-        cells_.push_back({{}, {}, {}, normalize(normal), center / static_cast<float>(kept), color, whole,
-                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission, 0.f});
+        cells_.push_back({{},
+                          {},
+                          {},
+                          normalize(normal),
+                          center / static_cast<float>(kept),
+                          color,
+                          whole,
+                          room.materials[static_cast<std::size_t>(entries[i].material)].transmission,
+                          0.f});
         i = end;
     }
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
 }
 
-// How well each place is seen: kBuried, or kCrevice + the rays of eight that go further than half a cell. Where the first places of a
-// cell lie in the open, and the first rays of a place find it so, the others are not asked.
+// How well each place is seen: kBuried, or kCrevice + the rays of eight that go further than half a cell. Where the
+// first places of a cell lie in the open, and the first rays of a place find it so, the others are not asked.
 std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
     constexpr std::uint32_t kRays = 8, kFirstRays = 4, kFirstPlaces = 4;
     std::vector<std::uint8_t> sight(samples_.size(), kCrevice + kRays);
@@ -153,10 +166,11 @@ std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
     return sight;
 }
 
-// Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in something
-// solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a crevice (most rays end
-// within half a cell: the wall between two boards, behind a door's panel). A cell that keeps such places beside visible ones is dark
-// where people look. A cell without any place left is no cell: it would only darken its neighbours and draw samples to itself.
+// Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in
+// something solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a
+// crevice (most rays end within half a cell: the wall between two boards, behind a door's panel). A cell that keeps
+// such places beside visible ones is dark where people look. A cell without any place left is no cell: it would only
+// darken its neighbours and draw samples to itself.
 void IrradianceCache::drop_buried(const SceneBvh& bvh) {
     const std::vector<std::uint8_t> sight = sights(bvh);
     std::vector<Cell> cells;
@@ -198,21 +212,23 @@ void IrradianceCache::drop_buried(const SceneBvh& bvh) {
 // A step to every side of each eye, as far as there is room.
 void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes) {
     constexpr float kStep_m = 0.8f, kOfTheWay = 0.8f;
-    constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0}, Vec3f{-1, 0, 0}, Vec3f{0, 0, 1}, Vec3f{0, 0, -1}, Vec3f{0, 1, 0}, Vec3f{0, -1, 0}};
+    constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 0, 1},
+                                         Vec3f{0, 0, -1}, Vec3f{0, 1, 0},  Vec3f{0, -1, 0}};
     std::vector<Vec3f> places = eyes;
     for (const Vec3f eye : eyes)
-        for (const Vec3f way : kWays) places.push_back(eye + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(eye, way).distance)));
+        for (const Vec3f way : kWays)
+            places.push_back(eye + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(eye, way).distance)));
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
             Cell& cell = cells_[c];
             const Vec3f from = cell.center + cell.normal * (0.1f * cell_m_);
             // What shines through is seen from its other side.
             cell.seen = cell.transmission > 0 || std::any_of(places.begin(), places.end(), [&](Vec3f p) {
-                const Vec3f to = p - from;
-                const float far = length(to);
-                // A rounded cell is seen from a little behind its mean plane, too.
-                return dot(to, cell.normal) > -0.2f * far && !bvh.blocked(from, to / far, 0.f, far);
-            });
+                            const Vec3f to = p - from;
+                            const float far = length(to);
+                            // A rounded cell is seen from a little behind its mean plane, too.
+                            return dot(to, cell.normal) > -0.2f * far && !bvh.blocked(from, to / far, 0.f, far);
+                        });
         }
     });
 }

@@ -9,10 +9,12 @@
 namespace fastscene::irradiance {
 
 inline constexpr std::int32_t kBias = 1 << 18;
-inline constexpr int kSunSamples = 16;   // rays from a cell to the sun
+inline constexpr int kSunSamples = 16;  // rays from a cell to the sun
 
 inline std::uint64_t key_of(std::int32_t x, std::int32_t y, std::int32_t z, int facing) {
-    const auto part = [](std::int32_t v) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v + kBias) & 0xfffffu); };
+    const auto part = [](std::int32_t v) {
+        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v + kBias) & 0xfffffu);
+    };
     return part(x) << 43 | part(y) << 23 | part(z) << 3 | static_cast<std::uint64_t>(facing);
 }
 struct Place {

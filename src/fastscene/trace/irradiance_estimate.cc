@@ -1,5 +1,5 @@
-// What one ray tells about the light that falls on a place: the cache is filled with the means of such estimates, and pictures
-// ask again where it is too coarse.
+// What one ray tells about the light that falls on a place: the cache is filled with the means of such estimates, and
+// pictures ask again where it is too coarse.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace {
 
 // A sunlit cell close by is asked too rarely and answers too loudly: within so many cells the bounce finds it instead.
 constexpr float kNearSun = 8;
-constexpr float kShort = 0.9999f;   // of the way to a place that shines: not into its own surface
+constexpr float kShort = 0.9999f;  // of the way to a place that shines: not into its own surface
 
 // Of the surface just ahead.
 std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f direction) {
@@ -28,9 +28,10 @@ std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f
 
 }  // namespace
 
-// Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room that see it:
-// the outer side of a curtain is bright and lights nothing.
-void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny, std::uint64_t seed) {
+// Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room
+// that see it: the outer side of a curtain is bright and lights nothing.
+void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny,
+                                       std::uint64_t seed) {
     constexpr int kPlaces = 24;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cell& cell = cells_[c];
@@ -45,7 +46,8 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
                 const Vec3f before = at.position + normal * distance_epsilon(at.position);
                 sun_places_.push_back({{before, normal}, material_at(room, bvh, before, -normal)});
             }
-            sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, cell.sun, leaving, cell.area, 0.f, side < 0});
+            sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, cell.sun, leaving,
+                                    cell.area, 0.f, side < 0});
         };
         add(1, back * (1.f - cell.transmission));
         if (cell.transmission > 0) add(-1, back * cell.transmission);
@@ -68,12 +70,15 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
         }
     });
     for (const SunPatch& patch : sun_patches_)
-        sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) + luminance(patch.leaving) * patch.area * patch.useful);
+        sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) +
+                              luminance(patch.leaving) * patch.area * patch.useful);
 }
 
 // The cache's own word for it: textures evened out.
-Vec3f IrradianceCache::sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const {
-    return sun_sent_on(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission, normal, direction, behind);
+Vec3f IrradianceCache::sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction,
+                               bool behind) const {
+    return sun_sent_on(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission,
+                       normal, direction, behind);
 }
 
 // What arrives from one sunlit patch, drawn by its power and usefulness.
@@ -84,8 +89,10 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const auto found = std::min(static_cast<std::size_t>(at_or_after - sun_powers_.begin()), sun_patches_.size() - 1);
     const SunPatch& patch = sun_patches_[found];
     // What is left of the number that drew the patch draws the place.
-    const float below = found > 0 ? sun_powers_[found - 1] : 0.f, share = (drawn - below) / std::max(1e-30f, sun_powers_[found] - below);
-    const auto which_place = std::min(patch.count - 1, static_cast<std::uint32_t>(std::max(0.f, share) * static_cast<float>(patch.count)));
+    const float below = found > 0 ? sun_powers_[found - 1] : 0.f,
+                share = (drawn - below) / std::max(1e-30f, sun_powers_[found] - below);
+    const auto which_place = std::min(
+        patch.count - 1, static_cast<std::uint32_t>(std::max(0.f, share) * static_cast<float>(patch.count)));
     const SunPlace& shining = sun_places_[patch.first + which_place];
     const Vec3f from = at.position + at.normal * distance_epsilon(at.position), to = shining.at.position - from;
     const float d2 = dot(to, to), far = std::sqrt(d2);
@@ -94,18 +101,21 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
     const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return patch.sun * sent_on(room, shining.material, shining.at.normal, direction, patch.behind) * (here * there / d2 * patch.area / chance);
+    return patch.sun * sent_on(room, shining.material, shining.at.normal, direction, patch.behind) *
+           (here * there / d2 * patch.area / chance);
 }
 
-Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which, Vec2f uv) const {
+Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
+                              Vec2f uv) const {
     return lights.sample(room, bvh, at.position, at.normal, which, uv) + sunlit(room, bvh, at, which);
 }
 
-IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const {
+IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                                 const Place& at, Vec2f uv) const {
     const Vec3f direction = cosine_direction(at.normal, uv);
     const Vec3f from = at.position + at.normal * distance_epsilon(at.position);
     const RayHit hit = bvh.first_lit(from, direction);
-    if (!hit) return {};   // through a window: counted with the windows
+    if (!hit) return {};  // through a window: counted with the windows
     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
     if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, hit.distance, true};
     const Vec3f p = from + direction * hit.distance;
@@ -117,7 +127,9 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     Vec3f irradiance = reflectances_[material] * (front.light * (1.f - m.transmission) + behind.light * m.transmission);
     // The sun's first bounce has been asked directly, unless it is close by.
     if (hit.distance <= kNearSun * cell_m_)
-        irradiance += (front.sun * sent_on(room, material, normal, direction, false) + behind.sun * sent_on(room, material, normal, direction, true)) * kPi;
+        irradiance += (front.sun * sent_on(room, material, normal, direction, false) +
+                       behind.sun * sent_on(room, material, normal, direction, true)) *
+                      kPi;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
     return {irradiance, hit.distance, false};
 }

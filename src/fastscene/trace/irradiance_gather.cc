@@ -18,8 +18,9 @@ using namespace irradiance;
 namespace {
 
 constexpr int kPasses = 6;
-constexpr int kUnseenShare = 3;   // a cell that nobody sees gets one path of so many
-// Harmonic mean distance of what surrounds an entry, in cells: below the first it is in a corner, above the second in the open.
+constexpr int kUnseenShare = 3;  // a cell that nobody sees gets one path of so many
+// Harmonic mean distance of what surrounds an entry, in cells: below the first it is in a corner, above the second in
+// the open.
 constexpr float kNearCells = 4, kOpenCells = 9;
 
 // How well a mean is known by the numbers that it was made of.
@@ -33,8 +34,8 @@ struct Spread {
     }
 };
 
-// In a white room a tenth of the light has bounced more than eight times. After a few bounces each adds to the last in the same
-// proportion, so the sum of all that follow is known: a geometric series.
+// In a white room a tenth of the light has bounced more than eight times. After a few bounces each adds to the last in
+// the same proportion, so the sum of all that follow is known: a geometric series.
 class Rest {
   public:
     // The light of a room after one more pass -> what to multiply it by.
@@ -44,7 +45,8 @@ class Rest {
         for (std::size_t a = 0; a < 3; ++a) {
             // The ratio is seen while the passes are whole bounces; after that only small steps are left.
             if (passes_ == 1 || passes_ == 2) ratio_[a] = std::clamp(step[a] / std::max(1e-9f, step_[a]), 0.f, 0.9f);
-            if (passes_ >= 2 && sum[a] > 0) out[a] = std::clamp(1 + step[a] * ratio_[a] / (1 - ratio_[a]) / sum[a], 0.5f, 3.f);
+            if (passes_ >= 2 && sum[a] > 0)
+                out[a] = std::clamp(1 + step[a] * ratio_[a] / (1 - ratio_[a]) / sum[a], 0.5f, 3.f);
         }
         ++passes_;
         step_ = step;
@@ -68,9 +70,10 @@ std::uint64_t IrradianceCache::random_key(std::size_t cell, std::uint64_t pass, 
     return seed ^ mix64(keys_[cell] ^ mix64(pass));
 }
 
-// The sun first: what it lights is bright and small, and lights the rest of the room. Tells which of a cell's first kSunSamples places it reaches, a
-// bit each.
-std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, std::uint64_t seed) {
+// The sun first: what it lights is bright and small, and lights the rest of the room. Tells which of a cell's first
+// kSunSamples places it reaches, a bit each.
+std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                                         std::uint64_t seed) {
     std::vector<std::uint16_t> sunny(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -78,7 +81,8 @@ std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const
             Random random(random_key(c, 100, seed));
             Vec3f sum{};
             for (int s = 0; s < kSunSamples; ++s) {
-                const Vec3f sun = lights.sun(room, bvh, place(c, s).position, place(c, s).normal, {random.uniform(), random.uniform()});
+                const Vec3f sun = lights.sun(room, bvh, place(c, s).position, place(c, s).normal,
+                                             {random.uniform(), random.uniform()});
                 if (luminance(sun) > 0) sunny[c] = static_cast<std::uint16_t>(sunny[c] | 1u << s);
                 sum += sun;
             }
@@ -89,8 +93,9 @@ std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const
 }
 
 // Then lamps, windows and the first bounce of the sun, each asked directly.
-void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress) {
-    std::vector<float> error(cells_.size());   // standard errors of what was gathered
+void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
+                                    const Run& run, Progress& progress) {
+    std::vector<float> error(cells_.size());  // standard errors of what was gathered
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
@@ -124,12 +129,13 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
 struct IrradianceCache::Pass {
     int number = 0, rays = 0;
     std::vector<Vec3f> gathered;
-    std::vector<float> error;       // standard errors
-    std::vector<float> nearness;    // mean inverse distance of what the rays of a pass met, summed over the passes, 1/m
+    std::vector<float> error;     // standard errors
+    std::vector<float> nearness;  // mean inverse distance of what the rays of a pass met, summed over the passes, 1/m
 };
 
 // What each entry sees of the others, one bounce more.
-void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress, Pass& pass) {
+void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run,
+                                  Progress& progress, Pass& pass) {
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
@@ -141,7 +147,8 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
             Spread spread;
             int valid = 0;
             for (int s = 0; s < rays; ++s) {
-                const Bounce bounce = bounced(room, bvh, lights, place(c, s), r2_point(static_cast<std::uint32_t>(s), shift));
+                const Bounce bounce = bounced(room, bvh, lights, place(c, s),
+                                              r2_point(static_cast<std::uint32_t>(s), shift));
                 pass.nearness[c] += 1 / ((bounce.distance + 1e-3f) * static_cast<float>(rays));
                 // This bit of surface is buried and nobody will see it.
                 if (bounce.buried) continue;
@@ -157,14 +164,15 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
     });
 }
 
-// Everything else, pass by pass. The first passes only bring the light round the room, and what further bounces will add is
-// foreseen (Rest); the mean of the last ones is kept.
-void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run, Progress& progress) {
+// Everything else, pass by pass. The first passes only bring the light round the room, and what further bounces will
+// add is foreseen (Rest); the mean of the last ones is kept.
+void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
+                                      const Run& run, Progress& progress) {
     constexpr int kKept = 3;
     const std::size_t count = cells_.size();
     Pass pass{0, 0, std::vector<Vec3f>(count), std::vector<float>(count), std::vector<float>(count)};
     std::vector<Vec3f> kept(count);
-    std::vector<float> spoiled(count);   // squared error of `kept`
+    std::vector<float> spoiled(count);  // squared error of `kept`
     Rest rest;
     for (pass.number = 0; pass.number < kPasses; ++pass.number) {
         const bool keep = pass.number >= kPasses - kKept;
@@ -187,20 +195,21 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     }
     for (std::size_t c = 0; c < count; ++c) {
         cells_[c].indirect = kept[c];
-        const float around = static_cast<float>(kPasses) / std::max(1e-6f, pass.nearness[c]) / cell_m_;   // harmonic mean distance, in cells
+        const float around = static_cast<float>(kPasses) / std::max(1e-6f, pass.nearness[c]) /
+                             cell_m_;  // harmonic mean distance, in cells
         cells_[c].trust *= smooth_step(kNearCells, kOpenCells, around);
     }
     despeckle(true);
-    // Entries are gathered one by one; what remains of their noise is spread over the neighbours, widely because bounced
-    // light changes slowly.
+    // Entries are gathered one by one; what remains of their noise is spread over the neighbours, widely because
+    // bounced light changes slowly.
     std::vector<float> error(count);
     for (std::size_t c = 0; c < count; ++c) error[c] = std::sqrt(spoiled[c]);
     error = pooled(error);
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
-IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
-                                        const std::vector<Vec3f>& eyes) {
+IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params,
+                                        const Run& run, const std::vector<Vec3f>& eyes) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.

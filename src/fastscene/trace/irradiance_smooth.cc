@@ -12,8 +12,8 @@ namespace fastscene {
 
 using namespace irradiance;
 
-// An entry far brighter than all but one of its neighbours on the same surface caught a lucky path: it is held to them. What
-// is really that bright and that small (a candle's own wall) covers more than one cell.
+// An entry far brighter than all but one of its neighbours on the same surface caught a lucky path: it is held to them.
+// What is really that bright and that small (a candle's own wall) covers more than one cell.
 void IrradianceCache::despeckle(bool indirect) {
     std::vector<Vec3f> out(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -41,7 +41,8 @@ void IrradianceCache::despeckle(bool indirect) {
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
-// A few samples know little of their own error: where none of them met the lamp they seem to agree. Neighbours know together.
+// A few samples know little of their own error: where none of them met the lamp they seem to agree. Neighbours know
+// together.
 std::vector<float> IrradianceCache::pooled(const std::vector<float>& error) const {
     std::vector<float> out(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -62,9 +63,9 @@ std::vector<float> IrradianceCache::pooled(const std::vector<float>& error) cons
     return out;
 }
 
-// Averages each entry with its neighbours on the same surface, `step` cells apart; those that differ by more than noise explains
-// count less. Steps of 1, 2, 4 … one after the other make a wide filter of few taps (Dammertz et al. 2010), guided by the
-// standard error of each entry's luminance (Schied et al. 2017), which falls by what averaging gains.
+// Averages each entry with its neighbours on the same surface, `step` cells apart; those that differ by more than noise
+// explains count less. Steps of 1, 2, 4 … one after the other make a wide filter of few taps (Dammertz et al. 2010),
+// guided by the standard error of each entry's luminance (Schied et al. 2017), which falls by what averaging gains.
 void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error) {
     constexpr float kDeviations = 2.f, kAlways = 0.02f;
     std::vector<Vec3f> out(cells_.size());
@@ -90,10 +91,11 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
                 const float off = std::abs(dot(other.center - cell.center, cell.normal)) / cell_m_;
                 const Vec3f value = indirect ? other.indirect : other.direct;
                 const float difference = luminance(value) - base;
-                const float tolerance = kDeviations * kDeviations * (error[c] * error[c] + error[j] * error[j]) + always * always;
-                const float w =
-                    std::exp(-0.55f * static_cast<float>(dx * dx + dy * dy + dz * dz) - difference * difference / tolerance - 2.f * off * off) *
-                    agree * agree;
+                const float tolerance = kDeviations * kDeviations * (error[c] * error[c] + error[j] * error[j]) +
+                                        always * always;
+                const float w = std::exp(-0.55f * static_cast<float>(dx * dx + dy * dy + dz * dz) -
+                                         difference * difference / tolerance - 2.f * off * off) *
+                                agree * agree;
                 sum += value * w;
                 weight += w;
                 squares += w * w * error[j] * error[j];
@@ -106,10 +108,10 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
-// Where light changes from cell to cell (the edge of a shadow, the foot of a lamp) the cells are too coarse for it, and smoothing carried it
-// across; what is left of noise looks the same. Pictures ask again there.
+// Where light changes from cell to cell (the edge of a shadow, the foot of a lamp) the cells are too coarse for it, and
+// smoothing carried it across; what is left of noise looks the same. Pictures ask again there.
 void IrradianceCache::doubt_edges() {
-    constexpr float kSteady = 1.6f, kEdge = 2.4f;   // of two neighbours, the brighter by the darker
+    constexpr float kSteady = 1.6f, kEdge = 2.4f;  // of two neighbours, the brighter by the darker
     std::vector<float> trust(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
@@ -123,7 +125,9 @@ void IrradianceCache::doubt_edges() {
                 const int n = k == 13 ? -1 : find(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1, facing);
                 if (n < 0) continue;
                 const Cell& other = cells_[static_cast<std::size_t>(n)];
-                if (!(dot(other.normal, cell.normal) > 0.7f) || std::abs(dot(other.center - cell.center, cell.normal)) > 0.3f * cell_m_) continue;
+                if (!(dot(other.normal, cell.normal) > 0.7f) ||
+                    std::abs(dot(other.center - cell.center, cell.normal)) > 0.3f * cell_m_)
+                    continue;
                 const float there = luminance(other.direct + other.indirect) + 1e-6f;
                 most = std::max({most, here / there, there / here});
             }

@@ -9,7 +9,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kHalfTurn = 3.14159265f;
-constexpr int kMostCuts = 30;     // below so many levels halves by number: a path has 64 bits
+constexpr int kMostCuts = 30;      // below so many levels halves by number: a path has 64 bits
 constexpr float kCompact = 0.25f;  // metres
 
 float angle_between(Vec3f a, Vec3f b) { return std::acos(std::clamp(dot(a, b), -1.f, 1.f)); }
@@ -42,7 +42,8 @@ struct LightTree::Shape {
             *this = other;
             return;
         }
-        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], other.low[a]), high[a] = std::max(high[a], other.high[a]);
+        for (std::size_t a = 0; a < 3; ++a)
+            low[a] = std::min(low[a], other.low[a]), high[a] = std::max(high[a], other.high[a]);
         power += other.power;
         // A sheet beside a body shines to both sides; and of a sheet either side may be called its front.
         Vec3f towards = other.axis;
@@ -73,14 +74,16 @@ struct LightTree::Shape {
         if (!(power > 0)) return 0;
         const float r = radius(), reach = std::min(spread + 0.5f * kHalfTurn, kHalfTurn);
         const float solid = 1 - std::cos(spread) +
-                            0.25f * (2 * reach * std::sin(spread) - std::cos(spread - 2 * reach) - 2 * spread * std::sin(spread) + std::cos(spread));
+                            0.25f * (2 * reach * std::sin(spread) - std::cos(spread - 2 * reach) -
+                                     2 * spread * std::sin(spread) + std::cos(spread));
         return power * (r * r + 1e-8f) * (solid + 1e-3f);
     }
 };
 
 LightTree::Shape LightTree::shape_of(const Emitter& e) {
     Shape shape;
-    shape.low = e.low, shape.high = e.high, shape.gravity = e.center, shape.axis = e.normal, shape.power = e.power, shape.two_sided = e.two_sided;
+    shape.low = e.low, shape.high = e.high, shape.gravity = e.center, shape.axis = e.normal, shape.power = e.power,
+    shape.two_sided = e.two_sided;
     return shape;
 }
 
@@ -114,7 +117,8 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     nodes_.push_back(node);
     if (end - begin == 1) {
         nodes_.back().emitter = shapes[begin].emitter;
-        // It is flat, and its plane known. A triangle's corner may stand two thirds of its height over its center of gravity.
+        // It is flat, and its plane known. A triangle's corner may stand two thirds of its height over its center of
+        // gravity.
         nodes_.back().center = shapes[begin].gravity;
         nodes_.back().half = all.half() * (4.f / 3);
         return index;
@@ -123,7 +127,8 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     constexpr int kBins = 12;
     Vec3f low = shapes[begin].center(), high = low;
     for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], shapes[i].center()[a]), high[a] = std::max(high[a], shapes[i].center()[a]);
+        for (std::size_t a = 0; a < 3; ++a)
+            low[a] = std::min(low[a], shapes[i].center()[a]), high[a] = std::max(high[a], shapes[i].center()[a]);
     const auto bin_of = [&](const Shape& s, std::size_t axis) {
         return std::min(kBins - 1, static_cast<int>(kBins * (s.center()[axis] - low[axis]) / (high[axis] - low[axis])));
     };
@@ -133,7 +138,8 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     for (std::size_t axis = 0; axis < 3 && depth < kMostCuts; ++axis) {
         if (!(high[axis] - low[axis] > 1e-6f)) continue;
         std::array<Shape, kBins> bins{}, after{};
-        for (std::size_t i = begin; i < end; ++i) bins[static_cast<std::size_t>(bin_of(shapes[i], axis))].add(shapes[i]);
+        for (std::size_t i = begin; i < end; ++i)
+            bins[static_cast<std::size_t>(bin_of(shapes[i], axis))].add(shapes[i]);
         for (std::size_t k = kBins - 1; k > 0; --k) {
             after[k - 1] = after[k];
             after[k - 1].add(bins[k]);
@@ -148,9 +154,11 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     }
     std::size_t middle = begin + (end - begin) / 2;
     if (best_bin >= 0) {
-        const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(begin), last = shapes.begin() + static_cast<std::ptrdiff_t>(end);
-        middle = static_cast<std::size_t>(std::stable_partition(first, last, [&](const Shape& s) { return bin_of(s, best_axis) <= best_bin; }) -
-                                          shapes.begin());
+        const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(begin),
+                   last = shapes.begin() + static_cast<std::ptrdiff_t>(end);
+        middle = static_cast<std::size_t>(
+            std::stable_partition(first, last, [&](const Shape& s) { return bin_of(s, best_axis) <= best_bin; }) -
+            shapes.begin());
     }
     build(shapes, begin, middle, depth + 1);
     const std::int32_t second = build(shapes, middle, end, depth + 1);
@@ -162,24 +170,29 @@ float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
     const Vec3f to = node.center - position;
     // How high it stands over the horizon, what is below counted as 0: the mean over the box's heights, taken for even.
     const float middle = dot(normal, to);
-    const float reach = std::abs(normal.x) * node.half.x + std::abs(normal.y) * node.half.y + std::abs(normal.z) * node.half.z;
+    const float reach = std::abs(normal.x) * node.half.x + std::abs(normal.y) * node.half.y +
+                        std::abs(normal.z) * node.half.z;
     if (!(middle + reach > 0)) return 0;
     const float height = middle >= reach ? middle : (middle + reach) * (middle + reach) / (4 * reach);
     const float d2 = dot(to, to), r2 = node.radius * node.radius;
     if (node.emitter >= 0) {
-        const float away = -dot(node.axis, to), there = node.two_sided ? std::abs(away) : away, far2 = std::max({d2, 0.25f * r2, 1e-10f});
+        const float away = -dot(node.axis, to), there = node.two_sided ? std::abs(away) : away,
+                    far2 = std::max({d2, 0.25f * r2, 1e-10f});
         return there > 0 ? node.power * there * height / (far2 * far2) : 0;
     }
-    // From amid a row of lights the nearest give most: the mean of 1 / d2 along a row is one over its length and one over the way to it.
+    // From amid a row of lights the nearest give most: the mean of 1 / d2 along a row is one over its length and one
+    // over the way to it.
     float near2 = 0;
     for (std::size_t a = 0; a < 3; ++a) {
         const float out = std::max(0.f, std::abs(to[a]) - node.half[a]);
         near2 += out * out;
     }
-    const float d = std::sqrt(d2), far2 = std::max(std::sqrt(near2), 0.1f * node.radius) * std::max(d, node.radius) + 1e-10f;
+    const float d = std::sqrt(d2),
+                far2 = std::max(std::sqrt(near2), 0.1f * node.radius) * std::max(d, node.radius) + 1e-10f;
     const float here = std::min(1.f, height / std::sqrt(far2));
     if (!(d2 > r2)) return node.power * here / far2;  // within the ball anything may face here
-    const float sine = node.radius / d, away = std::clamp(-dot(node.axis, to) / d, -1.f, 1.f), cosine = node.two_sided ? std::abs(away) : away;
+    const float sine = node.radius / d, away = std::clamp(-dot(node.axis, to) / d, -1.f, 1.f),
+                cosine = node.two_sided ? std::abs(away) : away;
     // The narrowest angle to the normals, by the middle of the node and by any point of its ball.
     const Angle least = Angle{cosine, std::sqrt(1 - cosine * cosine)}.less({node.cosine, node.sine});
     const float best = least.less({std::sqrt(std::max(0.f, 1 - sine * sine)), sine}).cosine;
@@ -189,7 +202,8 @@ float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
 
 float LightTree::first_share(std::int32_t node, Vec3f position, Vec3f normal) const {
     const float first = importance(nodes_[static_cast<std::size_t>(node + 1)], position, normal);
-    const float second = importance(nodes_[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(node)].second)], position, normal);
+    const float second = importance(nodes_[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(node)].second)],
+                                    position, normal);
     return first + second > 0 ? first / (first + second) : -1;
 }
 
@@ -201,7 +215,8 @@ void LightTree::choose_heads() {
             const Node& node = nodes_[static_cast<std::size_t>(i)];
             return node.emitter >= 0 ? 0.f : node.radius;
         };
-        const auto widest = std::max_element(heads_.begin(), heads_.end(), [&](std::int32_t a, std::int32_t b) { return radius(a) < radius(b); });
+        const auto widest = std::max_element(heads_.begin(), heads_.end(),
+                                             [&](std::int32_t a, std::int32_t b) { return radius(a) < radius(b); });
         if (!(radius(*widest) > kCompact)) break;
         const std::int32_t second = nodes_[static_cast<std::size_t>(*widest)].second;
         ++*widest;
@@ -225,7 +240,8 @@ void LightTree::find(std::int32_t node, Place place) {
 LightTree::Shares LightTree::shares_of_heads(Vec3f position, Vec3f normal) const {
     Shares shares;
     float sum = 0;
-    for (std::size_t h = 0; h < heads_.size(); ++h) shares[h] = sum += importance(nodes_[static_cast<std::size_t>(heads_[h])], position, normal);
+    for (std::size_t h = 0; h < heads_.size(); ++h)
+        shares[h] = sum += importance(nodes_[static_cast<std::size_t>(heads_[h])], position, normal);
     return shares;
 }
 

@@ -1,9 +1,10 @@
 // Light tree: which of many small lights to ask from a place, drawn with a probability near what each gives there.
 //
-// A binary tree over all that shines, its nodes bounded by a box and a cone of directions (Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights
-// with Adaptive Tree Splitting"). On the way down a child is taken by power, distance and what the two cosines are within its bounds; what may shine on a
-// place always has a chance, and what faces away from it has none. Lamps that stand apart are not known by a box about them all, so the way down begins
-// at a few dozen nodes that are compact and are weighed one by one.
+// A binary tree over all that shines, its nodes bounded by a box and a cone of directions (Conty Estevez and Kulla
+// 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting"). On the way down a child is taken by power,
+// distance and what the two cosines are within its bounds; what may shine on a place always has a chance, and what
+// faces away from it has none. Lamps that stand apart are not known by a box about them all, so the way down begins at
+// a few dozen nodes that are compact and are weighed one by one.
 #pragma once
 
 #include <array>
@@ -30,7 +31,8 @@ class LightTree {
         int emitter = -1;  // -1: nothing shines here
         float chance = 0;
     };
-    // `normal` of length 1: of the surface that is lit. `u`: uniform in [0, 1); emitters that lie together get numbers that lie together.
+    // `normal` of length 1: of the surface that is lit. `u`: uniform in [0, 1); emitters that lie together get numbers
+    // that lie together.
     Drawn draw(Vec3f position, Vec3f normal, float u) const;
     // With what chance draw() finds an emitter.
     float chance(int emitter, Vec3f position, Vec3f normal) const;

@@ -12,7 +12,9 @@ namespace {
 
 using Corners = std::array<Vec3f, 3>;
 
-Vec3f somewhere(Random& dice, float reach) { return {dice.uniform(-reach, reach), dice.uniform(-reach, reach), dice.uniform(-reach, reach)}; }
+Vec3f somewhere(Random& dice, float reach) {
+    return {dice.uniform(-reach, reach), dice.uniform(-reach, reach), dice.uniform(-reach, reach)};
+}
 Vec3f some_way(Random& dice) {
     Vec3f v = somewhere(dice, 1);
     while (length(v) < 0.1f) v = somewhere(dice, 1);
@@ -37,7 +39,8 @@ struct Lamps {
                                      k % 3 == 0,
                                      i % 20 == 7 ? 0.f : dice.uniform(0.1f, 2)};
                 for (const Vec3f p : c)
-                    for (std::size_t a = 0; a < 3; ++a) e.low[a] = std::min(e.low[a], p[a]), e.high[a] = std::max(e.high[a], p[a]);
+                    for (std::size_t a = 0; a < 3; ++a)
+                        e.low[a] = std::min(e.low[a], p[a]), e.high[a] = std::max(e.high[a], p[a]);
                 corners.push_back(c);
                 emitters.push_back(e);
             }
@@ -57,7 +60,7 @@ TEST(LightTree, ChancesAreThoseOfDrawing) {
         constexpr int kDraws = 400;
         for (int s = 0; s < kDraws; ++s) {
             const LightTree::Drawn drawn = tree.draw(at, normal, dice.uniform());
-            if (drawn.emitter < 0) continue;   // no lamp of a node that may shine here does
+            if (drawn.emitter < 0) continue;  // no lamp of a node that may shine here does
             ++found;
             ASSERT_GT(lamps.emitters[static_cast<std::size_t>(drawn.emitter)].power, 0);
             ASSERT_NEAR(tree.chance(drawn.emitter, at, normal) / drawn.chance, 1, 1e-3);

@@ -15,8 +15,9 @@ constexpr float kSunRadius = 0.008f;  // of its disc, in radians: 0.9 degrees ac
 // Nearer than this a lamp's part is no brighter to the cache: keeps single samples from burning holes.
 constexpr float kNearest = 0.03f;
 
-// Radiance of all that is seen through a window that shines along `into`, the root of its mean square: what is uneven is to be asked more often. Not the
-// sky's alone: by night it is far darker than a town's lit windows, and a light that is asked a hundred times too seldom leaves clouds.
+// Radiance of all that is seen through a window that shines along `into`, the root of its mean square: what is uneven
+// is to be asked more often. Not the sky's alone: by night it is far darker than a town's lit windows, and a light that
+// is asked a hundred times too seldom leaves clouds.
 float brightness_behind(const SkyTable& sky, Vec3f into) {
     constexpr std::uint32_t kWays = 1024;
     float squares = 0;
@@ -98,7 +99,8 @@ float Lights::portal_density(const Room& room, Vec3f position, Vec3f normal, Vec
         if (!(far > 0)) continue;
         const Vec3f at = from + direction * far - p.corner;
         const float u = dot(at, p.edge_u) / dot(p.edge_u, p.edge_u), v = dot(at, p.edge_v) / dot(p.edge_v, p.edge_v);
-        if (u >= 0 && u <= 1 && v >= 0 && v <= 1) sum += tree_->chance(static_cast<int>(i), position, normal) * far * far / (cosine * area);
+        if (u >= 0 && u <= 1 && v >= 0 && v <= 1)
+            sum += tree_->chance(static_cast<int>(i), position, normal) * far * far / (cosine * area);
     }
     return sum;
 }
@@ -146,7 +148,8 @@ float Lights::density(const Room& room, Vec3f position, Vec3f normal, Vec3f dire
 Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
     const Towards light = draw(room, position, normal, which, uv);
     const float here = dot(normal, light.direction);
-    if (!(light.density > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far)) return {};
+    if (!(light.density > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
+        return {};
     const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
     return light.radiance * (here * near / light.density);
 }

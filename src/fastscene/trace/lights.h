@@ -23,7 +23,8 @@ class Lights {
         Vec3f radiance;
         float density = 0;  // per solid angle; 0: nothing drawn
     };
-    // `which`: the bit of a lamp or the window, by what it gives there (light_tree.h), `uv`: the place on it; uniform in [0, 1), best well spread.
+    // `which`: the bit of a lamp or the window, by what it gives there (light_tree.h), `uv`: the place on it; uniform
+    // in [0, 1), best well spread.
     Towards draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
     // The density with which draw() would have found this direction, whose ray ended in `hit`.
     float density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
@@ -41,10 +42,11 @@ class Lights {
         std::int32_t portal = -1;
     };
     float portal_density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
-    std::optional<SkyTable> sky_;              // where there are portals
-    std::vector<Emitter> emitters_;            // windows first
-    std::optional<LightTree> tree_;            // of emitters_
-    std::vector<std::int32_t> first_of_mesh_;  // the emitter that is its first triangle; the others follow. -1: does not glow, or is large
+    std::optional<SkyTable> sky_;    // where there are portals
+    std::vector<Emitter> emitters_;  // windows first
+    std::optional<LightTree> tree_;  // of emitters_
+    std::vector<std::int32_t>
+        first_of_mesh_;  // the emitter that is its first triangle; the others follow. -1: does not glow, or is large
     std::vector<bool> large_, closed_;
 };
 

@@ -67,7 +67,8 @@ inline float fbm2(Vec2f p, int octaves, float footprint, std::uint32_t seed) {
         const float fade = detail_fade(footprint, size);
         if (!(fade > 0.f)) break;
         sum += amplitude * fade * (noise2(p, seed + static_cast<std::uint32_t>(i)) - 0.5f);
-        p = Vec2f{p.x * 1.6f - p.y * 1.2f, p.x * 1.2f + p.y * 1.6f};  // doubled and turned, so that the lattice does not show
+        p = Vec2f{p.x * 1.6f - p.y * 1.2f,
+                  p.x * 1.2f + p.y * 1.6f};  // doubled and turned, so that the lattice does not show
         amplitude *= 0.5f;
         size *= 0.5f;
     }

@@ -1,5 +1,5 @@
-// What stands before the sky outside the windows: a garden, a street, a shore, mountains, a wood. It is so far away that it
-// depends on the direction alone.
+// What stands before the sky outside the windows: a garden, a street, a shore, mountains, a wood. It is so far away
+// that it depends on the direction alone.
 #pragma once
 
 #include "fastscene/scene/room.h"

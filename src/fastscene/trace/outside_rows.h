@@ -12,10 +12,10 @@ namespace fastscene::outside {
 
 // What lights the outside, as the radiance of a white wall.
 struct Light {
-    Vec3f shade;     // from the sky
-    Vec3f sun;       // from the sun on a surface that faces it
-    Vec3f street;    // from lamps in the street, after sunset
-    Vec3f haze;      // the color of far air
+    Vec3f shade;   // from the sky
+    Vec3f sun;     // from the sun on a surface that faces it
+    Vec3f street;  // from lamps in the street, after sunset
+    Vec3f haze;    // the color of far air
     Vec3f to_sun;
     float azimuth = 0, haziness = 1;
     bool dark = false, snow = false;
@@ -41,12 +41,12 @@ struct Light {
 };
 
 struct Row {
-    int cells;          // around the full turn
+    int cells;  // around the full turn
     float distance_m;
-    float low_m, high_m;   // heights of the eaves above the ground
-    float eye_m;        // height of the viewer above the ground
-    float gap;          // share of cells that stay empty
-    bool pitched;       // roofs
+    float low_m, high_m;  // heights of the eaves above the ground
+    float eye_m;          // height of the viewer above the ground
+    float gap;            // share of cells that stay empty
+    bool pitched;         // roofs
     float haze;
     std::uint32_t seed;
 };
@@ -55,7 +55,7 @@ void buildings(const Light& light, const Row& row, float azimuth, float height, 
 struct TreeRow {
     int cells;
     float distance_m;
-    float radius_m;     // of a crown
+    float radius_m;  // of a crown
     float eye_m;
     float gap;
     bool conifers;
@@ -65,18 +65,20 @@ struct TreeRow {
 };
 void trees(const Light& light, const TreeRow& row, float azimuth, float height, Vec3f& color);
 
-void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed, float azimuth, float height, Vec3f& color);
+void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed,
+           float azimuth, float height, Vec3f& color);
 
 // Clumps of leaves and flowers that stand along a bed; `planted` says of an azimuth whether one stands there.
 struct BedRow {
-    int cells;          // around the full turn
+    int cells;  // around the full turn
     float distance_m;
-    float radius_m, high_m;   // of a clump
+    float radius_m, high_m;  // of a clump
     float eye_m;
-    float bloom_m;      // of one flower, or of a bunch of them where they are far
+    float bloom_m;  // of one flower, or of a bunch of them where they are far
     float haze;
     std::uint32_t seed;
 };
-void beds(const Light& light, const BedRow& row, float azimuth, float height, const std::function<bool(float)>& planted, Vec3f& color);
+void beds(const Light& light, const BedRow& row, float azimuth, float height, const std::function<bool(float)>& planted,
+          Vec3f& color);
 
 }  // namespace fastscene::outside

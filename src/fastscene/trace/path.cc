@@ -12,16 +12,18 @@ namespace fastscene {
 namespace {
 
 constexpr int kMaxBounces = 48;
-constexpr int kSureBounces = 3;   // no path ends before by chance
+constexpr int kSureBounces = 3;  // no path ends before by chance
 
 // What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
 struct Arrival {
-    float density = 0;       // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
-    bool lights = false;     // whether that surface also asked the lights
+    float density =
+        0;  // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
+    bool lights = false;  // whether that surface also asked the lights
     Vec3f from, normal;
 };
 
-// A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the density of sampling `out`.
+// A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the density of
+// sampling `out`.
 struct Scatter {
     Vec3f value;
     float density = 0;
@@ -52,7 +54,8 @@ struct Local {
     }
 };
 
-// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in others that mirror it.
+// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in
+// others that mirror it.
 Vec3f asked_light(const PathScene& scene, const Local& local, bool behind, bool first, bool looking, Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
     const Vec3f normal = behind ? -s.normal : s.normal;
@@ -63,15 +66,18 @@ Vec3f asked_light(const PathScene& scene, const Local& local, bool behind, bool 
     if (light.density > 0) {
         const Scatter scatter = local.towards(light.direction);
         const Vec3f value = scatter.value * light.radiance;
-        if (luminance(value) > 0 && !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
+        if (luminance(value) > 0 &&
+            !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
             sum += value * (power_heuristic(light.density, scatter.density) / light.density);
     }
     // The sun is met by chance by nobody: its disc is not in the sky.
     const Vec2f disc = sampler.next2();
     const Vec3f facing = behind ? normal : s.bumped;
-    const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) * (looking ? scene.room.look.sun_seen : 1.f);
+    const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) *
+                      (looking ? scene.room.look.sun_seen : 1.f);
     if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse * local.relief) * sun * (1.f / kPi);
-    if (luminance(sun) > 0 && !behind) sum += sun_glint(scene.room.sky, s, local.r, local.direction, sun, first ? kSharpestSun : kWideSun);
+    if (luminance(sun) > 0 && !behind)
+        sum += sun_glint(scene.room.sky, s, local.r, local.direction, sun, first ? kSharpestSun : kWideSun);
     return sum;
 }
 
@@ -81,18 +87,25 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     Vec3f sum{}, throughput{1, 1, 1};
     Arrival arrival;
     float width = pixel_angle, travelled = 0;
-    bool first = true;     // the camera sees this surface
-    bool looking = true;   // mirrored at most: what lies here is looked at; after that it only lights something
+    bool first = true;    // the camera sees this surface
+    bool looking = true;  // mirrored at most: what lies here is looked at; after that it only lights something
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
         // One looks through panes, those that a perfect mirror shows too; light passes them.
         const bool clearly = looking && !(arrival.density > 0);
         const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
         float by_chance = 1;
-        if (arrival.lights) by_chance = power_heuristic(arrival.density, scene.lights.density(scene.room, arrival.from, arrival.normal, direction, hit));
-        if (!hit) return sum + throughput * (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction) : sky_radiance(scene.room.sky, direction)) * by_chance;
+        if (arrival.lights)
+            by_chance = power_heuristic(arrival.density,
+                                        scene.lights.density(scene.room, arrival.from, arrival.normal, direction, hit));
+        if (!hit)
+            return sum + throughput *
+                             (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction)
+                                      : sky_radiance(scene.room.sky, direction)) *
+                             by_chance;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
-        const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant), first);
+        const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant),
+                                              first);
         const Material& m = *s.material;
         sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * by_chance;
         if (clearly && is_clear(m)) {
@@ -110,7 +123,8 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
 
         const Response r = response_of(s, direction);
         const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
-        const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), shine = luminance(r.shine), all = diffuse + behind + shine;
+        const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), shine = luminance(r.shine),
+                    all = diffuse + behind + shine;
         if (!(all > 0)) return sum;
         const Local local{s, r, direction, std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f), shine / all, behind / all};
 
@@ -121,7 +135,9 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         if (next.lights) {
             next.from = s.position;
             // One side of a thin sheet is asked, by how much it lets through.
-            const float ask_behind = local.p_behind > 0 ? local.p_behind / std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_shine)) : 0.f;
+            const float ask_behind = local.p_behind > 0
+                                         ? local.p_behind / std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_shine))
+                                         : 0.f;
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
             sum += throughput * asked_light(scene, local, side, first, looking, sampler) *

@@ -35,7 +35,11 @@ Room box_room(const Material& walls) {
 }
 
 // Closed room, albedo 1/2, emission 1/2: radiance 1 everywhere.
-TEST(Path, Furnace) { EXPECT_NEAR(mean_radiance(box_room(diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})), normalize(Vec3f{0.3f, 0.2f, 1}), 4096), 1.f, 0.01f); }
+TEST(Path, Furnace) {
+    EXPECT_NEAR(
+        mean_radiance(box_room(diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})), normalize(Vec3f{0.3f, 0.2f, 1}), 4096),
+        1.f, 0.01f);
+}
 
 // What samples of the light that falls on a place say: their mean, how far they stray from it, the largest.
 struct Samples {
@@ -47,15 +51,16 @@ Samples sampled_light(const Room& room, Vec3f place, Vec3f normal, int count, st
     double sum = 0, squares = 0, largest = 0;
     for (int i = 0; i < count; ++i) {
         Random random(seed, "samples of light", static_cast<std::uint64_t>(i));
-        const double e =
-            luminance(lights.sample(room, bvh, place, normal, random.uniform(), {random.uniform(), random.uniform()}));
+        const double e = luminance(
+            lights.sample(room, bvh, place, normal, random.uniform(), {random.uniform(), random.uniform()}));
         sum += e, squares += e * e, largest = std::max(largest, e);
     }
     const double mean = sum / count;
     return {mean, std::sqrt(squares / count - mean * mean), largest};
 }
 
-// The ceiling sees one narrow side of a flat lamp under it, a twentieth of what glows: most samples must go there, not to the underside.
+// The ceiling sees one narrow side of a flat lamp under it, a twentieth of what glows: most samples must go there, not
+// to the underside.
 TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
@@ -68,15 +73,18 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     constexpr int kStrips = 200;
     for (int i = 0; i < kStrips; ++i)
         for (int k = 0; k < kStrips; ++k) {
-            const double y = 0.001 + (deep - 0.001) * (i + 0.5) / kStrips, z = 2 * half * ((k + 0.5) / kStrips - 0.5), x = 0.8 - half;
+            const double y = 0.001 + (deep - 0.001) * (i + 0.5) / kStrips, z = 2 * half * ((k + 0.5) / kStrips - 0.5),
+                         x = 0.8 - half;
             const double d2 = x * x + y * y + z * z;
             wanted += 10 * (y * x) / (d2 * d2) * (deep - 0.001) * 2 * half / (kStrips * kStrips);
         }
     EXPECT_NEAR(light.mean / wanted, 1, 0.03);
-    EXPECT_LT(light.deviation / light.mean, 1.5);  // drawn by power alone, one sample of twenty would get there: above 4
+    EXPECT_LT(light.deviation / light.mean,
+              1.5);  // drawn by power alone, one sample of twenty would get there: above 4
 }
 
-// The spots of a ceiling are one object. From under one of them that one is asked, not each as often as another: walls beneath spots were clouded.
+// The spots of a ceiling are one object. From under one of them that one is asked, not each as often as another: walls
+// beneath spots were clouded.
 TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
     const auto deviation = [](int objects) {
         Room room = box_room(diffuse({0, 0, 0}));
@@ -85,45 +93,50 @@ TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
         for (int i = 0; i < objects; ++i) room.objects.push_back({});
         constexpr int kRow = 5;
         for (int i = 0; i < kRow * kRow; ++i) {
-            const Vec3f at{1.2f * static_cast<float>(i % kRow - kRow / 2), -1, 1.2f * static_cast<float>(i / kRow - kRow / 2)};
-            room.meshes.push_back(box_mesh(at - Vec3f{0.03f, 5e-4f, 0.03f}, at + Vec3f{0.03f, 5e-4f, 0.03f}, 1, i % objects, false));
+            const Vec3f at{1.2f * static_cast<float>(i % kRow - kRow / 2), -1,
+                           1.2f * static_cast<float>(i / kRow - kRow / 2)};
+            room.meshes.push_back(
+                box_mesh(at - Vec3f{0.03f, 5e-4f, 0.03f}, at + Vec3f{0.03f, 5e-4f, 0.03f}, 1, i % objects, false));
         }
         const Samples light = sampled_light(room, {0, -0.6f, 0}, {0, -1, 0}, 8192, 5);
         // All are small: their area, less for each the farther and the more slanted, by 1/d2 and two cosines.
         double wanted = 0;
         for (int i = 0; i < kRow * kRow; ++i) {
-            const double x = 1.2 * (i % kRow - kRow / 2), z = 1.2 * (i / kRow - kRow / 2), y = 0.3995, d2 = x * x + y * y + z * z;
+            const double x = 1.2 * (i % kRow - kRow / 2), z = 1.2 * (i / kRow - kRow / 2), y = 0.3995,
+                         d2 = x * x + y * y + z * z;
             wanted += 50 * 0.06 * 0.06 * (y / std::sqrt(d2)) * (y / std::sqrt(d2)) / d2;
         }
         EXPECT_NEAR(light.mean / wanted, 1, 0.03) << objects;
         return light.deviation / light.mean;
     };
     const double together = deviation(1), apart = deviation(25);
-    EXPECT_LT(together, 0.6);   // each as often as another: above 4
+    EXPECT_LT(together, 0.6);  // each as often as another: above 4
     EXPECT_LT(together, 1.3 * apart + 0.05);
 }
 
-// The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would count again, by rare loud samples that
-// leave clouds on far walls.
+// The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would
+// count again, by rare loud samples that leave clouds on far walls.
 TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {1, 1, 1}));
     const float half = 0.15f, front = 1.2f;
     room.meshes.push_back(box_mesh({-half, -half, front}, {half, half, front + 0.001f}, 1, -1, false));
     const Samples light = sampled_light(room, {0, 0, -2}, {0, 0, 1}, 8192, 4);
-    const double far = front + 2, wanted = 4 * half * half / (far * far);   // the form factor of a small square, times pi
+    const double far = front + 2,
+                 wanted = 4 * half * half / (far * far);  // the form factor of a small square, times pi
     EXPECT_NEAR(light.mean / wanted, 1, 0.03);
     EXPECT_LT(light.largest, 2 * wanted);
 }
 
-// By night a town's windows are most of what shines in: they are asked by what they give, not by the dark sky above them.
+// By night a town's windows are most of what shines in: they are asked by what they give, not by the dark sky above
+// them.
 TEST(Lights, ALitTownIsNoRareSpark) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.sky.time = Sky::Time::night;
     room.sky.view = Sky::View::city;
     room.sky.horizon = room.sky.zenith = room.sky.ground = {1e-4f, 1e-4f, 1e-4f};
     room.materials.push_back(diffuse({0, 0, 0}, {0.2f, 0.2f, 0.2f}));
-    room.meshes = {box_mesh({-0.1f, -1, -2}, {0.1f, -0.9f, -1.8f}, 1, -1, false)};   // a lamp; no walls
+    room.meshes = {box_mesh({-0.1f, -1, -2}, {0.1f, -0.9f, -1.8f}, 1, -1, false)};  // a lamp; no walls
     room.portals.push_back({{-0.6f, -0.6f, 2.5f}, {0, 1.2f, 0}, {1.2f, 0, 0}});
     const SceneBvh bvh(room);
     const Lights lights(room);
@@ -133,8 +146,8 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     constexpr int kSamples = 20'000;
     for (int i = 0; i < kSamples; ++i) {
         Random random(6, "town", static_cast<std::uint64_t>(i));
-        const Lights::Towards drawn =
-            lights.draw(room, place, ahead, random.uniform(), {random.uniform(), random.uniform()});
+        const Lights::Towards drawn = lights.draw(room, place, ahead, random.uniform(),
+                                                  {random.uniform(), random.uniform()});
         const float here = dot(drawn.direction, ahead);
         const double e = drawn.density > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.density : 0;
         light += e;
@@ -147,8 +160,8 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     EXPECT_GT(asked / kSamples, 0.25 * share);
 }
 
-// A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed form of a
-// parallel rectangle (Howell, B-3).
+// A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed
+// form of a parallel rectangle (Howell, B-3).
 TEST(Path, LightAskedAndFoundIsCountedOnce) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
@@ -180,17 +193,23 @@ TEST(Path, SurfacesLoseEnergy) {
             m.metal = metal;
             m.specular = 0.04f;
             m.emission = {0.1f, 0.1f, 0.1f};
-            EXPECT_LT(mean_radiance(box_room(m), normalize(Vec3f{1, 0.1f, 0.4f}), 1024), 1.2f) << roughness << " " << metal;
+            EXPECT_LT(mean_radiance(box_room(m), normalize(Vec3f{1, 0.1f, 0.4f}), 1024), 1.2f)
+                << roughness << " " << metal;
         }
 }
 
-// Patterns make a surface by turns a bit rougher and smoother (clouds in concrete): no outline shows where it stops to mirror.
+// Patterns make a surface by turns a bit rougher and smoother (clouds in concrete): no outline shows where it stops to
+// mirror.
 TEST(Path, ASurfaceGrowsMattWithoutAStep) {
     Material m = diffuse({0.3f, 0.3f, 0.3f});
     m.specular = 0.04f;
     for (const float steep : {1.f, 0.4f, 0.15f}) {
         const Vec3f normal{0, -1, 0}, in = normalize(Vec3f{1, steep, 0});
-        const auto at = [&](float r) { return response_of({.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}}, in); };
+        const auto at = [&](float r) {
+            return response_of(
+                {.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}},
+                in);
+        };
         const float glossy = at(0.3f).shine.x;
         EXPECT_GE(glossy, 0.04f);
         EXPECT_EQ(at(0.7f).shine.x, 0);
@@ -210,7 +229,8 @@ TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
         const int nt = 400, np = 800;
         for (int i = 0; i < nt; ++i)
             for (int k = 0; k < np; ++k) {
-                const float t = kPi * (static_cast<float>(i) + 0.5f) / nt, p = 2 * kPi * (static_cast<float>(k) + 0.5f) / np;
+                const float t = kPi * (static_cast<float>(i) + 0.5f) / nt,
+                            p = 2 * kPi * (static_cast<float>(k) + 0.5f) / np;
                 const Vec3f out{std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)};
                 sum += static_cast<double>(ggx_density(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
             }
@@ -239,7 +259,8 @@ TEST(Path, CachedPicturesAgree) {
     room.meshes.push_back(box_mesh({-0.2f, -1.05f, 0.8f}, {0.2f, -1.f, 1.2f}, 1, -1, false));
     room.meshes.push_back(box_mesh({0.7f, 0.5f, 1.2f}, {1.5f, 1.5f, 1.8f}, 2, -1, false));
     TracedRoom traced(std::move(room));
-    traced.gather_light({.cell_m = 0.06f, .cell_samples = 128, .pixel_samples = 16}, {});   // larger cells spread the lamp's pool: +6 % at 12 cm
+    traced.gather_light({.cell_m = 0.06f, .cell_samples = 128, .pixel_samples = 16},
+                        {});  // larger cells spread the lamp's pool: +6 % at 12 cm
     const auto mean = [&](const ShotParts& parts) {
         const ImageColor image = traced.panorama({}, {32, 16}, parts, {}).color;
         double sum = 0;
@@ -251,7 +272,8 @@ TEST(Path, CachedPicturesAgree) {
     EXPECT_NEAR(cached / paths, 1.0, 0.05);
 }
 
-// A camera sees the sun with restraint on what it looks at, in mirrors too; what the sun's patch lights is lit by all of it.
+// A camera sees the sun with restraint on what it looks at, in mirrors too; what the sun's patch lights is lit by all
+// of it.
 TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
     const auto room_of = [](float sun_seen) {
         Room room;
@@ -261,20 +283,25 @@ TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
         room.sky.sun_dir = {0, -1, 0};
         room.sky.sun_irradiance = {10, 10, 10};
         // No ceiling: the sun stands above a floor, a wall that only the floor lights and a mirror across from it.
-        room.meshes = {box_mesh({-2, 1.5f, -2.5f}, {2, 1.6f, 2.5f}, 0, -1, false), box_mesh({-2, -1.5f, 2.5f}, {2, 1.5f, 2.6f}, 0, -1, false),
+        room.meshes = {box_mesh({-2, 1.5f, -2.5f}, {2, 1.6f, 2.5f}, 0, -1, false),
+                       box_mesh({-2, -1.5f, 2.5f}, {2, 1.5f, 2.6f}, 0, -1, false),
                        box_mesh({-2, -1.5f, -2.6f}, {2, 1.5f, -2.5f}, 1, -1, false)};
         room.look.automatic = false;
         room.look.sun_seen = sun_seen;
         return room;
     };
-    const Vec3f floor = normalize(Vec3f{0.3f, 1, 0.5f}), wall = normalize(Vec3f{0.3f, 0.1f, 1}), mirrored = normalize(Vec3f{0.1f, 0.25f, -1});
+    const Vec3f floor = normalize(Vec3f{0.3f, 1, 0.5f}), wall = normalize(Vec3f{0.3f, 0.1f, 1}),
+                mirrored = normalize(Vec3f{0.1f, 0.25f, -1});
     const auto cached = [](const TracedRoom& room, Vec3f direction) {
         const Vec3f right = normalize(cross(Vec3f{0, 1, 0}, direction)), down = cross(direction, right);
         const ShotParts parts{.color = true, .range = false, .pixel_samples = 16, .radiance = true};
-        return luminance(room.perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {}).color.at(0, 0));
+        return luminance(
+            room.perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {})
+                .color.at(0, 0));
     };
     TracedRoom full(room_of(1)), less(room_of(0.2f));
-    for (TracedRoom* room : {&full, &less}) room->gather_light({.cell_m = 0.1f, .cell_samples = 64, .pixel_samples = 16}, {});
+    for (TracedRoom* room : {&full, &less})
+        room->gather_light({.cell_m = 0.1f, .cell_samples = 64, .pixel_samples = 16}, {});
     constexpr int kPaths = 2048;
     const float by_paths[3] = {mean_radiance(room_of(0.2f), floor, kPaths), mean_radiance(room_of(0.2f), wall, kPaths),
                                mean_radiance(room_of(0.2f), mirrored, kPaths)};
@@ -290,8 +317,8 @@ TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
     EXPECT_NEAR(by_paths[2] / in_full[2], by_paths[0] / in_full[0], 0.1f) << "the mirror shows the floor as it looks";
 }
 
-// Clear glass stands between a lamp, the sun and a floor: they light it as if it were not there. Seen through, the path traced picture agrees with the cached
-// one; colored and frosted glass still takes its share.
+// Clear glass stands between a lamp, the sun and a floor: they light it as if it were not there. Seen through, the path
+// traced picture agrees with the cached one; colored and frosted glass still takes its share.
 TEST(Path, LightPassesClearGlass) {
     const auto room_of = [](float roughness, bool pane) {
         Room room = box_room(diffuse({0.4f, 0.4f, 0.4f}));
@@ -302,7 +329,9 @@ TEST(Path, LightPassesClearGlass) {
         glass.specular = 0.04f;
         room.materials.push_back(glass);
         room.meshes.push_back(box_mesh({-1.9f, -0.2f, 1.4f}, {-1.6f, 0.2f, 1.8f}, 1, -1, false));
-        if (pane) room.meshes.push_back(box_mesh({0, -1.1f, 0.9f}, {0.01f, 1.5f, 2.5f}, 2, -1, false));   // from floor to ceiling
+        if (pane)
+            room.meshes.push_back(
+                box_mesh({0, -1.1f, 0.9f}, {0.01f, 1.5f, 2.5f}, 2, -1, false));  // from floor to ceiling
         return room;
     };
     const auto cached = [](const Room& room, Vec3f direction) {
@@ -310,7 +339,10 @@ TEST(Path, LightPassesClearGlass) {
         traced.gather_light({.cell_m = 0.1f, .cell_samples = 96, .pixel_samples = 64}, {});
         const Vec3f right = normalize(cross(Vec3f{0, 1, 0}, direction)), down = cross(direction, right);
         const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true};
-        return luminance(traced.perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {}).color.at(0, 0));
+        return luminance(
+            traced
+                .perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {})
+                .color.at(0, 0));
     };
     // A place behind the pane, seen past it; and the wall behind it, seen through it.
     const Vec3f past = normalize(Vec3f{1.2f, 1.5f, 0.7f}), through = normalize(Vec3f{0.5f, 0.2f, 2.f});
@@ -319,10 +351,12 @@ TEST(Path, LightPassesClearGlass) {
     EXPECT_NEAR(mean_radiance(room_of(0.05f, true), past, kPaths) / open, 1.f, 0.05f);
     EXPECT_LT(mean_radiance(room_of(0.9f, true), past, kPaths) / open, 0.9f) << "frosted glass scatters it";
     EXPECT_NEAR(cached(room_of(0.05f, true), past) / cached(room_of(0.05f, false), past), 1.f, 0.05f);
-    EXPECT_NEAR(cached(room_of(0.05f, true), through) / mean_radiance(room_of(0.05f, true), through, kPaths), 1.f, 0.08f);
+    EXPECT_NEAR(cached(room_of(0.05f, true), through) / mean_radiance(room_of(0.05f, true), through, kPaths), 1.f,
+                0.08f);
 }
 
-// A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut into `cut` x `cut` squares.
+// A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut
+// into `cut` x `cut` squares.
 Room shingled_room(int cut) {
     Room room;
     room.min_corner = kLow, room.max_corner = kHigh;
@@ -330,7 +364,7 @@ Room shingled_room(int cut) {
     room.sky.sun_dir = {0, -1, 0};
     room.sky.sun_irradiance = {10, 10, 10};
     room.meshes = {box_mesh({kLow.x, kLow.y - 3, kLow.z - 0.2f}, {kHigh.x, kHigh.y, kLow.z}, 0, -1, false),
-                   box_mesh({-1.5f, -0.5f, 1}, {1.5f, 1, 1.1f}, 0, -1, false),   // which only they light
+                   box_mesh({-1.5f, -0.5f, 1}, {1.5f, 1, 1.1f}, 0, -1, false),  // which only they light
                    // Black all around, but for the sky: places that see nothing are taken for the outside of the room.
                    box_mesh({kLow.x, kHigh.y, kLow.z}, {kHigh.x, kHigh.y + 0.2f, kHigh.z}, 1, -1, false),
                    box_mesh({kLow.x - 0.2f, kLow.y, kLow.z}, {kLow.x, kHigh.y, kHigh.z}, 1, -1, false),
@@ -341,8 +375,10 @@ Room shingled_room(int cut) {
     for (float x = -1.5f; x < 1.5f; x += 0.06f)
         for (int i = 0; i < cut; ++i)
             for (int k = 0; k < cut; ++k) {
-                const Vec3f at = Vec3f{x, 0.2f, kLow.z + 0.01f} + across * (side * static_cast<float>(i)) + up * (side * static_cast<float>(k));
-                for (const Vec3f p : {at, at + across * side, at + up * side, at + up * side, at + across * side, at + across * side + up * side}) {
+                const Vec3f at = Vec3f{x, 0.2f, kLow.z + 0.01f} + across * (side * static_cast<float>(i)) +
+                                 up * (side * static_cast<float>(k));
+                for (const Vec3f p : {at, at + across * side, at + up * side, at + up * side, at + across * side,
+                                      at + across * side + up * side}) {
                     shingles.triangles.push_back(static_cast<std::uint32_t>(shingles.positions.size()));
                     shingles.positions.push_back(p);
                     shingles.normals.push_back(normal);
@@ -358,17 +394,21 @@ TEST(Path, LightDoesNotDependOnHowSurfacesAreCut) {
     const auto light_of_board = [](int cut) {
         TracedRoom traced(shingled_room(cut));
         traced.gather_light({.cell_m = 0.06f, .cell_samples = 256, .pixel_samples = 16}, {});
-        const ImageColor image = traced.panorama({}, {64, 32}, {.color = true, .range = false, .pixel_samples = 16, .radiance = true}, {}).color;
+        const ImageColor image = traced
+                                     .panorama({}, {64, 32},
+                                               {.color = true, .range = false, .pixel_samples = 16, .radiance = true},
+                                               {})
+                                     .color;
         double sum = 0;
         for (int y = 14; y < 20; ++y)
             for (int x = 26; x < 38; ++x) sum += static_cast<double>(luminance(image.at(x, y)));
         return sum;
     };
-    EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);   // 1.44 where places count alike
+    EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);  // 1.44 where places count alike
 }
 
-// A lacquered panel in the sun that comes over the camera's shoulder, and a floor that a barrier keeps in the shade: what of the floor lies where a mirror would
-// send the sun is much brighter than what lies aside.
+// A lacquered panel in the sun that comes over the camera's shoulder, and a floor that a barrier keeps in the shade:
+// what of the floor lies where a mirror would send the sun is much brighter than what lies aside.
 TEST(Path, LacquerInTheSunLightsWhatAMirrorWould) {
     Room room;
     room.min_corner = kLow, room.max_corner = kHigh;
@@ -379,7 +419,8 @@ TEST(Path, LacquerInTheSunLightsWhatAMirrorWould) {
     room.sky.sun_dir = normalize(Vec3f{0, -1, -1});
     room.sky.sun_irradiance = {10, 10, 10};
     const float floor = 1.4f;
-    room.meshes = {box_mesh({kLow.x, floor, kLow.z}, {kHigh.x, floor + 0.1f, 2.2f}, 0, -1, false), box_mesh({-0.6f, -0.9f, 2}, {0.6f, floor, 2.1f}, 1, -1, false),
+    room.meshes = {box_mesh({kLow.x, floor, kLow.z}, {kHigh.x, floor + 0.1f, 2.2f}, 0, -1, false),
+                   box_mesh({-0.6f, -0.9f, 2}, {0.6f, floor, 2.1f}, 1, -1, false),
                    box_mesh({-1.9f, 0.3f, 0.8f}, {1.9f, floor, 0.85f}, 2, -1, false)};
     TracedRoom traced(room);
     traced.gather_light({.cell_m = 0.06f, .cell_samples = 512, .pixel_samples = 16}, {});
@@ -391,7 +432,8 @@ TEST(Path, LacquerInTheSunLightsWhatAMirrorWould) {
     };
     constexpr int kPaths = 20000;
     const Vec3f before{0, 1, 1.4f}, aside{1.3f, 1, 1.4f};
-    const float wanted = mean_radiance(room, {0, 1, 0}, kPaths, before), wanted_aside = mean_radiance(room, {0, 1, 0}, kPaths, aside);
+    const float wanted = mean_radiance(room, {0, 1, 0}, kPaths, before),
+                wanted_aside = mean_radiance(room, {0, 1, 0}, kPaths, aside);
     EXPECT_GT(wanted, 6 * wanted_aside);
     EXPECT_NEAR(cached(before) / wanted, 1.f, 0.08f);
     EXPECT_NEAR(cached(aside) / wanted_aside, 1.f, 0.3f);

@@ -34,7 +34,8 @@ TextureValue fabric(const Material& m, const TexturePoint& p) {
     const float slub = fbm2({p.flat.x * 60.f, p.flat.y * 380.f}, 2, p.footprint_m * 200.f, m.seed) - 0.5f;
     const float broad = fbm3(p.coords * 9.f, 3, p.footprint_m * 9.f, m.seed + 3) - 0.5f;
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, 0.3f * w.warp) * (1.f + 0.16f * (w.height - 0.5f) + 0.1f * slub + 0.07f * broad);
+    v.albedo = lerp(m.color_a, m.color_b, 0.3f * w.warp) *
+               (1.f + 0.16f * (w.height - 0.5f) + 0.1f * slub + 0.07f * broad);
     v.roughness = std::max(m.roughness, 0.6f);
     v.height = w.height;
     return v;
@@ -57,10 +58,12 @@ TextureValue knit(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue carpet(const Material& m, const TexturePoint& p) {
-    const float tuft = fbm2(p.flat * 260.f, 3, p.footprint_m * 260.f, m.seed), shade = fbm2(p.flat * 3.f, 4, p.footprint_m * 3.f, m.seed + 5);
+    const float tuft = fbm2(p.flat * 260.f, 3, p.footprint_m * 260.f, m.seed),
+                shade = fbm2(p.flat * 3.f, 4, p.footprint_m * 3.f, m.seed + 5);
     const float fleck = fbm2(p.flat * 90.f, 2, p.footprint_m * 90.f, m.seed + 8);
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.35f * shade + 0.8f * (fleck - 0.5f))) * (0.8f + 0.4f * tuft) * (0.93f + 0.14f * shade);
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.35f * shade + 0.8f * (fleck - 0.5f))) * (0.8f + 0.4f * tuft) *
+               (0.93f + 0.14f * shade);
     v.roughness = 1.f;
     v.height = tuft;
     return v;
@@ -69,14 +72,15 @@ TextureValue carpet(const Material& m, const TexturePoint& p) {
 TextureValue leather(const Material& m, const TexturePoint& p) {
     const float fade = detail_fade(p.footprint_m, 0.005f);
     const float wear = fbm3(p.coords * 5.f, 4, p.footprint_m * 5.f, m.seed);
-    constexpr float kCreases = 0.25f;   // their mean
+    constexpr float kCreases = 0.25f;  // their mean
     float crease = 0.f;
     if (fade > 0.f) {
         const Voronoi c = voronoi2(p.flat * 260.f, m.seed + 2);
         crease = fade * (1.f - smooth_step(0.f, 0.22f, c.second - c.nearest));
     }
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, 0.6f * smooth_step(0.35f, 0.8f, wear)) * (1.f - 0.3f * (crease + kCreases * (1.f - fade)));
+    v.albedo = lerp(m.color_a, m.color_b, 0.6f * smooth_step(0.35f, 0.8f, wear)) *
+               (1.f - 0.3f * (crease + kCreases * (1.f - fade)));
     v.roughness = m.roughness * (0.85f + 0.3f * wear) + 0.15f * crease;
     v.height = 1.f - crease;
     return v;
@@ -92,8 +96,9 @@ TextureValue wicker(const Material& m, const TexturePoint& p) {
     const float h = mix(0.55f, unit_clamp((1.f - 4.f * across * across) * (0.25f + 0.75f * wave)), fade);
     const float tone = lattice_unit(row, floor_int(p.flat.x / (2.f * s)), 1, m.seed) - 0.5f;
     TextureValue v;
-    constexpr float kStrands = 0.54f;   // the share of strands in the color, from afar
-    v.albedo = lerp(m.color_b * 0.5f, m.color_a, mix(kStrands, smooth_step(0.f, 0.7f, h), fade)) * (1.f + 0.2f * fade * tone);
+    constexpr float kStrands = 0.54f;  // the share of strands in the color, from afar
+    v.albedo = lerp(m.color_b * 0.5f, m.color_a, mix(kStrands, smooth_step(0.f, 0.7f, h), fade)) *
+               (1.f + 0.2f * fade * tone);
     v.roughness = m.roughness;
     v.height = h;
     return v;

@@ -15,7 +15,9 @@ Vec3f sampled(const ImageRgb8& level, Vec2f uv) {
                 y = (1.f - (uv.y - std::floor(uv.y))) * static_cast<float>(level.height) - 0.5f;
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-    const auto texel = [&](int i, int j) { return linear_from_srgb8(level.at(wrapped(i, level.width), wrapped(j, level.height))); };
+    const auto texel = [&](int i, int j) {
+        return linear_from_srgb8(level.at(wrapped(i, level.width), wrapped(j, level.height)));
+    };
     return lerp(lerp(texel(x0, y0), texel(x0 + 1, y0), fx), lerp(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), fx), fy);
 }
 

@@ -20,7 +20,9 @@ Vec2f turned(Vec2f p, float angle) {
 }
 
 // The pile of a rug: short, slightly uneven.
-float pile(const Material& m, const TexturePoint& p) { return fbm2(p.flat * 330.f, 2, p.footprint_m * 330.f, m.seed + 77); }
+float pile(const Material& m, const TexturePoint& p) {
+    return fbm2(p.flat * 330.f, 2, p.footprint_m * 330.f, m.seed + 77);
+}
 
 // Motif of the field in [-1, 1]-ish units: 0 ground, 1 second color, 2 third color.
 int field_motif(const Material& m, Vec2f q, int style) {
@@ -28,9 +30,12 @@ int field_motif(const Material& m, Vec2f q, int style) {
         case 0: {  // lattice of lozenges
             const float a = fraction(q.x + q.y), b = fraction(q.x - q.y);
             const float edge = std::min(std::min(a, 1.f - a), std::min(b, 1.f - b));
-            return edge < 0.07f                                                                                                      ? 1
-                   : std::min(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) + std::max(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) < 0.22f ? 2
-                                                                                                                                     : 0;
+            return edge < 0.07f ? 1
+                   : std::min(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) +
+                               std::max(std::fabs(a - 0.5f), std::fabs(b - 0.5f)) <
+                           0.22f
+                       ? 2
+                       : 0;
         }
         case 1: {  // medallions
             const Vec2f c{fraction(q.x) - 0.5f, fraction(q.y) - 0.5f};
@@ -42,7 +47,8 @@ int field_motif(const Material& m, Vec2f q, int style) {
             const int band = floor_int(q.y);
             const float zig = std::fabs(fraction(q.x * 2.f) - 0.5f) * 0.8f, v = fraction(q.y);
             if (v < 0.08f) return 2;
-            return (band & 1) ? (std::fabs(v - 0.35f - zig) < 0.09f ? 1 : 0) : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
+            return (band & 1) ? (std::fabs(v - 0.35f - zig) < 0.09f ? 1 : 0)
+                              : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
         }
         default: {  // free islands
             const float f = fbm2(q * 0.7f, 4, 0.f, m.seed + 5);
@@ -54,8 +60,10 @@ int field_motif(const Material& m, Vec2f q, int style) {
 }  // namespace
 
 TextureValue rug(const Material& m, const TexturePoint& p) {
-    // coords are metres from the rug's middle; scale_m is half its width, coords.y half its depth (negative: a round rug).
-    const float half_x = positive(m.scale_m), half_z = p.coords.y > 0.f ? p.coords.y : half_x, half = std::min(half_x, half_z), fp = p.footprint_m;
+    // coords are metres from the rug's middle; scale_m is half its width, coords.y half its depth (negative: a round
+    // rug).
+    const float half_x = positive(m.scale_m), half_z = p.coords.y > 0.f ? p.coords.y : half_x,
+                half = std::min(half_x, half_z), fp = p.footprint_m;
     const int style = static_cast<int>(lattice_hash(1, 1, 1, m.seed) % 4);
     const float inset_x = half_x - std::fabs(p.flat.x), inset_z = half_z - std::fabs(p.flat.y);
     const bool round = p.coords.y < 0.f;
@@ -71,7 +79,8 @@ TextureValue rug(const Material& m, const TexturePoint& p) {
     const float band = 0.13f * half;
     if (style != 3 && inset < band) {
         const float t = inset / band;
-        const float along = round ? std::atan2(p.flat.y, p.flat.x) * half / band : (inset_x < inset_z ? p.flat.y : p.flat.x) / band;
+        const float along = round ? std::atan2(p.flat.y, p.flat.x) * half / band
+                                  : (inset_x < inset_z ? p.flat.y : p.flat.x) / band;
         const bool guard = (t > 0.12f && t < 0.22f) || (t > 0.82f && t < 0.92f);
         const bool bead = t > 0.34f && t < 0.7f && std::fabs(fraction(along) - 0.5f) + std::fabs(t - 0.52f) < 0.24f;
         c = guard ? m.color_c : bead ? m.color_a : m.color_b;
@@ -100,19 +109,24 @@ TextureValue stripes(const Material& m, const TexturePoint& p) {
 
 TextureValue damask(const Material& m, const TexturePoint& p) {
     // One mirrored motif a cell, cells in half drop.
-    constexpr float kShare = 0.31f;   // of the motif in the surface
+    constexpr float kShare = 0.31f;  // of the motif in the surface
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const int column = floor_int(p.flat.x / s);
     const float x = std::fabs(p.flat.x / s - static_cast<float>(column) - 0.5f);
     const float y = fraction(p.flat.y / (1.5f * s) + 0.5f * static_cast<float>(column & 1)) - 0.5f;
     const Vec2f q{x, y * 1.5f};
-    // A palmette above a flower, scrolls below; about each an ogee that it shares with its neighbours. x is mirrored: leaves lean to its far side.
+    // A palmette above a flower, scrolls below; about each an ogee that it shares with its neighbours. x is mirrored:
+    // leaves lean to its far side.
     float in = std::fabs(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f)) - 0.01f;
     in = std::min(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f), in);
-    for (int i = 0; i < 4; ++i) in = std::max(in, leaf_shape(turned(q - Vec2f{0.f, 0.03f}, -0.42f * static_cast<float>(i)), 0.46f - 0.055f * static_cast<float>(i), 0.055f));
+    for (int i = 0; i < 4; ++i)
+        in = std::max(in, leaf_shape(turned(q - Vec2f{0.f, 0.03f}, -0.42f * static_cast<float>(i)),
+                                     0.46f - 0.055f * static_cast<float>(i), 0.055f));
     in = std::max(in, leaf_shape(turned(q - Vec2f{0.04f, -0.18f}, -2.05f), 0.32f, 0.05f));
     in = std::max(in, leaf_shape(turned(q - Vec2f{0.02f, -0.22f}, -2.7f), 0.34f, 0.05f));
-    const float wave = 0.5f * (0.5f + 0.5f * std::cos(2.f * kPi * q.y / 1.5f)), steep = 0.5f * kPi / 1.5f * std::sin(2.f * kPi * q.y / 1.5f), apart = std::fabs(x - wave) / std::sqrt(1.f + steep * steep);
+    const float wave = 0.5f * (0.5f + 0.5f * std::cos(2.f * kPi * q.y / 1.5f)),
+                steep = 0.5f * kPi / 1.5f * std::sin(2.f * kPi * q.y / 1.5f),
+                apart = std::fabs(x - wave) / std::sqrt(1.f + steep * steep);
     in = std::max(in, 0.019f - apart);
     in = std::max(in, 0.007f - std::fabs(apart - 0.045f));
     const float cover = mix(kShare, edge_cover(in, std::max(fp, 0.004f)), detail_fade(fp, 0.5f));
@@ -127,10 +141,12 @@ TextureValue floral(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const Vec2f q = p.flat * (1.f / s);
     const Voronoi cell = voronoi2(q, m.seed);
-    const float r = 0.2f + 0.12f * static_cast<float>(cell.id & 255) / 255.f, angle = static_cast<float>((cell.id >> 8) & 255) * 0.0246f;
+    const float r = 0.2f + 0.12f * static_cast<float>(cell.id & 255) / 255.f,
+                angle = static_cast<float>((cell.id >> 8) & 255) * 0.0246f;
     const Vec2f o = turned(cell.offset, angle);
     const float soft = std::max(fp, 0.01f), fade = detail_fade(fp, 0.6f);
-    const float leaves = edge_cover(std::max(leaf_shape(turned(o, 0.7f), r * 2.2f, 0.07f), leaf_shape(turned(o, 3.6f), r * 2.2f, 0.07f)), soft);
+    const float leaves = edge_cover(
+        std::max(leaf_shape(turned(o, 0.7f), r * 2.2f, 0.07f), leaf_shape(turned(o, 3.6f), r * 2.2f, 0.07f)), soft);
     const float bloom = edge_cover(rose(o, 5, r, 0.35f), soft), eye = edge_cover(0.28f * r - length(o), soft);
     const Vec3f leaf_tone = lerp(m.color_c, m.color_a, 0.25f);
     Vec3f c = lerp(m.color_a, leaf_tone, leaves * fade);

@@ -17,8 +17,10 @@ Joint grid(Vec2f p, float width, float height, float stagger, float half_joint, 
     j.local = {x - static_cast<float>(j.column) * width, p.y - static_cast<float>(j.row) * height};
     const float dx = std::min(j.local.x, width - j.local.x), dy = std::min(j.local.y, height - j.local.y);
     // A footprint as wide as a cell sees its own share of joint.
-    const float cx = mix(std::min(1.f, 2 * half_joint / width), line_cover(dx, half_joint, footprint), detail_fade(footprint, width)),
-                cy = mix(std::min(1.f, 2 * half_joint / height), line_cover(dy, half_joint, footprint), detail_fade(footprint, height));
+    const float cx = mix(std::min(1.f, 2 * half_joint / width), line_cover(dx, half_joint, footprint),
+                         detail_fade(footprint, width)),
+                cy = mix(std::min(1.f, 2 * half_joint / height), line_cover(dy, half_joint, footprint),
+                         detail_fade(footprint, height));
     j.cover = cx + cy - cx * cy;
     j.edge_m = std::min(dx, dy);
     return j;
@@ -36,7 +38,8 @@ TextureValue glazed(const Material& m, const Joint& j, Vec3f tone, float footpri
 
 // Thin, wandering veins in [0, 1].
 float veins(Vec3f p, float footprint, std::uint32_t seed) {
-    const Vec3f warp{fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f, fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f};
+    const Vec3f warp{fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f,
+                     fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f};
     const float t = fbm3(p + warp * 1.6f, 4, footprint, seed);
     // Seen from afar veins are wider and paler, then nothing but their mean.
     constexpr float kWide = 0.055f, kMean = 0.2f, kGone = 0.5f;
@@ -46,7 +49,8 @@ float veins(Vec3f p, float footprint, std::uint32_t seed) {
 
 Vec3f marble_color(const Material& m, Vec3f p, float footprint) {
     const float scale = 1.f / positive(m.scale_m);
-    const float broad = veins(p * scale, footprint * scale, m.seed), fine = veins(p * (2.7f * scale), footprint * 2.7f * scale, m.seed + 31);
+    const float broad = veins(p * scale, footprint * scale, m.seed),
+                fine = veins(p * (2.7f * scale), footprint * 2.7f * scale, m.seed + 31);
     const float cloud = fbm3(p * (0.8f * scale), 3, footprint * scale, m.seed + 17);
     Vec3f c = lerp(m.color_a, m.color_b, 0.28f * smooth_step(0.4f, 0.8f, cloud));
     const float mask = smooth_step(0.35f, 0.65f, fbm3(p * (0.5f * scale), 2, footprint * scale, m.seed + 41));
@@ -79,9 +83,24 @@ TextureValue checker(const Material& m, const TexturePoint& p) {
     // Past the tile's size both colors merge.
     const float fade = detail_fade(p.footprint_m, s);
     const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
-    const Vec3f vein =
-        marble_color({"", Pattern::marble, {1, 1, 1}, {0.8f, 0.8f, 0.8f}, {0.75f, 0.75f, 0.75f}, 0.5f, 0, 0, 0, 0, 0, 0, {}, false, m.seed},
-                     {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)}, p.footprint_m);
+    const Vec3f vein = marble_color(
+        {"",
+         Pattern::marble,
+         {1, 1, 1},
+         {0.8f, 0.8f, 0.8f},
+         {0.75f, 0.75f, 0.75f},
+         0.5f,
+         0,
+         0,
+         0,
+         0,
+         0,
+         0,
+         {},
+         false,
+         m.seed},
+        {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)},
+        p.footprint_m);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;
     v.albedo = lerp(v.albedo, Vec3f{0.25f, 0.24f, 0.22f}, 0.6f * j.cover);
@@ -102,7 +121,8 @@ TextureValue brick(const Material& m, const TexturePoint& p) {
                        0.004f * (fbm2(p.flat * 40.f, 2, p.footprint_m * 40.f, m.seed + 2) - 0.5f)};
     const Joint j = grid(p.flat + wander, stretch, course, 0.5f, 0.005f, std::max(p.footprint_m, 0.0015f));
     const float tone = lattice_unit(j.column, j.row, 1, m.seed), shade = lattice_unit(j.column, j.row, 2, m.seed);
-    const float grit = fbm2(p.flat * 90.f, 3, p.footprint_m * 90.f, m.seed + 3), stain = fbm2(p.flat * 9.f, 3, p.footprint_m * 9.f, m.seed + 4);
+    const float grit = fbm2(p.flat * 90.f, 3, p.footprint_m * 90.f, m.seed + 3),
+                stain = fbm2(p.flat * 9.f, 3, p.footprint_m * 9.f, m.seed + 4);
     Vec3f c = lerp(m.color_a, m.color_c, 0.55f * tone * tone) * (0.8f + 0.35f * shade);
     c = c * (0.82f + 0.36f * grit) * (0.88f + 0.24f * stain);
     const Vec3f mortar = m.color_b * (0.85f + 0.3f * grit);
@@ -146,10 +166,14 @@ TextureValue terrazzo(const Material& m, const TexturePoint& p) {
     for (int layer = 0; layer < 2; ++layer) {
         const float scale = (layer == 0 ? 2.2f : 1.f) / s;
         const Voronoi cell = voronoi2(p.flat * scale, m.seed + 11u + static_cast<std::uint32_t>(layer));
-        const float chip =
-            edge_cover((cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale, p.footprint_m + 0.0006f);
+        const float chip = edge_cover(
+            (cell.second - cell.nearest - 0.16f - 0.25f * static_cast<float>(cell.id >> 24) / 255.f) / scale,
+            p.footprint_m + 0.0006f);
         const std::uint32_t kind = cell.id & 7;
-        const Vec3f tone = kind < 2 ? m.color_b : kind < 4 ? m.color_c : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f) : c;
+        const Vec3f tone = kind < 2    ? m.color_b
+                           : kind < 4  ? m.color_c
+                           : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f)
+                                       : c;
         // From afar the mean of all kinds in the share that chips cover.
         constexpr float kChips = 0.42f;
         const Vec3f chipped = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip),

@@ -22,7 +22,8 @@ Vec3f color_fields(const Material& m, Vec2f q, float soft) {
         const float h = 0.18f + 0.17f * lattice_unit(static_cast<int>(i), 0, 1, m.seed);
         const float wobble = 0.02f * (fbm2(q * 9.f, 3, 0.f, m.seed + i) - 0.5f);
         const float in = std::min(std::min(q.y - y, y + h - q.y), std::min(q.x - 0.07f, 0.93f - q.x)) + wobble;
-        c = lerp(c, paint(m, i + m.seed % 3) * (0.85f + 0.3f * fbm2(q * 5.f, 4, 0.f, m.seed + 9)), edge_cover(in, 0.03f + soft));
+        c = lerp(c, paint(m, i + m.seed % 3) * (0.85f + 0.3f * fbm2(q * 5.f, 4, 0.f, m.seed + 9)),
+                 edge_cover(in, 0.03f + soft));
         y += h + 0.04f;
     }
     return c;
@@ -42,10 +43,12 @@ Vec3f discs(const Material& m, Vec2f q, float soft) {
 // Layered hills under a sky with a sun.
 Vec3f landscape(const Material& m, Vec2f q, float soft) {
     Vec3f c = lerp(paint(m, 3), m.color_a, 0.7f * unit_clamp(1.f - q.y));
-    c = lerp(c, m.color_c, edge_cover(0.09f - length(q - Vec2f{0.3f + 0.4f * lattice_unit(0, 0, 3, m.seed), 0.28f}), soft));
+    c = lerp(c, m.color_c,
+             edge_cover(0.09f - length(q - Vec2f{0.3f + 0.4f * lattice_unit(0, 0, 3, m.seed), 0.28f}), soft));
     for (int i = 0; i < 4; ++i) {
         const float line = 0.42f + 0.14f * static_cast<float>(i) +
-                           0.22f * (fbm2({q.x * (2.f + static_cast<float>(i)), static_cast<float>(i)}, 3, 0.f, m.seed) - 0.5f);
+                           0.22f * (fbm2({q.x * (2.f + static_cast<float>(i)), static_cast<float>(i)}, 3, 0.f, m.seed) -
+                                    0.5f);
         c = lerp(c, lerp(m.color_b, paint(m, 4), 0.28f * static_cast<float>(i)) * 1.05f, edge_cover(q.y - line, soft));
     }
     return c;
@@ -53,7 +56,8 @@ Vec3f landscape(const Material& m, Vec2f q, float soft) {
 // Brush strokes that follow a swirling field.
 Vec3f strokes(const Material& m, Vec2f q, float soft) {
     const Vec2f warp{fbm2(q * 2.2f, 4, 0.f, m.seed) - 0.5f, fbm2(q * 2.2f, 4, 0.f, m.seed + 7) - 0.5f};
-    const float t = fbm2(q * 1.6f + warp * 2.4f, 5, soft, m.seed + 3), u = fbm2(q * 2.6f + warp * 3.f, 4, soft, m.seed + 5);
+    const float t = fbm2(q * 1.6f + warp * 2.4f, 5, soft, m.seed + 3),
+                u = fbm2(q * 2.6f + warp * 3.f, 4, soft, m.seed + 5);
     Vec3f c = lerp(paint(m, 3), m.color_a, smooth_step(0.35f, 0.6f, t));
     c = lerp(c, m.color_b, smooth_step(0.5f, 0.62f, u));
     return lerp(c, m.color_c, smooth_step(0.58f, 0.66f, t));
@@ -87,19 +91,22 @@ Vec3f arches(const Material& m, Vec2f q, float soft) {
         const float in = std::min(dy < 0 ? r - std::hypot(dx, dy) : r - std::fabs(dx), 0.9f - q.y);
         c = lerp(c, i % 2 == 1 ? paint(m, 3) : paint(m, static_cast<std::uint32_t>(i / 2)), edge_cover(in, soft));
     }
-    return lerp(c, m.color_c, edge_cover(0.075f - length(q - Vec2f{0.82f - 0.6f * lattice_unit(2, 0, 6, m.seed), 0.16f}), soft));
+    return lerp(c, m.color_c,
+                edge_cover(0.075f - length(q - Vec2f{0.82f - 0.6f * lattice_unit(2, 0, 6, m.seed), 0.16f}), soft));
 }
 // A twig with leaves in ink.
 Vec3f twig(const Material& m, Vec2f q, float soft) {
     const Vec3f ink = lerp(m.color_a, paint(m, 4), 0.45f);
-    const float sway = 0.16f * (lattice_unit(0, 0, 7, m.seed) - 0.5f), up = (0.93f - q.y) / 0.8f, stem = 0.5f + sway * std::sin(3.f * up);
+    const float sway = 0.16f * (lattice_unit(0, 0, 7, m.seed) - 0.5f), up = (0.93f - q.y) / 0.8f,
+                stem = 0.5f + sway * std::sin(3.f * up);
     Vec3f c = paint(m, 3);
     if (up > 0.f && up < 1.f) c = lerp(c, ink, edge_cover(0.006f - std::fabs(q.x - stem), soft));
     for (int i = 0; i < 11; ++i) {
         const float at = 0.14f + 0.08f * static_cast<float>(i), l = 0.27f * (1.1f - at);
         const float turn = (i % 2 ? 1.f : -1.f) * (0.75f + 0.3f * lattice_unit(i, 1, 7, m.seed));
         const Vec2f d{q.x - 0.5f - sway * std::sin(3.f * at), 0.93f - 0.8f * at - q.y};
-        const float along = d.x * std::sin(turn) + d.y * std::cos(turn), across = d.x * std::cos(turn) - d.y * std::sin(turn), t = along / l;
+        const float along = d.x * std::sin(turn) + d.y * std::cos(turn),
+                    across = d.x * std::cos(turn) - d.y * std::sin(turn), t = along / l;
         if (!(t > 0.f && t < 1.f)) continue;
         const float half = 0.24f * l * std::sin(3.14159f * std::pow(t, 0.75f));
         c = lerp(c, ink * (0.8f + 0.4f * lattice_unit(i, 2, 7, m.seed)), edge_cover(half - std::fabs(across), soft));
@@ -110,8 +117,10 @@ Vec3f twig(const Material& m, Vec2f q, float soft) {
 Vec3f seascape(const Material& m, Vec2f q, float soft) {
     const float horizon = 0.5f + 0.15f * lattice_unit(0, 0, 8, m.seed);
     const Vec3f glow = lerp(paint(m, 3), m.color_a, 0.35f), deep = lerp(m.color_b, paint(m, 4), 0.35f);
-    const float clouds = fbm2({q.x * 2.f, q.y * 9.f}, 4, 0.f, m.seed), waves = fbm2({q.x * 5.f, q.y * q.y * 60.f}, 3, soft * 30.f, m.seed + 3);
-    const Vec3f sky = lerp(lerp(m.color_c, glow, smooth_step(0.f, horizon, q.y)), paint(m, 3), 0.5f * smooth_step(0.45f, 0.7f, clouds));
+    const float clouds = fbm2({q.x * 2.f, q.y * 9.f}, 4, 0.f, m.seed),
+                waves = fbm2({q.x * 5.f, q.y * q.y * 60.f}, 3, soft * 30.f, m.seed + 3);
+    const Vec3f sky = lerp(lerp(m.color_c, glow, smooth_step(0.f, horizon, q.y)), paint(m, 3),
+                           0.5f * smooth_step(0.45f, 0.7f, clouds));
     const Vec3f sea = lerp(deep, glow, 0.55f * smooth_step(0.5f, 0.75f, waves) * (1.3f - q.y));
     return lerp(sky, sea, edge_cover(q.y - horizon, soft));
 }
@@ -155,10 +164,12 @@ TextureValue book(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m), y = p.coords.y / s, fp = p.footprint_m / s;
     const float tone = lattice_unit(1, 2, 3, m.seed);
     Vec3f c = m.color_a * (0.94f + 0.12f * fbm3(p.coords * 80.f, 2, p.footprint_m * 80.f, m.seed));
-    const float band = line_cover(y - 0.12f - 0.05f * tone, 0.012f, fp) + line_cover(y - 0.86f + 0.05f * tone, 0.012f, fp);
+    const float band = line_cover(y - 0.12f - 0.05f * tone, 0.012f, fp) +
+                       line_cover(y - 0.86f + 0.05f * tone, 0.012f, fp);
     float title = 0.f;
     if (y > 0.35f && y < 0.68f && std::fabs(p.coords.x) < 0.25f * 0.04f)
-        title = lattice_unit(floor_int(y * 60.f), 0, 5, m.seed) < 0.7f ? detail_fade(fp, 0.03f) : 0.3f * (1.f - detail_fade(fp, 0.03f));
+        title = lattice_unit(floor_int(y * 60.f), 0, 5, m.seed) < 0.7f ? detail_fade(fp, 0.03f)
+                                                                       : 0.3f * (1.f - detail_fade(fp, 0.03f));
     c = lerp(c, m.color_b, unit_clamp(band + title));
     TextureValue v;
     v.albedo = c;

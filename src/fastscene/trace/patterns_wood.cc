@@ -20,8 +20,8 @@ float grain(float across, float along, float footprint, std::uint32_t seed) {
 // One board out of a floor: its own tone, its own piece of trunk.
 TextureValue board(const Material& m, float across, float along, float footprint, std::uint32_t id) {
     const float tone = static_cast<float>(id & 255) / 255.f, warmth = static_cast<float>((id >> 8) & 255) / 255.f;
-    const float g = grain(across + static_cast<float>(id >> 24) * 0.37f, along + static_cast<float>((id >> 16) & 255) * 0.53f,
-                          footprint, m.seed + (id & 31));
+    const float g = grain(across + static_cast<float>(id >> 24) * 0.37f,
+                          along + static_cast<float>((id >> 16) & 255) * 0.53f, footprint, m.seed + (id & 31));
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.62f * (g - 0.3f) + 0.36f * (tone - 0.5f) + 0.1f));
     v.albedo = v.albedo * (0.9f + 0.2f * warmth);
@@ -68,9 +68,11 @@ TextureValue herringbone(const Material& m, const TexturePoint& p) {
     const int ix = floor_int(x), iy = floor_int(y);
     const int k = ((ix - iy) % (2 * n) + 2 * n) % (2 * n);
     const bool lying = k < n;
-    const float along = lying ? static_cast<float>(k) + x - static_cast<float>(ix) : static_cast<float>(2 * n - 1 - k) + y - static_cast<float>(iy);
+    const float along = lying ? static_cast<float>(k) + x - static_cast<float>(ix)
+                              : static_cast<float>(2 * n - 1 - k) + y - static_cast<float>(iy);
     const float across = lying ? y - static_cast<float>(iy) : x - static_cast<float>(ix);
-    const std::uint32_t id = lying ? lattice_hash(ix - k, iy, 3, m.seed) : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
+    const std::uint32_t id = lying ? lattice_hash(ix - k, iy, 3, m.seed)
+                                   : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
     TextureValue v = board(m, across * width, along * width, p.footprint_m, id);
     const float edge = std::min(std::min(across, 1.f - across), std::min(along, static_cast<float>(n) - along)) * width;
     cut_gap(v, line_cover(edge, kGapHalf * 0.8f, p.footprint_m));
@@ -97,8 +99,9 @@ TextureValue bark(const Material& m, const TexturePoint& p) {
     const float ridge = fbm3({angle * 3.f, p.coords.y / s * 0.35f, 0.f}, 4, p.footprint_m / s, m.seed);
     const float t = std::fabs(2.f * ridge - 1.f);
     TextureValue v;
-    constexpr float kRidges = 0.43f;   // the share of ridges in the color, from afar
-    v.albedo = lerp(m.color_b, m.color_a, mix(kRidges, smooth_step(0.02f, 0.4f, t), detail_fade(p.footprint_m, 0.5f * s)));
+    constexpr float kRidges = 0.43f;  // the share of ridges in the color, from afar
+    v.albedo = lerp(m.color_b, m.color_a,
+                    mix(kRidges, smooth_step(0.02f, 0.4f, t), detail_fade(p.footprint_m, 0.5f * s)));
     v.roughness = m.roughness;
     v.height = t;
     return v;

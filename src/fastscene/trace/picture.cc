@@ -17,8 +17,9 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNoisy = 0.03f;       // relative standard error of a pixel's light
-constexpr int kLeastRound = 3;        // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
+constexpr float kNoisy = 0.03f;  // relative standard error of a pixel's light
+constexpr int kLeastRound =
+    3;  // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
 
 // How well the mean of the samples so far is known. Strata make the true error smaller.
 class MeanError {
@@ -63,7 +64,7 @@ bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_norm
 struct SurfaceSum {
     int count = 0;
     Vec3f color{}, radiance{}, diffuse{}, shine{}, position{}, normal{};
-    std::array<LightSum, 3> lights;   // diffuse, sun, mirrored
+    std::array<LightSum, 3> lights;  // diffuse, sun, mirrored
     MeanError texture;
 
     bool takes(const Shaded& s) const { return count == 0 || !another_surface(position, normal, s.position, s.normal); }
@@ -92,8 +93,8 @@ struct SurfaceSum {
     }
 };
 
-// Everything that the rays of a pixel brought back. The surface that the first ray met, and the first other one that an outline lets in, are
-// kept apart from all else: their light can be compared with that of their neighbours.
+// Everything that the rays of a pixel brought back. The surface that the first ray met, and the first other one that an
+// outline lets in, are kept apart from all else: their light can be compared with that of their neighbours.
 struct PixelSum {
     int taken = 0;
     SurfaceSum own, second;
@@ -117,7 +118,7 @@ struct PixelSum {
 struct SecondSurface {
     int x = 0;
     float share = 0;
-    Vec3f color, radiance, position, normal, through, light;   // light: diffuse
+    Vec3f color, radiance, position, normal, through, light;  // light: diffuse
 };
 
 // What is kept of all pixels until their noise is averaged.
@@ -126,9 +127,10 @@ struct NoisyPicture {
     ImageF own_share;
     std::array<NoisyLight, 3> lights;
     Guides guides;
-    std::vector<std::vector<SecondSurface>> seconds;   // by row
+    std::vector<std::vector<SecondSurface>> seconds;  // by row
 
-    explicit NoisyPicture(const Eye& eye) : own_share(eye.width, eye.height), seconds(static_cast<std::size_t>(eye.height)) {
+    explicit NoisyPicture(const Eye& eye)
+        : own_share(eye.width, eye.height), seconds(static_cast<std::size_t>(eye.height)) {
         const ImageColor black(eye.width, eye.height);
         radiance = diffuse = shine = rest_color = guides.position = guides.normal = black;
         for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
@@ -152,8 +154,9 @@ struct NoisyPicture {
         if (p.second.count == 0) return;
         const SurfaceSum& other = p.second;
         const float of_other = 1 / static_cast<float>(other.count);
-        seconds[static_cast<std::size_t>(y)].push_back({x, static_cast<float>(other.count) * of_all, other.color * of_other,
-                                                        other.radiance * of_other, other.position, other.normal, other.through(0), other.light(0)});
+        seconds[static_cast<std::size_t>(y)].push_back(
+            {x, static_cast<float>(other.count) * of_all, other.color * of_other, other.radiance * of_other,
+             other.position, other.normal, other.through(0), other.light(0)});
     }
 
     // Replaces a pixel that had no second surface.
@@ -170,12 +173,15 @@ struct NoisyPicture {
     bool any_beside(int x, int y, const Test& test) const {
         for (int k = 0; k < 9; ++k) {
             const int dx = k % 3 - 1, qy = std::clamp(y + k / 3 - 1, 0, own_share.height - 1);
-            if (test(guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1), qy)) return true;
+            if (test(guides.wraps ? wrap_column(x + dx, own_share.width) : std::clamp(x + dx, 0, own_share.width - 1),
+                     qy))
+                return true;
         }
         return false;
     }
 
-    // Pixels of a row that lie at the edge of the sun's shadow, as a pixel beside them says, though their first `rays` rays, all they had, agree.
+    // Pixels of a row that lie at the edge of the sun's shadow, as a pixel beside them says, though their first `rays`
+    // rays, all they had, agree.
     std::vector<int> beside_shadow_edges(int y, int rays) const {
         const NoisyLight& sun = lights[1];
         const auto at_edge = [&](int x, int row) {
@@ -185,45 +191,53 @@ struct NoisyPicture {
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
             const Vec3f normal = guides.normal.at(x, y);
-            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
+            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f))
+                continue;
             if (any_beside(x, y, at_edge)) found.push_back(x);
         }
         return found;
     }
 
-    // Pixels of a row that lie at the edge of a pattern, as a pixel beside them says whose color on the same surface is another, though their first `rays`
-    // rays, all they had, agree.
+    // Pixels of a row that lie at the edge of a pattern, as a pixel beside them says whose color on the same surface is
+    // another, though their first `rays` rays, all they had, agree.
     std::vector<int> beside_pattern_edges(int y, int rays) const {
-        constexpr float kContrast = 0.08f;   // of sRGB values
-        const auto color_at = [&](int x, int row) { return srgb_from_linear(luminance(diffuse.at(x, row) + shine.at(x, row))); };
+        constexpr float kContrast = 0.08f;  // of sRGB values
+        const auto color_at = [&](int x, int row) {
+            return srgb_from_linear(luminance(diffuse.at(x, row) + shine.at(x, row)));
+        };
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
             const Vec3f position = guides.position.at(x, y), normal = guides.normal.at(x, y);
-            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f)) continue;
+            if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays) || !(dot(normal, normal) > 0.5f))
+                continue;
             const float own = color_at(x, y);
             const auto differs = [&](int qx, int qy) {
-                return std::abs(color_at(qx, qy) - own) > kContrast && !another_surface(position, normal, guides.position.at(qx, qy), guides.normal.at(qx, qy));
+                return std::abs(color_at(qx, qy) - own) > kContrast &&
+                       !another_surface(position, normal, guides.position.at(qx, qy), guides.normal.at(qx, qy));
             };
             if (any_beside(x, y, differs)) found.push_back(x);
         }
         return found;
     }
 
-    // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several, or (`others`) another one.
+    // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several,
+    // or (`others`) another one.
     std::vector<int> beside_outlines(int y, int rays, bool others) const {
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
             if (!is_whole(x, y) || guides.rays.at(x, y) > static_cast<float>(rays)) continue;
             const Vec3f position = guides.position.at(x, y), normal = guides.normal.at(x, y);
             const auto outline = [&](int qx, int qy) {
-                return !is_whole(qx, qy) || (others && another_surface(position, normal, guides.position.at(qx, qy), guides.normal.at(qx, qy)));
+                return !is_whole(qx, qy) || (others && another_surface(position, normal, guides.position.at(qx, qy),
+                                                                       guides.normal.at(qx, qy)));
             };
             if (any_beside(x, y, outline)) found.push_back(x);
         }
         return found;
     }
 
-    // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one pixel know it too badly.
+    // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one
+    // pixel know it too badly.
     std::optional<Vec3f> light_around(const SecondSurface& s, int y) const {
         constexpr int reach = 2;
         Vec3f sum{};
@@ -233,14 +247,16 @@ struct NoisyPicture {
                 int qx = s.x + dx;
                 if (guides.wraps) qx = wrap_column(qx, own_share.width);
                 else if (qx < 0 || qx >= own_share.width) continue;
-                const float w = same_surface(guides, qx, qy, s.position, s.normal) / static_cast<float>(1 + dx * dx + (qy - y) * (qy - y));
+                const float w = same_surface(guides, qx, qy, s.position, s.normal) /
+                                static_cast<float>(1 + dx * dx + (qy - y) * (qy - y));
                 sum += lights[0].value.at(qx, qy) * w;
                 weights += w;
             }
         return weights > 0.05f ? std::optional(sum / weights) : std::nullopt;
     }
 
-    // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in stays too.
+    // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in
+    // stays too.
     void denoise_into(ImageColor& color, const Look* look) {
         constexpr std::array<int, 3> kLevels{4, 2, 3};
         ImageColor change(color.width, color.height);
@@ -248,8 +264,9 @@ struct NoisyPicture {
             const ImageColor before = lights[k].value;
             denoise(lights[k], guides, kLevels[k]);
             const ImageColor& through = k < 2 ? diffuse : shine;
-            for (std::size_t i = 0; i < before.size(); ++i) change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
-            if (k > 0) lights[k] = {};   // the first is looked at once more, below
+            for (std::size_t i = 0; i < before.size(); ++i)
+                change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
+            if (k > 0) lights[k] = {};  // the first is looked at once more, below
         }
         const auto seen = [look](Vec3f light) {
             for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
@@ -259,20 +276,26 @@ struct NoisyPicture {
             for (auto y = static_cast<int>(begin); y < end; ++y) {
                 auto second = seconds[static_cast<std::size_t>(y)].begin();
                 for (int x = 0; x < color.width; ++x) {
-                    const SecondSurface* other = second != seconds[static_cast<std::size_t>(y)].end() && second->x == x ? &*second++ : nullptr;
+                    const SecondSurface* other = second != seconds[static_cast<std::size_t>(y)].end() && second->x == x
+                                                     ? &*second++
+                                                     : nullptr;
                     if (!other && change.at(x, y) == Vec3f{}) continue;
-                    color.at(x, y) = rest_color.at(x, y) + seen(radiance.at(x, y) + change.at(x, y)) * own_share.at(x, y);
+                    color.at(x, y) = rest_color.at(x, y) +
+                                     seen(radiance.at(x, y) + change.at(x, y)) * own_share.at(x, y);
                     if (!other) continue;
                     const auto around = light_around(*other, y);
-                    color.at(x, y) += (around ? seen(other->radiance + other->through * (*around - other->light)) : other->color) * other->share;
+                    color.at(x, y) += (around ? seen(other->radiance + other->through * (*around - other->light))
+                                              : other->color) *
+                                      other->share;
                 }
             }
         });
     }
 };
 
-// Whether a pixel needs another round of rays. With a denoiser to come an even texture needs a few more, an outline some, and most are for
-// light that is noisy itself, as in the shade beside things: of what a few rays say of it the denoiser makes ragged edges.
+// Whether a pixel needs another round of rays. With a denoiser to come an even texture needs a few more, an outline
+// some, and most are for light that is noisy itself, as in the shade beside things: of what a few rays say of it the
+// denoiser makes ragged edges.
 bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
     if (pixel.taken >= samples) return false;
     const float error = pixel.shown.of_srgb_mean();
@@ -286,16 +309,26 @@ bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
 }  // namespace
 
 Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size) {
-    return {world_from_pano, size.width, size.height, [size](Vec2f p) { return direction_at(p, size); }, kPi / static_cast<float>(size.height), true};
+    return {world_from_pano,
+            size.width,
+            size.height,
+            [size](Vec2f p) { return direction_at(p, size); },
+            kPi / static_cast<float>(size.height),
+            true};
 }
 Eye perspective_eye(const Rigid& world_from_camera, const Pinhole& camera) {
-    return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); }, 1.f / camera.fx};
+    return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
+            1.f / camera.fx};
 }
-Vec3f world_direction(const Eye& eye, Vec2f pixel) { return normalize(eye.world_from_camera.rotation * eye.direction(pixel)); }
+Vec3f world_direction(const Eye& eye, Vec2f pixel) {
+    return normalize(eye.world_from_camera.rotation * eye.direction(pixel));
+}
 
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, ImageColor* albedo,
-                          const Run& run) {
-    const int round = parts.denoise ? std::max(kLeastRound, samples / 16) : parts.noise > 0 ? std::min(16, samples) : samples;
+ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+                          const Look* look, ImageColor* albedo, const Run& run) {
+    const int round = parts.denoise     ? std::max(kLeastRound, samples / 16)
+                      : parts.noise > 0 ? std::min(16, samples)
+                                        : samples;
     ImageColor out(eye.width, eye.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
@@ -329,7 +362,9 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     // Of what is not asked for the denoiser sees the nearest, too.
     constexpr int kContext = 2;
     const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, eye.panorama) : ImageMask{};
-    const auto is_traced = [&](int x, int y) { return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0; };
+    const auto is_traced = [&](int x, int y) {
+        return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0;
+    };
     Progress progress(run, "picture", eye.height);
     parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
@@ -341,7 +376,8 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
             }
         progress.advance(end - begin);
     });
-    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look_at(x, y) changes any pixel.
+    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look_at(x, y) changes
+    // any pixel.
     const auto look_again = [&](const auto& doubtful_in, const auto& look_at) {
         std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
         parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
@@ -355,13 +391,17 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     };
     // First the edges of patterns: of four rays all may lie on one side.
     if (noisy)
-        look_again([&](int y) { return noisy->beside_pattern_edges(y, round); }, [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
-    // Then those of the sun's shadows: all rays may see the sun where a fifth of it is hidden, and edges would be ragged.
+        look_again([&](int y) { return noisy->beside_pattern_edges(y, round); },
+                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then those of the sun's shadows: all rays may see the sun where a fifth of it is hidden, and edges would be
+    // ragged.
     constexpr int kShadowLooks = 2;
     for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number)
-        look_again([&](int y) { return noisy->beside_shadow_edges(y, round); }, [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
-    // Then beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break. Whether the rays
-    // that come next meet another surface costs little to know; where they do, it is asked beside that pixel too.
+        look_again([&](int y) { return noisy->beside_shadow_edges(y, round); },
+                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break.
+    // Whether the rays that come next meet another surface costs little to know; where they do, it is asked beside that
+    // pixel too.
     constexpr int kLooks = 4;
     const int next = samples / 2;
     Image<std::uint8_t> looked(noisy ? eye.width : 0, noisy ? eye.height : 0);
@@ -369,20 +409,24 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         for (int s = round; s < next; ++s) {
             Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
             const Met met = met_by_ray(scene, from, towards(x, y, sampler));
-            if (another_surface(noisy->guides.position.at(x, y), noisy->guides.normal.at(x, y), met.position, met.normal)) return true;
+            if (another_surface(noisy->guides.position.at(x, y), noisy->guides.normal.at(x, y), met.position,
+                                met.normal))
+                return true;
         }
         return false;
     };
     for (int look_number = 0; noisy && look_number < kLooks; ++look_number)
         look_again([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
                    [&](int x, int y) {
-                       if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y)) noisy->set_again(x, y, trace(x, y, next));
+                       if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
+                           noisy->set_again(x, y, trace(x, y, next));
                    });
     if (noisy) noisy->denoise_into(out, look);
     return out;
 }
 
-ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples, const Look* look, const Run& run) {
+ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+                               const Look* look, const Run& run) {
     ImageColor out(eye.width, eye.height);
     Progress progress(run, "paths", eye.height);
     parallel_for(eye.height, 1, [&](std::int64_t begin, std::int64_t end) {
@@ -390,12 +434,14 @@ ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const Sho
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < eye.width; ++x) {
                 if (!is_asked_for(parts, x, y)) continue;
-                const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+                const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^
+                                          (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
                 Vec3f sum{};
                 for (int s = 0; s < samples; ++s) {
                     Sampler sampler(key, static_cast<std::uint32_t>(s));
                     const Vec2f offset = sampler.next2();
-                    const Vec3f direction = world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+                    const Vec3f direction = world_direction(
+                        eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
                     sum += path_radiance(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, sampler);
                 }
                 const Vec3f mean = sum / static_cast<float>(samples);

@@ -8,16 +8,19 @@
 namespace fastscene {
 namespace {
 
-// Rougher dielectrics mirror so little and so widely that the light around stands for it, little by little: where a surface is by turns a bit
-// rougher and smoother (concrete), a limit would show as an outline.
+// Rougher dielectrics mirror so little and so widely that the light around stands for it, little by little: where a
+// surface is by turns a bit rougher and smoother (concrete), a limit would show as an outline.
 constexpr float kMirrorRoughness = 0.43f, kMattRoughness = 0.55f;
-constexpr float kKeptUnderMatt = 0.5f, kMattCoat = 0.8f;  // of what the coat mirrors: taken from the base, and given back evenly
-float mirrored_share(float roughness, float metal) { return metal < 0.5f ? 1.f - smooth_step(kMirrorRoughness, kMattRoughness, roughness) : 1.f; }
+constexpr float kKeptUnderMatt = 0.5f,
+                kMattCoat = 0.8f;  // of what the coat mirrors: taken from the base, and given back evenly
+float mirrored_share(float roughness, float metal) {
+    return metal < 0.5f ? 1.f - smooth_step(kMirrorRoughness, kMattRoughness, roughness) : 1.f;
+}
 
 }  // namespace
 
 Vec3f Coat::at(float facing) const { return across + (grazing - across) * std::pow(1.f - facing, 5.f); }
-Vec3f Coat::mean() const { return across + (grazing - across) * (1.f / 21); }   // the fifth power becomes 1/21
+Vec3f Coat::mean() const { return across + (grazing - across) * (1.f / 21); }  // the fifth power becomes 1/21
 
 Coat coat_of(const Material& m, Vec3f albedo, float roughness) {
     const Vec3f across = lerp(Vec3f{m.specular, m.specular, m.specular}, albedo, m.metal);
@@ -50,10 +53,13 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
 }
 
 bool is_clear(const Material& m) {
-    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f && max_component(m.emission) == 0.f;
+    return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f &&
+           max_component(m.emission) == 0.f;
 }
 
-Vec3f dye_of(const SurfacePointInfo& s) { return lerp(Vec3f{1, 1, 1}, s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo)), 0.4f); }
+Vec3f dye_of(const SurfacePointInfo& s) {
+    return lerp(Vec3f{1, 1, 1}, s.texture.albedo / std::max(0.01f, max_component(s.texture.albedo)), 0.4f);
+}
 
 Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
     constexpr float kAcross = 0.04f, kVeil = 0.06f;  // mirrored at right angles
@@ -65,14 +71,17 @@ Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
 Vec3f mean_reflectance(const Material& m, Vec3f albedo) {
     if (m.mirror > 0.5f) return Vec3f{0.92f, 0.93f, 0.92f};
     const Coat coat = coat_of(m, albedo, m.roughness);
-    const Vec3f fresnel = coat.mean(), base = albedo * ((1.f - m.metal) * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp)));
+    const Vec3f fresnel = coat.mean(),
+                base = albedo *
+                       ((1.f - m.metal) * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp)));
     return base + fresnel * std::lerp(kMattCoat, 1.f, coat.sharp);
 }
 
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
     if (!(alpha > 0)) return n;
     const float phi = 2 * kPi * u.y;
-    const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x)), sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
+    const float cosine = std::sqrt((1 - u.x) / (1 + (alpha * alpha - 1) * u.x)),
+                sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
     Vec3f s, t;
     make_frame(n, s, t);
     return s * (sine * std::cos(phi)) + t * (sine * std::sin(phi)) + n * cosine;
@@ -88,23 +97,28 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
 
 namespace {
 
-// How a mirror cone, no narrower than `least_alpha`, spreads the sun towards -direction, per unit of its irradiance. None of a perfect mirror.
+// How a mirror cone, no narrower than `least_alpha`, spreads the sun towards -direction, per unit of its irradiance.
+// None of a perfect mirror.
 float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, Vec3f direction) {
     const float cosine = dot(normal, sky.sun_dir);
-    return alpha > 0 && cosine > 0 ? ggx_density(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine : 0.f;
+    return alpha > 0 && cosine > 0 ? ggx_density(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine
+                                   : 0.f;
 }
 
 }  // namespace
 
-Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun, float least_alpha) {
+Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun,
+                float least_alpha) {
     return response.shine * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
 }
 
-Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal, Vec3f direction, bool behind) {
+Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
+                  Vec3f direction, bool behind) {
     const Vec3f even = (reflectance - coat.mean() * coat.sharp) * (1 / kPi);
     if (behind) return even * transmission;
     const float facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);
-    return even * (1.f - transmission) + coat.at(facing) * (coat.sharp * sun_spread(sky, normal, coat.alpha, kWideSun, direction));
+    return even * (1.f - transmission) +
+           coat.at(facing) * (coat.sharp * sun_spread(sky, normal, coat.alpha, kWideSun, direction));
 }
 
 Vec3f cosine_direction(Vec3f n, Vec2f u) {

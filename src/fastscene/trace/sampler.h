@@ -1,7 +1,8 @@
 // Sampler: numbers in [0, 1) for the paths of a pixel, spread more evenly than chance would.
 //
-// Sobol's first two dimensions with Owen's scrambling by hashing, one scrambled copy per pair of dimensions, its order shuffled
-// too (Burley 2020, "Practical hash-based Owen scrambling"): any power of two of consecutive samples is well spread in every pair.
+// Sobol's first two dimensions with Owen's scrambling by hashing, one scrambled copy per pair of dimensions, its order
+// shuffled too (Burley 2020, "Practical hash-based Owen scrambling"): any power of two of consecutive samples is well
+// spread in every pair.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,9 @@
 namespace fastscene {
 
 // Veach's power heuristic for one sample of each kind: the weight of the one with density `mine`.
-inline float power_heuristic(float mine, float other) { return mine * mine / std::max(1e-20f, mine * mine + other * other); }
+inline float power_heuristic(float mine, float other) {
+    return mine * mine / std::max(1e-20f, mine * mine + other * other);
+}
 
 class Sampler {
   public:
@@ -45,7 +48,9 @@ class Sampler {
         x ^= x * 0x05526c56u;
         return x ^ x * 0x53a22864u;
     }
-    static constexpr std::uint32_t scrambled_value(std::uint32_t x, std::uint32_t seed) { return reversed(scrambled(reversed(x), seed)); }
+    static constexpr std::uint32_t scrambled_value(std::uint32_t x, std::uint32_t seed) {
+        return reversed(scrambled(reversed(x), seed));
+    }
     // Sobol's second dimension: Pascal's triangle modulo 2, its columns by repeated shifting.
     static constexpr std::uint32_t sobol_second(std::uint32_t n) {
         std::uint32_t value = 0;

@@ -13,12 +13,15 @@
 namespace fastscene {
 namespace {
 
-Vec3f position(const Mesh& mesh, std::size_t triangle, std::size_t corner) { return mesh.positions[mesh.triangles[3 * triangle + corner]]; }
+Vec3f position(const Mesh& mesh, std::size_t triangle, std::size_t corner) {
+    return mesh.positions[mesh.triangles[3 * triangle + corner]];
+}
 
 // The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
 Vec3f nearest_on_triangle(Vec3f p, Vec3f a, Vec3f b, Vec3f c) {
     const Vec3f ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+                d6 = dot(ac, cp);
     if (d1 <= 0 && d2 <= 0) return a;
     if (d3 >= 0 && d4 <= d3) return b;
     if (d6 >= 0 && d5 <= d6) return c;
@@ -40,7 +43,7 @@ const char* device_settings() {
     return nullptr;
 }
 
-using Corners = std::vector<std::array<Vec3f, 3>>;   // of the triangles of one mesh
+using Corners = std::vector<std::array<Vec3f, 3>>;  // of the triangles of one mesh
 
 struct NearestQuery {
     const std::vector<Corners>* meshes;
@@ -63,11 +66,11 @@ constexpr float kBeyondGlass_m = 1e-4f;
 
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
-    // Twice the same triangles: a ray costs half as much where edges need not be watertight, but then one that aims at an edge may slip through.
-    // And once more without clear glass, where there is any: what light meets.
+    // Twice the same triangles: a ray costs half as much where edges need not be watertight, but then one that aims at
+    // an edge may slip through. And once more without clear glass, where there is any: what light meets.
     RTCScene scene = nullptr, watertight = nullptr, lit = nullptr;
     std::vector<Corners> meshes;
-    std::vector<bool> clear;   // by mesh
+    std::vector<bool> clear;  // by mesh
     ~Impl() {
         if (scene) rtcReleaseScene(scene);
         if (watertight) rtcReleaseScene(watertight);
@@ -80,35 +83,42 @@ struct SceneBvh::Impl {
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     // No number of threads here: Embree would set it for the whole program, since it shares oneTBB with us.
     impl_->device = rtcNewDevice(device_settings());
-    if (!impl_->device) throw Error("Embree: expected a ray tracing device, found error {}", static_cast<int>(rtcGetDeviceError(nullptr)));
+    if (!impl_->device)
+        throw Error("Embree: expected a ray tracing device, found error {}",
+                    static_cast<int>(rtcGetDeviceError(nullptr)));
     impl_->scene = rtcNewScene(impl_->device);
     impl_->watertight = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->watertight, RTC_SCENE_FLAG_ROBUST);
-    for (const Mesh& mesh : room.meshes) impl_->clear.push_back(is_clear(room.materials[static_cast<std::size_t>(mesh.material)]));
+    for (const Mesh& mesh : room.meshes)
+        impl_->clear.push_back(is_clear(room.materials[static_cast<std::size_t>(mesh.material)]));
     if (std::find(impl_->clear.begin(), impl_->clear.end(), true) != impl_->clear.end()) {
         impl_->lit = rtcNewScene(impl_->device);
     } else {
         impl_->lit = impl_->scene;
         rtcRetainScene(impl_->lit);
     }
-    for (RTCScene scene : {impl_->scene, impl_->watertight, impl_->lit}) rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    for (RTCScene scene : {impl_->scene, impl_->watertight, impl_->lit})
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
     impl_->meshes.resize(room.meshes.size());
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const Mesh& mesh = room.meshes[m];
         const std::size_t count = mesh.triangles.size() / 3;
         RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f),
+        auto* positions = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                      RTC_FORMAT_FLOAT3, sizeof(Vec3f),
                                                                       std::max<std::size_t>(1, mesh.positions.size())));
-        auto* indices = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::max<std::size_t>(1, count)));
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::max<std::size_t>(1, count)));
         if (!positions || !indices) throw Error("Embree: expected memory for {} triangles, found none", count);
         positions[0] = {};
         indices[0] = indices[1] = indices[2] = 0;
         std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
         std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
         rtcCommitGeometry(geometry);
-        for (RTCScene scene : {impl_->scene, impl_->watertight}) rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
-        if (impl_->lit != impl_->scene && !impl_->clear[m]) rtcAttachGeometryByID(impl_->lit, geometry, static_cast<unsigned>(m));
+        for (RTCScene scene : {impl_->scene, impl_->watertight})
+            rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
+        if (impl_->lit != impl_->scene && !impl_->clear[m])
+            rtcAttachGeometryByID(impl_->lit, geometry, static_cast<unsigned>(m));
         rtcReleaseGeometry(geometry);
         for (std::size_t t = 0; t < count; ++t)
             impl_->meshes[m].push_back({position(mesh, t, 0), position(mesh, t, 1), position(mesh, t, 2)});
@@ -154,7 +164,9 @@ RayHit SceneBvh::first_hit(Vec3f origin, Vec3f direction, float near_m, float fa
     return impl_->first(impl_->scene, origin, direction, near_m, far_m);
 }
 
-RayHit SceneBvh::first_lit(Vec3f origin, Vec3f direction) const { return impl_->first(impl_->lit, origin, direction, 0.f, kFar); }
+RayHit SceneBvh::first_lit(Vec3f origin, Vec3f direction) const {
+    return impl_->first(impl_->lit, origin, direction, 0.f, kFar);
+}
 
 bool SceneBvh::blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const {
     RTCIntersectContext context;
@@ -177,7 +189,8 @@ bool is_closed(const Mesh& mesh) {
     // Corners at one place are one corner, whatever their normals: compared by tenths of a millimetre.
     std::vector<std::array<std::int32_t, 3>> places;
     for (const Vec3f p : mesh.positions)
-        places.push_back({static_cast<std::int32_t>(std::lround(p.x * 1e4f)), static_cast<std::int32_t>(std::lround(p.y * 1e4f)),
+        places.push_back({static_cast<std::int32_t>(std::lround(p.x * 1e4f)),
+                          static_cast<std::int32_t>(std::lround(p.y * 1e4f)),
                           static_cast<std::int32_t>(std::lround(p.z * 1e4f))});
     std::vector<std::array<std::int32_t, 3>> unique = places;
     std::sort(unique.begin(), unique.end());

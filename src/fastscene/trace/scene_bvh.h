@@ -17,12 +17,12 @@ inline constexpr float kSurfaceOffset = 4e-4f;
 inline Vec3f offset_from(Vec3f position, Vec3f normal) { return position + normal * kSurfaceOffset; }
 
 struct RayHit {
-    float distance = kFar;   // +inf: nothing was hit
-    int mesh = -1;           // index into Room::meshes
+    float distance = kFar;  // +inf: nothing was hit
+    int mesh = -1;          // index into Room::meshes
     int triangle = 0;
-    float u = 0, v = 0;      // weights of the second and third corner
-    Vec3f normal;            // geometric, unit, as the triangle is wound (outward)
-    bool back = false;       // the triangle was met from behind
+    float u = 0, v = 0;  // weights of the second and third corner
+    Vec3f normal;        // geometric, unit, as the triangle is wound (outward)
+    bool back = false;   // the triangle was met from behind
     explicit operator bool() const { return mesh >= 0; }
 };
 

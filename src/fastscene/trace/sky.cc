@@ -17,7 +17,8 @@ Vec3f clouds_over(const Sky& sky, Vec3f direction, Vec3f color) {
     // A flat layer of clouds, thinner towards the horizon where it is far.
     const Vec2f plane{direction.x / (up + 0.15f), direction.z / (up + 0.15f)};
     const float density = fbm2(plane * 1.7f, 5, 0.02f, sky.seed + 11);
-    const float cover = smooth_step(0.7f - 0.45f * sky.clouds, 0.95f - 0.4f * sky.clouds, density) * smooth_step(0.02f, 0.2f, up);
+    const float cover = smooth_step(0.7f - 0.45f * sky.clouds, 0.95f - 0.4f * sky.clouds, density) *
+                        smooth_step(0.02f, 0.2f, up);
     // What lies between a cloud and the sun darkens it.
     const Vec2f sunward{sky.sun_dir.x, sky.sun_dir.z};
     const float shadow = unit_clamp(2.2f * (fbm2((plane + sunward * 0.22f) * 1.7f, 4, 0.04f, sky.seed + 11) - 0.45f));
@@ -28,7 +29,8 @@ Vec3f clouds_over(const Sky& sky, Vec3f direction, Vec3f color) {
 }  // namespace
 
 Vec3f sky_radiance(const Sky& sky, Vec3f direction) {
-    const float up = -direction.y, azimuth = std::atan2(direction.x, direction.z), height = std::asin(std::clamp(up, -1.f, 1.f));
+    const float up = -direction.y, azimuth = std::atan2(direction.x, direction.z),
+                height = std::asin(std::clamp(up, -1.f, 1.f));
     const bool night = sky.time == Sky::Time::night;
     Vec3f color = up >= 0.f ? lerp(sky.horizon, sky.zenith, std::pow(std::min(1.f, up), 0.45f)) : sky.ground;
     color = clouds_over(sky, direction, color);
@@ -55,7 +57,8 @@ SkyTable::SkyTable(const Sky& sky) : radiance_(kTable.width, kTable.height) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < kTable.width; ++x) {
                 // Anywhere in the pixel: the horizon's outlines lie along its rows.
-                const Vec2f p{static_cast<float>(x) + lattice_unit(x, y, 0, sky.seed), static_cast<float>(y) + lattice_unit(x, y, 1, sky.seed)};
+                const Vec2f p{static_cast<float>(x) + lattice_unit(x, y, 0, sky.seed),
+                              static_cast<float>(y) + lattice_unit(x, y, 1, sky.seed)};
                 radiance_.at(x, y) = sky_radiance(sky, direction_at(p, kTable));
             }
     });
@@ -63,7 +66,8 @@ SkyTable::SkyTable(const Sky& sky) : radiance_(kTable.width, kTable.height) {
 
 Vec3f SkyTable::at(Vec3f direction) const {
     const Vec2f p = pixel_of_direction(direction, kTable);
-    return radiance_.at(std::clamp(static_cast<int>(p.x), 0, kTable.width - 1), std::clamp(static_cast<int>(p.y), 0, kTable.height - 1));
+    return radiance_.at(std::clamp(static_cast<int>(p.x), 0, kTable.width - 1),
+                        std::clamp(static_cast<int>(p.y), 0, kTable.height - 1));
 }
 
 }  // namespace fastscene

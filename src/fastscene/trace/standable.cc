@@ -10,8 +10,8 @@ namespace fastscene {
 namespace {
 
 constexpr float kCell_m = 0.1f;
-constexpr float kStart_m = 1.5f;   // of panorama 0: who cannot stand so near to it has nowhere to begin
-constexpr float kLargest_m = 200.f;   // of a grid's side: what lies beyond is no floor
+constexpr float kStart_m = 1.5f;     // of panorama 0: who cannot stand so near to it has nowhere to begin
+constexpr float kLargest_m = 200.f;  // of a grid's side: what lies beyond is no floor
 
 // The box on the floor of all that stands in the room, a second room included.
 struct Extent {
@@ -33,12 +33,14 @@ std::vector<float> ball_heights(const Body& body, float radius_m) {
     const float lowest = body.step_over_m + radius_m, highest = body.height_m - radius_m;
     const int steps = std::max(1, static_cast<int>(std::ceil((highest - lowest) / (0.8f * radius_m))));
     std::vector<float> heights;
-    for (int k = 0; k <= steps; ++k) heights.push_back(lowest + (highest - lowest) * static_cast<float>(k) / static_cast<float>(steps));
+    for (int k = 0; k <= steps; ++k)
+        heights.push_back(lowest + (highest - lowest) * static_cast<float>(k) / static_cast<float>(steps));
     return heights;
 }
 
 // The free radius around a body at a point of the floor, up to its `clear_m`; 0 where it cannot pass.
-float free_radius(const TracedRoom& room, const Body& body, const std::vector<float>& heights, Vec2f at, float floor_y) {
+float free_radius(const TracedRoom& room, const Body& body, const std::vector<float>& heights, Vec2f at,
+                  float floor_y) {
     // Without a floor below nobody stands, and outside the walls there is none.
     const float low = heights.front();
     const float down = room.distance({at.x, floor_y - low, at.y}, {0, 1, 0});
@@ -64,14 +66,20 @@ void keep_reachable(StandableFloor& floor) {
     const std::vector<std::uint8_t> free = std::move(floor.standable);
     floor.standable.assign(free.size(), 0);
     if (start.column < 0) return;
-    const auto index = [&](FloorCell c) { return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(floor.columns) + static_cast<std::size_t>(c.column); };
+    const auto index = [&](FloorCell c) {
+        return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(floor.columns) +
+               static_cast<std::size_t>(c.column);
+    };
     std::vector<FloorCell> todo{start};
     floor.standable[index(start)] = 1;
     while (!todo.empty()) {
         const FloorCell c = todo.back();
         todo.pop_back();
-        for (const FloorCell n : {FloorCell{c.column - 1, c.row}, FloorCell{c.column + 1, c.row}, FloorCell{c.column, c.row - 1}, FloorCell{c.column, c.row + 1}}) {
-            if (n.column < 0 || n.row < 0 || n.column >= floor.columns || n.row >= floor.rows || !free[index(n)] || floor.at(n.column, n.row)) continue;
+        for (const FloorCell n : {FloorCell{c.column - 1, c.row}, FloorCell{c.column + 1, c.row},
+                                  FloorCell{c.column, c.row - 1}, FloorCell{c.column, c.row + 1}}) {
+            if (n.column < 0 || n.row < 0 || n.column >= floor.columns || n.row >= floor.rows || !free[index(n)] ||
+                floor.at(n.column, n.row))
+                continue;
             floor.standable[index(n)] = 1;
             todo.push_back(n);
         }
@@ -96,13 +104,15 @@ StandableFloor standable_floor(const TracedRoom& room, const Body& body) {
     parallel_for(floor.rows, 1, [&](std::int64_t begin, std::int64_t end) {
         for (auto row = static_cast<int>(begin); row < end; ++row)
             for (int column = 0; column < floor.columns; ++column) {
-                const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.columns) + static_cast<std::size_t>(column);
+                const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.columns) +
+                                  static_cast<std::size_t>(column);
                 radii[cell] = free_radius(room, body, heights, floor.center(column, row), floor.floor_y);
                 floor.standable[cell] = radii[cell] > 0;
             }
     });
     keep_reachable(floor);
-    for (std::size_t cell = 0; cell < radii.size(); ++cell) floor.standable[cell] = floor.standable[cell] && radii[cell] >= body.clear_m;
+    for (std::size_t cell = 0; cell < radii.size(); ++cell)
+        floor.standable[cell] = floor.standable[cell] && radii[cell] >= body.clear_m;
     return floor;
 }
 

@@ -37,10 +37,10 @@ TEST(Standable, AnEmptyRoomButForABodysWidthAlongItsWalls) {
 
 TEST(Standable, RugsAreSteppedOnTablesAreNotAndLampsAboveTheHeadDoNotCount) {
     Room room = plain_room();
-    put(room, {-1.5f, 1.47f, -2.f}, {-0.5f, 1.5f, -1.f});     // a rug, 3 cm
-    put(room, {0.5f, 0.75f, -2.f}, {1.5f, 0.8f, -1.f});       // a table's top
-    put(room, {-1.5f, -1.1f, 1.f}, {-0.5f, -0.5f, 2.f});      // a lamp: 2 m above the floor
-    put(room, {0.6f, -0.1f, 1.1f}, {1.4f, 0.f, 1.9f});        // a shelf at 1.5 m: not below its front
+    put(room, {-1.5f, 1.47f, -2.f}, {-0.5f, 1.5f, -1.f});  // a rug, 3 cm
+    put(room, {0.5f, 0.75f, -2.f}, {1.5f, 0.8f, -1.f});    // a table's top
+    put(room, {-1.5f, -1.1f, 1.f}, {-0.5f, -0.5f, 2.f});   // a lamp: 2 m above the floor
+    put(room, {0.6f, -0.1f, 1.1f}, {1.4f, 0.f, 1.9f});     // a shelf at 1.5 m: not below its front
     const StandableFloor floor = standable_floor(TracedRoom(room));
     EXPECT_TRUE(stands_at(floor, -1.f, -1.5f));
     EXPECT_FALSE(stands_at(floor, 1.f, -1.5f));
@@ -94,9 +94,10 @@ TEST(Trace, FrugalReflectionsHaveTheSameMean) {
     TracedRoom traced(std::move(room));
     traced.gather_light({.cell_m = 0.2f, .cell_samples = 32}, {});
     const auto mean = [&](bool frugal) {
-        const ImageColor color = traced.panorama({}, {128, 64}, {.pixel_samples = 64, .radiance = true, .frugal = frugal}, {}).color;
+        const ImageColor color =
+            traced.panorama({}, {128, 64}, {.pixel_samples = 64, .radiance = true, .frugal = frugal}, {}).color;
         double sum = 0;
-        for (int y = 20; y < 64; ++y)   // below the lamp
+        for (int y = 20; y < 64; ++y)  // below the lamp
             for (int x = 0; x < 128; ++x) sum += static_cast<double>(luminance(color.at(x, y)));
         return sum;
     };

@@ -13,7 +13,9 @@ Corner corners(const Mesh& mesh, const RayHit& hit) {
     const std::size_t t = 3 * static_cast<std::size_t>(hit.triangle);
     return {mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2], 1.f - hit.u - hit.v, hit.u, hit.v};
 }
-Vec3f blend(const std::vector<Vec3f>& values, const Corner& k) { return values[k.a] * k.wa + values[k.b] * k.wb + values[k.c] * k.wc; }
+Vec3f blend(const std::vector<Vec3f>& values, const Corner& k) {
+    return values[k.a] * k.wa + values[k.b] * k.wb + values[k.c] * k.wc;
+}
 
 // World directions along which the two flat coordinates of the pattern grow (gradients within the triangle).
 void pattern_axes(const Mesh& mesh, const Corner& k, int axis, Vec3f& du, Vec3f& dv) {
@@ -35,7 +37,8 @@ Vec3f shading_normal(const Mesh& mesh, const RayHit& hit) {
     return dot(n, hit.normal) > 0.1f ? n : hit.normal;
 }
 
-SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, Vec3f direction, float footprint_m, bool with_relief) {
+SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, Vec3f direction, float footprint_m,
+                            bool with_relief) {
     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
     const Corner k = corners(mesh, hit);
     SurfacePointInfo s;

@@ -65,9 +65,17 @@ constexpr float kFarAway = 1e6f;
 // Size of the finest relief of a pattern: below it no slope is computed.
 float relief_size(const Material& m) {
     switch (m.pattern) {
-        case Pattern::brick: case Pattern::tile: case Pattern::subway: case Pattern::checker: case Pattern::laid_tiles: case Pattern::encaustic: return 0.02f;
-        case Pattern::knit: case Pattern::wicker: return 0.5f * m.scale_m;
-        case Pattern::planks: case Pattern::herringbone: case Pattern::parquet: return 0.008f;
+        case Pattern::brick:
+        case Pattern::tile:
+        case Pattern::subway:
+        case Pattern::checker:
+        case Pattern::laid_tiles:
+        case Pattern::encaustic: return 0.02f;
+        case Pattern::knit:
+        case Pattern::wicker: return 0.5f * m.scale_m;
+        case Pattern::planks:
+        case Pattern::herringbone:
+        case Pattern::parquet: return 0.008f;
         default: return 0.006f;
     }
 }
@@ -111,20 +119,25 @@ Vec2f texture_slope(const Material& material, const TexturePoint& point, int axi
 }
 
 Vec3f mean_albedo(const Material& material) {
-    if (material.pattern == Pattern::image) return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the last halving
-    // The footprint of 1 cm leaves the fine grain to its mean; places over four units cover the rest, in no step with any joint.
+    if (material.pattern == Pattern::image)
+        return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the last halving
+    // The footprint of 1 cm leaves the fine grain to its mean; places over four units cover the rest, in no step with
+    // any joint.
     Vec3f sum{};
     constexpr int kPlaces = 1024;
-    const float span = 4.f * std::max(material.scale_m, 0.15f);   // leather wears in patches of 20 cm
+    const float span = 4.f * std::max(material.scale_m, 0.15f);  // leather wears in patches of 20 cm
     const bool whole = material.pattern == Pattern::art || material.pattern == Pattern::book;  // one unit only
     for (std::uint32_t i = 0; i < kPlaces; ++i) {
-        const float u = static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f, v = static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;   // Roberts' R2
+        const float u = static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f,
+                    v = static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;  // Roberts' R2
         TexturePoint p;
-        p.flat = whole                              ? Vec2f{u * material.scale_m, v * material.scale_m}
-                 : material.pattern == Pattern::rug ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m}
-                                                    : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
+        p.flat = whole ? Vec2f{u * material.scale_m, v * material.scale_m}
+                 : material.pattern == Pattern::rug
+                     ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m}
+                     : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
         p.coords = {p.flat.x, p.flat.y, 0.3f * (u + v) * span};
-        if (material.pattern == Pattern::rug) p.coords = {p.flat.x, material.scale_m, p.flat.y};  // its y says how deep it is
+        if (material.pattern == Pattern::rug)
+            p.coords = {p.flat.x, material.scale_m, p.flat.y};  // its y says how deep it is
         p.footprint_m = 0.01f;
         sum += sample_texture(material, p).albedo;
     }

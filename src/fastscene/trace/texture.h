@@ -12,9 +12,9 @@ struct TexturePoint {
     float footprint_m = 0;  // width of what one sample stands for; finer detail fades to its mean
 };
 struct TextureValue {
-    Vec3f albedo;           // linear, each channel in [0, 1]
-    float roughness = 0.6f; // in [0.02, 1]
-    float height = 0.f;     // relief in [0, 1], to be multiplied by Material::bump_m
+    Vec3f albedo;            // linear, each channel in [0, 1]
+    float roughness = 0.6f;  // in [0.02, 1]
+    float height = 0.f;      // relief in [0, 1], to be multiplied by Material::bump_m
 };
 
 // The axes of the plane a flat pattern lies in, by the dominant axis of the surface's normal in coords space:

@@ -17,19 +17,20 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMostMirrors = 4;   // as many as a picture shows one in another (shade.cc)
+constexpr int kMostMirrors = 4;  // as many as a picture shows one in another (shade.cc)
 
-// The plane of a mesh that is a flat mirror: nearly all of its surface is that, or the back of its pane. Zero: it is none, or (a ball of small ones)
-// shows no one image.
+// The plane of a mesh that is a flat mirror: nearly all of its surface is that, or the back of its pane. Zero: it is
+// none, or (a ball of small ones) shows no one image.
 Vec3f mirror_normal(const Room& room, const Mesh& mesh) {
     if (!(room.materials[static_cast<std::size_t>(mesh.material)].mirror > 0.5f)) return {};
-    std::vector<Vec3f> areas;   // normal times twice the area
+    std::vector<Vec3f> areas;  // normal times twice the area
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return mesh.positions[mesh.triangles[i + k]]; };
         areas.push_back(cross(corner(1) - corner(0), corner(2) - corner(0)));
     }
     if (areas.empty()) return {};
-    const Vec3f normal = normalize(*std::max_element(areas.begin(), areas.end(), [](Vec3f a, Vec3f b) { return dot(a, a) < dot(b, b); }));
+    const Vec3f normal = normalize(
+        *std::max_element(areas.begin(), areas.end(), [](Vec3f a, Vec3f b) { return dot(a, a) < dot(b, b); }));
     float all = 0, flat = 0;
     for (const Vec3f area : areas) {
         all += length(area);
@@ -45,7 +46,7 @@ struct TracedRoom::Impl {
     SceneBvh bvh;
     Lights lights;
     std::vector<bool> closed;
-    std::vector<Vec3f> mirrors;   // by mesh: mirror_normal
+    std::vector<Vec3f> mirrors;  // by mesh: mirror_normal
     TraceParams params;
     std::optional<IrradianceCache> light;
 
@@ -56,11 +57,13 @@ struct TracedRoom::Impl {
         }
     }
 
-    ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo, const Run& run) const {
+    ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo,
+                     const Run& run) const {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
         if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal}, eye, parts, samples, look, albedo, run);
+        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal}, eye, parts, samples, look,
+                              albedo, run);
     }
 
     // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
@@ -68,7 +71,7 @@ struct TracedRoom::Impl {
         float way = hit.distance;
         for (int met = 0; hit && met < kMostMirrors; ++met) {
             const Vec3f normal = mirrors[static_cast<std::size_t>(hit.mesh)];
-            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;   // no mirror, or the pane's rounded rim
+            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;  // no mirror, or the pane's rounded rim
             const Vec3f facing = dot(direction, normal) < 0 ? normal : -normal;
             origin = offset_from(origin + direction * hit.distance, facing);
             direction = normalize(direction - normal * (2 * dot(direction, normal)));
@@ -93,14 +96,18 @@ struct TracedRoom::Impl {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < eye.width; ++x) {
                     if (!is_asked_for(parts, x, y)) continue;
-                    const Vec3f direction = world_direction(eye, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+                    const Vec3f direction = world_direction(
+                        eye, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
                     const RayHit hit = bvh.first_hit(eye.world_from_camera.translation, direction);
                     if (parts.range) shot.range.at(x, y) = hit.distance;
-                    if (parts.mirrored_range) shot.mirrored_range.at(x, y) = distance_by_mirrors(eye.world_from_camera.translation, direction, hit);
+                    if (parts.mirrored_range)
+                        shot.mirrored_range.at(x, y) = distance_by_mirrors(eye.world_from_camera.translation, direction,
+                                                                           hit);
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;
-                    if (parts.normal) shot.normal.at(x, y) = hit.back ? -shading_normal(mesh, hit) : shading_normal(mesh, hit);
+                    if (parts.normal)
+                        shot.normal.at(x, y) = hit.back ? -shading_normal(mesh, hit) : shading_normal(mesh, hit);
                 }
         });
         return shot;
@@ -121,15 +128,19 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
 }
 
-Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const {
+Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,
+                          const Run& run) const {
     return impl_->shoot(panorama_eye(world_from_pano, size), parts, run);
 }
 
-Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts, const Run& run) const {
+Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
+                             const Run& run) const {
     return impl_->shoot(perspective_eye(world_from_camera, camera), parts, run);
 }
 
-float TracedRoom::distance(Vec3f origin, Vec3f direction) const { return impl_->bvh.first_hit(origin, direction).distance; }
+float TracedRoom::distance(Vec3f origin, Vec3f direction) const {
+    return impl_->bvh.first_hit(origin, direction).distance;
+}
 
 TracedRoom::Surface TracedRoom::surface(Vec3f origin, Vec3f direction) const {
     const RayHit hit = impl_->bvh.first_lit(origin, direction);
@@ -142,7 +153,7 @@ float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const 
 }
 
 bool TracedRoom::sees(Vec3f from, Vec3f to) const {
-    constexpr float kSurface_m = 4e-3f;   // rounding, and the thickness of what lies on a surface
+    constexpr float kSurface_m = 4e-3f;  // rounding, and the thickness of what lies on a surface
     const Vec3f way = to - from;
     const float far = length(way);
     return far <= kSurface_m || !impl_->bvh.blocked(from, way / far, 0.f, far - kSurface_m);
@@ -150,7 +161,8 @@ bool TracedRoom::sees(Vec3f from, Vec3f to) const {
 
 float TracedRoom::clearance(Vec3f point, float limit_m) const {
     // Inside a solid most ways out lead through back faces.
-    constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0}, Vec3f{-1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, -1, 0}, Vec3f{0, 0, 1}, Vec3f{0, 0, -1}};
+    constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 1, 0},
+                                         Vec3f{0, -1, 0}, Vec3f{0, 0, 1},  Vec3f{0, 0, -1}};
     int inside = 0;
     for (const Vec3f way : kWays) {
         const RayHit hit = impl_->bvh.first_hit(point, way);

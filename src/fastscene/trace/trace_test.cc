@@ -21,7 +21,9 @@ namespace fastscene {
 namespace {
 
 // A box; `inward` = the inside of a room, else a solid.
-Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) { return box_mesh(low, high, material, object, inward); }
+Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) {
+    return box_mesh(low, high, material, object, inward);
+}
 
 Room empty_room(Material walls) {
     Room room;
@@ -36,7 +38,8 @@ Room empty_room(Material walls) {
 Room furnished_room() {
     Room room = empty_room(diffuse({0.7f, 0.65f, 0.6f}));
     room.materials[0].pattern = Pattern::planks;
-    Material lamp = diffuse({0.8f, 0.8f, 0.8f}), red = diffuse({0.7f, 0.05f, 0.04f}), metal = diffuse({0.8f, 0.75f, 0.6f});
+    Material lamp = diffuse({0.8f, 0.8f, 0.8f}), red = diffuse({0.7f, 0.05f, 0.04f}),
+             metal = diffuse({0.8f, 0.75f, 0.6f});
     lamp.emission = {9, 8, 7};
     metal.metal = 1;
     metal.roughness = 0.25f;
@@ -72,11 +75,13 @@ TEST(Outside, AGardenIsInBloomAllAround) {
             std::array<int, kSectors> bloom{}, all{};
             for (int i = 0; i < kAround; ++i)
                 for (int j = 0; j < 60; ++j) {
-                    const float turn = 2 * kPi * static_cast<float>(i) / kAround, down = 0.04f + 0.36f * static_cast<float>(j) / 60;   // below the hedge
+                    const float turn = 2 * kPi * static_cast<float>(i) / kAround,
+                                down = 0.04f + 0.36f * static_cast<float>(j) / 60;  // below the hedge
                     const Vec3f c = sky_radiance(sky, normalize(Vec3f{std::sin(turn), down, std::cos(turn)}));
                     const auto sector = static_cast<std::size_t>(i * kSectors / kAround);
                     ++all[sector];
-                    bloom[sector] += c.x > 2.f * c.y || (c.x > 1.6f * c.z && c.x > 1.15f * c.y && c.y > 1.5f * c.z) || (c.z > 1.3f * c.y && c.x > 1.1f * c.y);
+                    bloom[sector] += c.x > 2.f * c.y || (c.x > 1.6f * c.z && c.x > 1.15f * c.y && c.y > 1.5f * c.z) ||
+                                     (c.z > 1.3f * c.y && c.x > 1.1f * c.y);
                 }
             for (int k = 0; k < kSectors; ++k) {
                 const auto sector = static_cast<std::size_t>(k);
@@ -102,7 +107,8 @@ TEST(Trace, Furnace) {
         const Vec3f direction = normalize(Vec3f{random.normal(), random.normal(), random.normal()});
         const RayHit hit = bvh.first_hit({}, direction);
         ASSERT_TRUE(hit);
-        const float radiance = 0.5f + 0.5f * luminance(cache.at(direction * hit.distance, hit.normal)) / static_cast<float>(M_PI);
+        const float radiance = 0.5f + 0.5f * luminance(cache.at(direction * hit.distance, hit.normal)) /
+                                          static_cast<float>(M_PI);
         EXPECT_NEAR(radiance, 1.f, 0.06f);
         sum += radiance;
         ++count;
@@ -125,7 +131,8 @@ TEST(Trace, RangeOfABoxRoomIsItsClosedForm) {
         }
 }
 
-// Behind a flat mirror lies the mirrored room, where it is wherever one stands; what mirrors on all sides shows no such image.
+// Behind a flat mirror lies the mirrored room, where it is wherever one stands; what mirrors on all sides shows no such
+// image.
 TEST(Trace, AFlatMirrorIsLookedInto) {
     Room room = empty_room(diffuse({0.5f, 0.5f, 0.5f}));
     Material mirror = diffuse({0.85f, 0.85f, 0.85f});
@@ -138,7 +145,9 @@ TEST(Trace, AFlatMirrorIsLookedInto) {
     const TracedRoom traced(std::move(room));
     const EquirectSize size{256, 128};
     for (const Vec3f from : {Vec3f{}, Vec3f{0.4f, -0.2f, 0.3f}}) {
-        const Shot shot = traced.panorama({{}, from}, size, {.color = false, .range = true, .mirrored_range = true, .normal = true, .object = true}, {});
+        const Shot shot = traced.panorama(
+            {{}, from}, size, {.color = false, .range = true, .mirrored_range = true, .normal = true, .object = true},
+            {});
         int mirrored = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -147,22 +156,27 @@ TEST(Trace, AFlatMirrorIsLookedInto) {
                     EXPECT_EQ(shot.mirrored_range.at(x, y), shot.range.at(x, y)) << "only the glass is looked into";
                     continue;
                 }
-                // The walls go on beside it, and the wall behind the camera stands as far behind the glass as before it.
+                // The walls go on beside it, and the wall behind the camera stands as far behind the glass as before
+                // it.
                 float expected = (2 * kGlass - kLow.z - from.z) / d.z;
-                for (std::size_t a = 0; a < 2; ++a) expected = std::min(expected, ((d[a] > 0 ? kHigh[a] : kLow[a]) - from[a]) / d[a]);
+                for (std::size_t a = 0; a < 2; ++a)
+                    expected = std::min(expected, ((d[a] > 0 ? kHigh[a] : kLow[a]) - from[a]) / d[a]);
                 if (shot.mirrored_range.at(x, y) > 0.999f * expected) {
                     EXPECT_NEAR(shot.mirrored_range.at(x, y), expected, 1e-3f * expected);
                     ++mirrored;
-                } else {   // the cube is seen in it
+                } else {  // the cube is seen in it
                     const Vec3f image = from + d * shot.mirrored_range.at(x, y);
-                    EXPECT_NEAR(std::max({std::fabs(image.x - 1.2f), std::fabs(image.y), std::fabs(2 * kGlass - image.z + 1.2f)}), 0.2f, 2e-3f);
+                    EXPECT_NEAR(std::max({std::fabs(image.x - 1.2f), std::fabs(image.y),
+                                          std::fabs(2 * kGlass - image.z + 1.2f)}),
+                                0.2f, 2e-3f);
                 }
             }
         EXPECT_GT(mirrored, 200);
     }
 }
 
-// A small patch under a square lamp: E = L times the configuration factor of a parallel rectangle (Howell, B-3) times pi.
+// A small patch under a square lamp: E = L times the configuration factor of a parallel rectangle (Howell, B-3) times
+// pi.
 TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     Room room = empty_room(diffuse({0, 0, 0}));
     Material lamp = diffuse({0, 0, 0});
@@ -212,11 +226,13 @@ TEST(Trace, WindowLetsTheSkyIn) {
     const int n = 400;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k) {
-            const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w, (2 * (static_cast<float>(k) + 0.5f) / n - 1) * w};
+            const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w,
+                               (2 * (static_cast<float>(k) + 0.5f) / n - 1) * w};
             const Vec3f to = target - at;
             const float d2 = dot(to, to), c = to.x / std::sqrt(d2);
             if (bvh.blocked(at + Vec3f{1e-3f, 0, 0}, normalize(to), 0, std::sqrt(d2) * 0.99f)) continue;
-            expected += static_cast<double>(sky_radiance(room.sky, normalize(to)).x * c * c / d2) * (4 * w * w) / (n * n);
+            expected += static_cast<double>(sky_radiance(room.sky, normalize(to)).x * c * c / d2) * (4 * w * w) /
+                        (n * n);
         }
     EXPECT_NEAR(cache.at(at, {1, 0, 0}).x / expected, 1.0, 0.05);
 }
@@ -231,7 +247,8 @@ TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
     std::array<int, 2> pixels{};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            if (const int o = shot.object.at(x, y); o >= 0) column[static_cast<std::size_t>(o)] += x, ++pixels[static_cast<std::size_t>(o)];
+            if (const int o = shot.object.at(x, y); o >= 0)
+                column[static_cast<std::size_t>(o)] += x, ++pixels[static_cast<std::size_t>(o)];
     ASSERT_GT(pixels[0], 20);
     ASSERT_GT(pixels[1], 20);
     EXPECT_GT(column[0] / pixels[0], 128 + 10);
@@ -241,7 +258,8 @@ TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
     const Shot view = room.perspective({}, camera, {.color = true, .range = true}, {});
     for (int y = 4; y < 65; y += 9)
         for (int x = 4; x < 65; x += 9) {
-            const Vec3f d = normalize(camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+            const Vec3f d = normalize(
+                camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
             EXPECT_NEAR(view.range.at(x, y), room.distance({}, d), 1e-4f);
         }
     // Columns beside the seam continue each other.
@@ -270,7 +288,8 @@ TEST(Trace, SameBytesForOneAndTwoThreads) {
     EXPECT_EQ(shots[0].range, shots[1].range);
 }
 
-// What stands behind a pane keeps its color; the pane takes a little of the light and is still told as what the ray meets first.
+// What stands behind a pane keeps its color; the pane takes a little of the light and is still told as what the ray
+// meets first.
 TEST(Trace, GlassIsSeenThrough) {
     const auto look = [](bool pane) {
         Room room = furnished_room();
@@ -281,11 +300,13 @@ TEST(Trace, GlassIsSeenThrough) {
             glass.specular = 0.08f;
             room.materials.push_back(glass);
             room.objects.resize(3);
-            room.meshes.push_back(box({0.5f, 0.3f, 0.9f}, {1.9f, 1.45f, 0.905f}, false, static_cast<int>(room.materials.size()) - 1, 2));
+            room.meshes.push_back(
+                box({0.5f, 0.3f, 0.9f}, {1.9f, 1.45f, 0.905f}, false, static_cast<int>(room.materials.size()) - 1, 2));
         }
         TracedRoom traced(std::move(room));
         traced.gather_light(quick(), {});
-        return traced.perspective({}, Pinhole::with_fov(64, 64, 100), {.color = true, .range = false, .object = true, .contacts = true}, {});
+        return traced.perspective({}, Pinhole::with_fov(64, 64, 100),
+                                  {.color = true, .range = false, .object = true, .contacts = true}, {});
     };
     const Shot clear = look(false), through = look(true);
     const Vec3f red = clear.color.at(58, 56), seen = through.color.at(58, 56);
@@ -308,11 +329,14 @@ TEST(Trace, GlassIsSeenThroughInMirrors) {
         room.materials.push_back(glass);
         const int last = static_cast<int>(room.materials.size()) - 1;
         room.meshes.push_back(box({-0.5f, -0.5f, 1.2f}, {0.5f, 0.5f, 1.22f}, false, last - 1));
-        room.meshes.push_back(box({-0.6f, -0.6f, -1.4f}, {0.6f, 0.6f, -1.2f}, false, 2));   // red, behind the camera
+        room.meshes.push_back(box({-0.6f, -0.6f, -1.4f}, {0.6f, 0.6f, -1.2f}, false, 2));  // red, behind the camera
         if (pane) room.meshes.push_back(box({-0.9f, -0.9f, -0.9f}, {0.9f, 0.9f, -0.895f}, false, last));
         TracedRoom traced(std::move(room));
         traced.gather_light(quick(), {});
-        return traced.perspective({}, Pinhole::with_fov(32, 32, 60), {.color = true, .range = false, .object = true, .contacts = true}, {}).color.at(16, 16);
+        return traced
+            .perspective({}, Pinhole::with_fov(32, 32, 60),
+                         {.color = true, .range = false, .object = true, .contacts = true}, {})
+            .color.at(16, 16);
     };
     const Vec3f red = look(false), seen = look(true);
     ASSERT_GT(red.x, 3 * red.y);
@@ -328,15 +352,17 @@ TEST(Trace, MirrorsShowNoCells) {
     mirror.roughness = 0.05f;
     room.materials.insert(room.materials.end(), {mirror, diffuse({0, 0, 0}, {9, 9, 9})});
     room.meshes.push_back(box({-1, -0.5f, 1}, {1, 0.5f, 1.02f}, false, 1));
-    room.meshes.push_back(box({-1.9f, -0.2f, -2}, {-1.7f, 0.2f, -1.8f}, false, 2));   // beside the wall behind the camera, outside of the picture
+    room.meshes.push_back(box({-1.9f, -0.2f, -2}, {-1.7f, 0.2f, -1.8f}, false,
+                              2));  // beside the wall behind the camera, outside of the picture
     TracedRoom traced(std::move(room));
     traced.gather_light(quick(), {});
     const ShotParts parts{.color = true, .range = false, .pixel_samples = 8, .radiance = true, .contacts = true};
     const ImageColor seen = traced.perspective({}, Pinhole::with_fov(384, 8, 40), parts, {}).color;
     const auto first = luminance(seen.at(0, 4)), last = luminance(seen.at(383, 4));
-    ASSERT_GT(std::max(first, last), 1.5f * std::min(first, last));   // the light does change along the wall
+    ASSERT_GT(std::max(first, last), 1.5f * std::min(first, last));  // the light does change along the wall
     for (int x = 0; x + 1 < seen.width; ++x)
-        for (int y = 0; y < seen.height; ++y) EXPECT_NEAR(luminance(seen.at(x + 1, y)) / luminance(seen.at(x, y)), 1, 0.03) << x << " " << y;
+        for (int y = 0; y < seen.height; ++y)
+            EXPECT_NEAR(luminance(seen.at(x + 1, y)) / luminance(seen.at(x, y)), 1, 0.03) << x << " " << y;
 }
 
 // However few rays are asked for, the denoiser learns how much chance is in them.
@@ -347,7 +373,10 @@ TEST(Trace, FewRaysAreDenoisedToo) {
     const auto picture = [&](int samples, bool denoised, std::uint64_t seed) {
         fastscene::Run run;
         run.seed = seed;
-        return room.perspective({}, camera, {.color = true, .range = false, .pixel_samples = samples, .contacts = true, .denoise = denoised}, run)
+        return room
+            .perspective(
+                {}, camera,
+                {.color = true, .range = false, .pixel_samples = samples, .contacts = true, .denoise = denoised}, run)
             .color;
     };
     const ImageColor truth = picture(256, false, 3);
@@ -360,7 +389,8 @@ TEST(Trace, FewRaysAreDenoisedToo) {
         return std::sqrt(sum / static_cast<double>(truth.size()));
     };
     const double raw = error(picture(3, false, 5));
-    for (const int samples : {1, 4, 8, 24}) EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
+    for (const int samples : {1, 4, 8, 24})
+        EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
 }
 
 // Some pixels of a picture are those of the whole picture; the denoiser knows their nearest neighbours only.
@@ -370,13 +400,15 @@ TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     const EquirectSize size{256, 128};
     ImageMask asked(size.width, size.height);
     for (int y = 50; y < 110; ++y)
-        for (int x = 240; x < 330; ++x) asked.at(x % size.width, y) = 255;   // across the seam
+        for (int x = 240; x < 330; ++x) asked.at(x % size.width, y) = 255;  // across the seam
     for (const bool denoised : {false, true}) {
-        ShotParts parts{.mirrored_range = true, .pixel_samples = 32, .contacts = true, .denoise = denoised, .noise = 0.012f};
+        ShotParts parts{
+            .mirrored_range = true, .pixel_samples = 32, .contacts = true, .denoise = denoised, .noise = 0.012f};
         const Shot whole = room.panorama({}, size, parts, {});
         parts.only = &asked;
         const Shot some = room.panorama({}, size, parts, {});
-        EXPECT_GT(psnr(srgb8_from_linear(some.color), srgb8_from_linear(whole.color), asked), denoised ? 45 : 1000) << denoised;
+        EXPECT_GT(psnr(srgb8_from_linear(some.color), srgb8_from_linear(whole.color), asked), denoised ? 45 : 1000)
+            << denoised;
         for (std::size_t i = 0; i < asked.size(); ++i)
             if (asked.pixels[i]) {
                 EXPECT_EQ(some.range.pixels[i], whole.range.pixels[i]);
@@ -386,7 +418,8 @@ TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     }
 }
 
-// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss it.
+// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss
+// it.
 TEST(Trace, ThinLinesDoNotBreak) {
     Room room = empty_room(diffuse({0, 0, 0}, {0.05f, 0.05f, 0.05f}));
     room.materials.push_back(diffuse({0, 0, 0}, {0.6f, 0.6f, 0.6f}));
@@ -396,8 +429,10 @@ TEST(Trace, ThinLinesDoNotBreak) {
     TracedRoom traced(std::move(room));
     traced.gather_light(quick(), {});
     const float lean = 0.03f;
-    const Rigid leaning{Mat3f::from_columns({std::cos(lean), std::sin(lean), 0}, {-std::sin(lean), std::cos(lean), 0}, {0, 0, 1}), {}};
-    const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f};
+    const Rigid leaning{
+        Mat3f::from_columns({std::cos(lean), std::sin(lean), 0}, {-std::sin(lean), std::cos(lean), 0}, {0, 0, 1}), {}};
+    const ShotParts parts{
+        .color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f};
     const ImageColor seen = traced.perspective(leaning, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color;
     std::vector<float> columns;
     for (int x = 0; x < kSide; ++x) {
@@ -412,22 +447,30 @@ TEST(Trace, ThinLinesDoNotBreak) {
     for (int x = 0; x < kSide; ++x) EXPECT_NEAR(columns[static_cast<std::size_t>(x)] / middle, 1, 0.6) << x;
 }
 
-// The shadow of a bar two metres above the floor, soft by the sun's breadth. Four rays that agree by chance in its edge used to be believed, and it was ragged.
+// The shadow of a bar two metres above the floor, soft by the sun's breadth. Four rays that agree by chance in its edge
+// used to be believed, and it was ragged.
 TEST(Trace, ShadowEdgesAreNotRagged) {
     Room room = empty_room(diffuse({0.6f, 0.6f, 0.6f}));
     const float floor = 1.1f;
-    room.meshes = {box({-4, floor, -4}, {4, floor + 0.01f, 4}, false, 0), box({-4, -1, 0.1f}, {4, -0.99f, 0.13f}, false, 0)};
+    room.meshes = {box({-4, floor, -4}, {4, floor + 0.01f, 4}, false, 0),
+                   box({-4, -1, 0.1f}, {4, -0.99f, 0.13f}, false, 0)};
     room.sky.sun_dir = normalize(Vec3f{0.1f, -1, 0.05f});
     room.sky.sun_irradiance = {3, 3, 3};
     TracedRoom traced(std::move(room));
     traced.gather_light(quick(), {});
     constexpr int kSide = 96;
     const float lean = 0.03f;
-    const Rigid down{Mat3f::from_columns({std::cos(lean), 0, -std::sin(lean)}, {-std::sin(lean), 0, -std::cos(lean)}, {0, 1, 0}), {}};
-    const ShotParts parts{.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f};
+    const Rigid down{
+        Mat3f::from_columns({std::cos(lean), 0, -std::sin(lean)}, {-std::sin(lean), 0, -std::cos(lean)}, {0, 1, 0}),
+        {}};
+    const ShotParts parts{
+        .color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f};
     const ImageColor seen = traced.perspective(down, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color;
-    const ImageColor wanted =
-        traced.perspective(down, Pinhole::with_fov(kSide, kSide, 60), {.color = true, .range = false, .pixel_samples = 256, .radiance = true}, {}).color;
+    const ImageColor wanted = traced
+                                  .perspective(down, Pinhole::with_fov(kSide, kSide, 60),
+                                               {.color = true, .range = false, .pixel_samples = 256, .radiance = true},
+                                               {})
+                                  .color;
     double squares = 0, edge = 0;
     const float lit = luminance(wanted.at(kSide / 2, 0));
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -437,7 +480,7 @@ TEST(Trace, ShadowEdgesAreNotRagged) {
         ++edge;
     }
     ASSERT_GT(edge, 2 * kSide);
-    EXPECT_LT(std::sqrt(squares / edge), 0.05);   // 0.059 where they are believed
+    EXPECT_LT(std::sqrt(squares / edge), 0.05);  // 0.059 where they are believed
 }
 
 // Edges of a pattern on one surface, evenly lit: pixels on them hold the shares of both colors.
@@ -450,21 +493,28 @@ TEST(Trace, EdgesOfPatternsAreNotRagged) {
     traced.gather_light(quick(), {});
     constexpr int kSide = 96;
     const float lean = 0.13f;
-    const Rigid down{Mat3f::from_columns({std::cos(lean), 0, -std::sin(lean)}, {-std::sin(lean), 0, -std::cos(lean)}, {0, 1, 0}), {}};
-    const auto picture = [&](const ShotParts& parts) { return traced.perspective(down, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color; };
-    const ImageColor seen = picture({.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f}),
-                     wanted = picture({.color = true, .range = false, .pixel_samples = 256, .radiance = true});
+    const Rigid down{
+        Mat3f::from_columns({std::cos(lean), 0, -std::sin(lean)}, {-std::sin(lean), 0, -std::cos(lean)}, {0, 1, 0}),
+        {}};
+    const auto picture = [&](const ShotParts& parts) {
+        return traced.perspective(down, Pinhole::with_fov(kSide, kSide, 60), parts, {}).color;
+    };
+    const ImageColor
+        seen = picture(
+            {.color = true, .range = false, .pixel_samples = 64, .radiance = true, .denoise = true, .noise = 0.012f}),
+        wanted = picture({.color = true, .range = false, .pixel_samples = 256, .radiance = true});
     float low = 1e9f, high = 0;
     for (const Vec3f& c : wanted.pixels) low = std::min(low, luminance(c)), high = std::max(high, luminance(c));
     double squared = 0, edge = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const float is = (luminance(seen.pixels[i]) - low) / (high - low), should_be = (luminance(wanted.pixels[i]) - low) / (high - low);
+        const float is = (luminance(seen.pixels[i]) - low) / (high - low),
+                    should_be = (luminance(wanted.pixels[i]) - low) / (high - low);
         if (!(should_be > 0.05f && should_be < 0.9f)) continue;
         squared += (is - should_be) * (is - should_be);
         ++edge;
     }
     ASSERT_GT(edge, 2 * kSide);
-    EXPECT_LT(std::sqrt(squared / edge), 0.04);   // 0.056 where first rays that agree are believed
+    EXPECT_LT(std::sqrt(squared / edge), 0.04);  // 0.056 where first rays that agree are believed
 }
 
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
@@ -481,7 +531,8 @@ TEST(Trace, TwoSetsOfCameraRaysAgree) {
     EXPECT_GT(psnr(picture({}, fine), picture(other, fine)), 42);
 }
 
-// The tree that is asked first is not watertight: no ray may slip out between two triangles, not even one that aims at where they meet.
+// The tree that is asked first is not watertight: no ray may slip out between two triangles, not even one that aims at
+// where they meet.
 TEST(Trace, NoRayLeavesAClosedRoom) {
     const TracedRoom room(furnished_room());
     Random dice(8, "rays");
@@ -489,7 +540,7 @@ TEST(Trace, NoRayLeavesAClosedRoom) {
     for (int i = 0; i < 400'000; ++i) {
         const Vec3f from{dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f)};
         Vec3f to{dice.uniform(kLow.x, kHigh.x), dice.uniform(kLow.y, kHigh.y), dice.chance(0.5f) ? kLow.z : kHigh.z};
-        if (i % 2) to.x = dice.chance(0.5f) ? kLow.x : kHigh.x;   // an edge of the room
+        if (i % 2) to.x = dice.chance(0.5f) ? kLow.x : kHigh.x;  // an edge of the room
         lost += std::isinf(room.distance(from, normalize(to - from)));
     }
     EXPECT_EQ(lost, 0);
@@ -552,8 +603,8 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
     }
 }
 
-// From afar a pattern is its own mean: walls do not change their color with distance, and bounced light meets what the eye sees. What the cache takes
-// for the mean is it, however joints lie.
+// From afar a pattern is its own mean: walls do not change their color with distance, and bounced light meets what the
+// eye sees. What the cache takes for the mean is it, however joints lie.
 TEST(Texture, PatternsKeepTheirMeanFromAfar) {
     const auto mean = [](const Material& m, float footprint_m) {
         double sum = 0;
@@ -574,11 +625,17 @@ TEST(Texture, PatternsKeepTheirMeanFromAfar) {
         float scale_m;
     };
     for (const auto& [pattern, scale_m] :
-         {Case{Pattern::tile, 0.1f}, {Pattern::tile, 0.4f}, {Pattern::subway, 0.075f}, {Pattern::checker, 0.3f}, {Pattern::brick, 0.065f}, {Pattern::marble, 0.5f},
-          {Pattern::terrazzo, 0.03f}, {Pattern::stripes, 0.02f}, {Pattern::wicker, 0.02f}, {Pattern::leather, 0.01f}, {Pattern::planks, 0.1f},
-          {Pattern::herringbone, 0.09f}, {Pattern::concrete, 0.6f}, {Pattern::fabric, 0.002f}, {Pattern::knit, 0.012f},
-          {Pattern::dots, 0.2f}, {Pattern::zigzag, 0.2f}, {Pattern::twill, 0.2f}, {Pattern::geometric, 0.2f}, {Pattern::diamonds, 0.2f}, {Pattern::lattice, 0.2f}, {Pattern::stars, 0.2f}, {Pattern::gingham, 0.2f}, {Pattern::plaid, 0.2f},
-          {Pattern::houndstooth, 0.2f}, {Pattern::patchwork, 0.05f}, {Pattern::leopard, 0.2f}, {Pattern::zebra, 0.2f}, {Pattern::camouflage, 0.2f}, {Pattern::paisley, 0.2f}, {Pattern::encaustic, 0.2f}, {Pattern::laid_tiles, 0.05f}, {Pattern::peeling, 0.6f}}) {
+         {Case{Pattern::tile, 0.1f},    {Pattern::tile, 0.4f},        {Pattern::subway, 0.075f},
+          {Pattern::checker, 0.3f},     {Pattern::brick, 0.065f},     {Pattern::marble, 0.5f},
+          {Pattern::terrazzo, 0.03f},   {Pattern::stripes, 0.02f},    {Pattern::wicker, 0.02f},
+          {Pattern::leather, 0.01f},    {Pattern::planks, 0.1f},      {Pattern::herringbone, 0.09f},
+          {Pattern::concrete, 0.6f},    {Pattern::fabric, 0.002f},    {Pattern::knit, 0.012f},
+          {Pattern::dots, 0.2f},        {Pattern::zigzag, 0.2f},      {Pattern::twill, 0.2f},
+          {Pattern::geometric, 0.2f},   {Pattern::diamonds, 0.2f},    {Pattern::lattice, 0.2f},
+          {Pattern::stars, 0.2f},       {Pattern::gingham, 0.2f},     {Pattern::plaid, 0.2f},
+          {Pattern::houndstooth, 0.2f}, {Pattern::patchwork, 0.05f},  {Pattern::leopard, 0.2f},
+          {Pattern::zebra, 0.2f},       {Pattern::camouflage, 0.2f},  {Pattern::paisley, 0.2f},
+          {Pattern::encaustic, 0.2f},   {Pattern::laid_tiles, 0.05f}, {Pattern::peeling, 0.6f}}) {
         Material m = diffuse({});
         m.pattern = pattern;
         m.scale_m = scale_m;
@@ -588,8 +645,10 @@ TEST(Texture, PatternsKeepTheirMeanFromAfar) {
             m.color_c = {0.3f, 0.3f, 0.3f};
             const double near = mean(m, 0.0015f);
             for (const float far_m : {0.01f, 0.1f, 0.6f})
-                EXPECT_NEAR(mean(m, far_m) / near, 1, 0.15) << static_cast<int>(pattern) << " of " << scale_m << " at " << far_m << (dark ? ", dark" : ", light");
-            EXPECT_NEAR(static_cast<double>(luminance(mean_albedo(m))) / near, 1, 0.15) << static_cast<int>(pattern) << " of " << scale_m << (dark ? ", dark" : ", light");
+                EXPECT_NEAR(mean(m, far_m) / near, 1, 0.15) << static_cast<int>(pattern) << " of " << scale_m << " at "
+                                                            << far_m << (dark ? ", dark" : ", light");
+            EXPECT_NEAR(static_cast<double>(luminance(mean_albedo(m))) / near, 1, 0.15)
+                << static_cast<int>(pattern) << " of " << scale_m << (dark ? ", dark" : ", light");
         }
     }
 }
@@ -603,16 +662,19 @@ Look look_of_room(Vec3f paint, Vec3f light) {
 
 TEST(Film, DarkRoomsStayDarkAndWhiteOnesWhite) {
     const Vec3f white{0.8f, 0.8f, 0.8f}, green{0.03f, 0.08f, 0.05f}, light{0.2f, 0.2f, 0.2f};
-    const float bright = luminance(develop(look_of_room(white, light), white * light)), dark = luminance(develop(look_of_room(green, light), green * light));
+    const float bright = luminance(develop(look_of_room(white, light), white * light)),
+                dark = luminance(develop(look_of_room(green, light), green * light));
     EXPECT_GT(bright, 0.45f);
     EXPECT_LT(dark, 0.25f);
     EXPECT_GT(dark, 0.03f);
 }
 
 TEST(Film, TheLightIsBalancedNotThePaint) {
-    const Vec3f gray{0.5f, 0.5f, 0.5f}, pink{0.75f, 0.35f, 0.45f}, lamp{1.f, 0.62f, 0.35f}, day{1, 1, 1}, neon{1.f, 0.2f, 0.9f};
+    const Vec3f gray{0.5f, 0.5f, 0.5f}, pink{0.75f, 0.35f, 0.45f}, lamp{1.f, 0.62f, 0.35f}, day{1, 1, 1},
+        neon{1.f, 0.2f, 0.9f};
     const auto red_over_blue = [](Vec3f c) { return c.x / c.z; };
-    // Lamplight is balanced most of the way, never beyond white; a gray thing in a pink room stays gray; neon stays neon.
+    // Lamplight is balanced most of the way, never beyond white; a gray thing in a pink room stays gray; neon stays
+    // neon.
     const Vec3f by_lamp = develop(look_of_room(gray, lamp), gray * lamp * 0.2f);
     EXPECT_LT(red_over_blue(by_lamp), 0.75f * red_over_blue(develop({}, gray * lamp * 0.2f)));
     EXPECT_GT(red_over_blue(by_lamp), 1.f);
@@ -630,19 +692,23 @@ TEST(Film, LampsKeepTheirHue) {
     EXPECT_LT(luminance(seen), luminance(flame) / 10);
     EXPECT_NEAR(seen.x / seen.y, flame.x / flame.y, 1e-3f);
     EXPECT_GT(luminance(seen) * 16, 1.f) << "brighter than white paper";
-    EXPECT_EQ(lamp_as_seen({}, {0.4f, 0.4f, 0.4f}), (Vec3f{0.4f, 0.4f, 0.4f})) << "what is no brighter than white is seen as it is";
+    EXPECT_EQ(lamp_as_seen({}, {0.4f, 0.4f, 0.4f}), (Vec3f{0.4f, 0.4f, 0.4f}))
+        << "what is no brighter than white is seen as it is";
 }
 
-// A garden in the sun does not look like dusk because the room before it is bright; a dim room sees it as before, and so does one under a sky that asks for nothing.
+// A garden in the sun does not look like dusk because the room before it is bright; a dim room sees it as before, and
+// so does one under a sky that asks for nothing.
 TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     const Vec3f gray{0.5f, 0.5f, 0.5f};
     Sky sky;
-    sky.ground = {0.8f, 0.8f, 0.7f}, sky.zenith = sky.horizon = {2, 2.2f, 2.5f}, sky.seen = 0.13f, sky.ground_least = 0.55f;
+    sky.ground = {0.8f, 0.8f, 0.7f}, sky.zenith = sky.horizon = {2, 2.2f, 2.5f}, sky.seen = 0.13f,
+    sky.ground_least = 0.55f;
     const auto ground_in = [&](float light) {
         ImageColor seen(32, 16, gray * light), albedo(32, 16, gray);
         const Look look = automatic_look({}, sky, seen, albedo);
         EXPECT_GE(look.outside_seen, 1.f);
-        return std::pair{luminance(outside_as_seen(sky, look, {0, 1, 0})) * std::exp2(look.exposure_ev), look.outside_seen};
+        return std::pair{luminance(outside_as_seen(sky, look, {0, 1, 0})) * std::exp2(look.exposure_ev),
+                         look.outside_seen};
     };
     EXPECT_EQ(ground_in(0.05f).second, 1.f);
     EXPECT_GT(ground_in(1.5f).second, 1.5f);
@@ -655,7 +721,8 @@ TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
 TEST(Film, TheNightOutsideADimRoomIsNoDay) {
     const Vec3f gray{0.5f, 0.5f, 0.5f};
     Sky sky;
-    sky.time = Sky::Time::night, sky.zenith = {0.0007f, 0.001f, 0.0022f}, sky.horizon = {0.003f, 0.0032f, 0.0045f}, sky.ground = {0.0008f, 0.0008f, 0.001f}, sky.seen = 1;
+    sky.time = Sky::Time::night, sky.zenith = {0.0007f, 0.001f, 0.0022f}, sky.horizon = {0.003f, 0.0032f, 0.0045f},
+    sky.ground = {0.0008f, 0.0008f, 0.001f}, sky.seen = 1;
     const auto horizon_in = [&](float light) {
         const Look look = automatic_look({}, sky, ImageColor(32, 16, gray * light), ImageColor(32, 16, gray));
         return luminance(sky.horizon) * sky.seen * look.outside_seen * std::exp2(look.exposure_ev);
@@ -667,9 +734,11 @@ TEST(Film, TheNightOutsideADimRoomIsNoDay) {
     for (const float light : {0.003f, 0.01f, 0.05f, 0.3f}) EXPECT_LT(horizon_in(light), 0.3f) << light;
 }
 
-// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what lies in them.
+// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what
+// lies in them.
 TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
-    const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f}, white{0.8f, 0.8f, 0.8f};
+    const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f},
+        white{0.8f, 0.8f, 0.8f};
     Sky sky;
     sky.sun_irradiance = {10, 10, 10};
     const auto in_light_of = [&](float light, float limit) {
@@ -692,7 +761,8 @@ TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
         EXPECT_GT(level, before) << "the more the sun outshines the room, the brighter it is";
         before = level;
         EXPECT_GT(luminance(in_sun(look, light, white)), luminance(develop(look, white * light)));
-        EXPECT_LT(luminance(in_sun(look, light, concrete)), luminance(in_sun(look, light, white)) - 0.04f) << "concrete in the sun is no white paper";
+        EXPECT_LT(luminance(in_sun(look, light, concrete)), luminance(in_sun(look, light, white)) - 0.04f)
+            << "concrete in the sun is no white paper";
         const Vec3f blue = in_sun(look, light, navy);
         EXPECT_GT(blue.z, 1.8f * blue.x) << "navy stays navy";
     }

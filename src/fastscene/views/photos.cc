@@ -32,8 +32,8 @@ Vec3d median_place(const std::vector<Photo>& photos) {
     return out;
 }
 
-// Half of what is seen lies nearer than this to the middle of the cameras; medians, so that single cameras and points far off do not
-// matter. Without points the cameras' own spread must do.
+// Half of what is seen lies nearer than this to the middle of the cameras; medians, so that single cameras and points
+// far off do not matter. Without points the cameras' own spread must do.
 double radius_of(const Capture& capture, Vec3d middle) {
     std::vector<double> distances;
     for (const CapturePoint& p : capture.points)
@@ -59,7 +59,8 @@ Vec3f to_float(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.
 Vec3d place_of(const Similarity& s, Vec3d p) { return (s.new_from_old * p) * s.scale + s.translation; }
 Rigid pose_of(const Similarity& s, const Rigidd& world_from_camera) {
     const Mat3d r = s.new_from_old * world_from_camera.rotation;
-    return {{to_float(r.row0), to_float(r.row1), to_float(r.row2)}, to_float(place_of(s, world_from_camera.translation))};
+    return {{to_float(r.row0), to_float(r.row1), to_float(r.row2)},
+            to_float(place_of(s, world_from_camera.translation))};
 }
 
 std::vector<const Photo*> present_photos(const Capture& capture, const Run& run) {
@@ -70,10 +71,11 @@ std::vector<const Photo*> present_photos(const Capture& capture, const Run& run)
         else if (first_missing.empty()) first_missing = photo.file.string();
     if (capture.photos.empty()) throw Error("{}: expected photographs with cameras, found none", capture.source);
     if (present.empty())
-        throw Error("{}: expected the pictures of {} cameras, found none; {} is missing", capture.source, capture.photos.size(), first_missing);
+        throw Error("{}: expected the pictures of {} cameras, found none; {} is missing", capture.source,
+                    capture.photos.size(), first_missing);
     if (present.size() < capture.photos.size())
-        run.warn(fmt::format("{}: {} of {} pictures are missing and left out, {} first", capture.source, capture.photos.size() - present.size(),
-                             capture.photos.size(), first_missing));
+        run.warn(fmt::format("{}: {} of {} pictures are missing and left out, {} first", capture.source,
+                             capture.photos.size() - present.size(), capture.photos.size(), first_missing));
     return present;
 }
 
@@ -89,7 +91,8 @@ std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity&
         places.push_back(place);
         out.push_back({place, {}, p.color, 0});
     }
-    if (const std::size_t dropped = capture.points.size() - out.size()) run.note(fmt::format("{} points lie too far off to be used", dropped));
+    if (const std::size_t dropped = capture.points.size() - out.size())
+        run.note(fmt::format("{} points lie too far off to be used", dropped));
     const std::vector<float> sizes = spacings(places);
     // A point alone in the distance must not become a fog over everything.
     const float typical = sizes.empty() ? 0 : static_cast<float>(median({sizes.begin(), sizes.end()}));
@@ -108,7 +111,8 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
         const float distance = static_cast<float>(distance_m) * std::exp(random.uniform(-1.6f, 1.6f));
         const Vec3f ray = view.model == CameraModel::equirectangular
                               ? direction_of_pixel(x, y, {view.camera.width, view.camera.height})
-                              : normalize(view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+                              : normalize(view.camera.direction_at(
+                                    {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
         out.push_back({view.world_from_camera * (ray * distance), {}, view.color.at(x, y), 0});
     }
     std::vector<Vec3f> places;
@@ -120,17 +124,22 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
 
 // Where the capture has none: from what its views agree on, else by lot.
 void make_up_points(const Capture& capture, const PhotosParams& params, PhotoViews& views, const Run& run) {
-    const std::string why = capture.missing_points.empty() ? "has no points to start from" : capture.missing_points.string() + ", its points, is missing";
-    const double spread = radius_of({capture.source, capture.photos, {}, {}, {}}, median_place(capture.photos)) * views.world_from_capture.scale;
+    const std::string why = capture.missing_points.empty()
+                                ? "has no points to start from"
+                                : capture.missing_points.string() + ", its points, is missing";
+    const double spread = radius_of({capture.source, capture.photos, {}, {}, {}}, median_place(capture.photos)) *
+                          views.world_from_capture.scale;
     if (const auto reach = static_cast<float>(spread); reach > 0) {
         // Cameras that look inward stand around what they see, those in a room a step from each other.
         views.set.points = swept_points(views.set, params.random_points, 0.3f * reach, 60 * reach, run);
     }
     if (views.set.points.empty()) {
         views.set.points = made_up_points(views.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
-        return run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source, why, views.set.points.size()));
+        return run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source,
+                                    why, views.set.points.size()));
     }
-    run.warn(fmt::format("{}: {}; {} are used on which its pictures agree", capture.source, why, views.set.points.size()));
+    run.warn(
+        fmt::format("{}: {}; {} are used on which its pictures agree", capture.source, why, views.set.points.size()));
     // Only now it is known how large the place is that the cameras see.
     std::vector<double> distances;
     for (const SurfacePoint& p : views.set.points) distances.push_back(static_cast<double>(length(p.position_m)));
@@ -139,13 +148,16 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
     const double factor = kRoom_m / radius;
     views.world_from_capture.scale *= factor;
     views.world_from_capture.translation = views.world_from_capture.translation * factor;
-    for (View& view : views.set.views) view.world_from_camera.translation = view.world_from_camera.translation * static_cast<float>(factor);
-    for (SurfacePoint& p : views.set.points) p.position_m = p.position_m * static_cast<float>(factor), p.radius_m *= static_cast<float>(factor);
+    for (View& view : views.set.views)
+        view.world_from_camera.translation = view.world_from_camera.translation * static_cast<float>(factor);
+    for (SurfacePoint& p : views.set.points)
+        p.position_m = p.position_m * static_cast<float>(factor), p.radius_m *= static_cast<float>(factor);
 }
 
-// `why`: of each view what was wrong with its picture, or nothing. A few damaged ones are left out; most of them wrong is a mistake that the
-// result would hide.
-void leave_out_unusable(const Capture& capture, const std::vector<std::string>& why, std::vector<View>& views, const Run& run) {
+// `why`: of each view what was wrong with its picture, or nothing. A few damaged ones are left out; most of them wrong
+// is a mistake that the result would hide.
+void leave_out_unusable(const Capture& capture, const std::vector<std::string>& why, std::vector<View>& views,
+                        const Run& run) {
     constexpr std::size_t kNamed = 10;
     std::vector<std::string> named;
     std::vector<View> usable;
@@ -158,19 +170,24 @@ void leave_out_unusable(const Capture& capture, const std::vector<std::string>& 
     if (unusable == 0) return;
     if (unusable > kNamed) named.push_back(fmt::format("and {} more", unusable - kNamed));
     if (2 * unusable > why.size())
-        throw Error("{}: expected pictures that fit their cameras, found {} of {} that cannot be used: {}", capture.source, unusable, why.size(),
-                    fmt::join(named, "; "));
-    run.warn(fmt::format("{}: {} of {} pictures cannot be used and are left out: {}", capture.source, unusable, why.size(), fmt::join(named, "; ")));
+        throw Error("{}: expected pictures that fit their cameras, found {} of {} that cannot be used: {}",
+                    capture.source, unusable, why.size(), fmt::join(named, "; "));
+    run.warn(fmt::format("{}: {} of {} pictures cannot be used and are left out: {}", capture.source, unusable,
+                         why.size(), fmt::join(named, "; ")));
 }
 
 void check_something_counts(const Capture& capture, const PhotosParams& params, const std::vector<View>& views) {
     for (const View& view : views)
-        if (view.weight.empty() || std::any_of(view.weight.pixels.begin(), view.weight.pixels.end(), [](std::uint8_t w) { return w > 0; })) return;
-    const bool masked =
-        params.alpha == "mask" || std::any_of(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return !p.mask.empty(); });
-    throw Error("{}: expected a pixel that counts, found none in {} pictures: {}", capture.source, views.size(),
-                masked ? "masks are black (and pictures transparent) where nothing counts; --invert-masks turns masks round"
-                       : "no pixel of the straightened pictures lands on what the lens saw; are its distortion and center right?");
+        if (view.weight.empty() ||
+            std::any_of(view.weight.pixels.begin(), view.weight.pixels.end(), [](std::uint8_t w) { return w > 0; }))
+            return;
+    const bool masked = params.alpha == "mask" || std::any_of(capture.photos.begin(), capture.photos.end(),
+                                                              [](const Photo& p) { return !p.mask.empty(); });
+    throw Error(
+        "{}: expected a pixel that counts, found none in {} pictures: {}", capture.source, views.size(),
+        masked
+            ? "masks are black (and pictures transparent) where nothing counts; --invert-masks turns masks round"
+            : "no pixel of the straightened pictures lands on what the lens saw; are its distortion and center right?");
 }
 
 }  // namespace
@@ -211,14 +228,15 @@ PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, 
     const auto is_bare = [](const Photo* photo) { return photo->mask.empty(); };
     const auto bare = static_cast<std::size_t>(std::count_if(photos.begin(), photos.end(), is_bare));
     if (bare > 0 && bare < photos.size())
-        run.warn(fmt::format("{}: {} of {} pictures have no mask and count whole, {} first", capture.source, bare, photos.size(),
-                             (*std::find_if(photos.begin(), photos.end(), is_bare))->name));
+        run.warn(fmt::format("{}: {} of {} pictures have no mask and count whole, {} first", capture.source, bare,
+                             photos.size(), (*std::find_if(photos.begin(), photos.end(), is_bare))->name));
     Progress progress(run, "pictures", static_cast<std::int64_t>(photos.size()));
     parallel_for(static_cast<std::int64_t>(photos.size()), 1, [&](std::int64_t begin, std::int64_t) {
         run.check_stop();
         const auto i = static_cast<std::size_t>(begin);
         try {
-            out.set.views[i] = view_of_photo(*photos[i], pose_of(out.world_from_capture, photos[i]->world_from_camera), params);
+            out.set.views[i] = view_of_photo(*photos[i], pose_of(out.world_from_capture, photos[i]->world_from_camera),
+                                             params);
         } catch (const Error& e) {
             unusable[i] = e.what();
         }

@@ -38,7 +38,8 @@ Rgb8 color_of(Vec3d d) {
     return {wave(3 * d.x + 1), wave(4 * d.y + d.z), wave(2 * d.z - 3 * d.x)};
 }
 
-// What a lens sees of it, pixel by pixel: the direction is found by inverting the lens with Newton's steps, independent of the code under test.
+// What a lens sees of it, pixel by pixel: the direction is found by inverting the lens with Newton's steps, independent
+// of the code under test.
 ImageRgb8 photograph(const Lens& lens) {
     ImageRgb8 out(lens.width, lens.height);
     const double reach = lens.reach();
@@ -59,33 +60,36 @@ ImageRgb8 photograph(const Lens& lens) {
 struct Model {
     std::string name, parameters;
 };
-const std::vector<Model> kModels{{"SIMPLE_PINHOLE", "80 48 36"},
-                                 {"PINHOLE", "80 82 47 37"},
-                                 {"SIMPLE_RADIAL", "80 48 36 -0.12"},
-                                 {"RADIAL", "80 48 36 -0.1 0.02"},
-                                 {"OPENCV", "80 81 48.5 35 -0.1 0.02 0.002 -0.003"},
-                                 {"OPENCV_FISHEYE", "80 81 48 36 0.02 -0.01 0.002 0"},
-                                 {"FULL_OPENCV", "80 81 48 36 -0.1 0.02 0.001 0.002 0.001 0.01 0 0"},
-                                 {"FOV", "80 81 48 36 0.6"},
-                                 {"SIMPLE_RADIAL_FISHEYE", "80 48 36 0.01"},
-                                 {"RADIAL_FISHEYE", "80 48 36 0.01 0.005"},
-                                 {"THIN_PRISM_FISHEYE", "80 81 48 36 0.02 -0.01 0.003 -0.002 0.004 -0.001 0.01 -0.02"},
-                                 {"RAD_TAN_THIN_PRISM_FISHEYE",
-                                  "80 81 48 36 0.02 -0.01 0.004 -0.001 0.0005 -0.0002 0.003 -0.002 0.01 -0.02 0.005 0.004"},
-                                 {"SIMPLE_DIVISION", "80 48 36 -0.2"},
-                                 {"DIVISION", "80 81 48 36 0.1"},
-                                 {"SIMPLE_FISHEYE", "80 48 36"},
-                                 {"FISHEYE", "80 81 48 36"},
-                                 {"EUCM", "80 81 48 36 0.6 1.1"}};
+const std::vector<Model> kModels{
+    {"SIMPLE_PINHOLE", "80 48 36"},
+    {"PINHOLE", "80 82 47 37"},
+    {"SIMPLE_RADIAL", "80 48 36 -0.12"},
+    {"RADIAL", "80 48 36 -0.1 0.02"},
+    {"OPENCV", "80 81 48.5 35 -0.1 0.02 0.002 -0.003"},
+    {"OPENCV_FISHEYE", "80 81 48 36 0.02 -0.01 0.002 0"},
+    {"FULL_OPENCV", "80 81 48 36 -0.1 0.02 0.001 0.002 0.001 0.01 0 0"},
+    {"FOV", "80 81 48 36 0.6"},
+    {"SIMPLE_RADIAL_FISHEYE", "80 48 36 0.01"},
+    {"RADIAL_FISHEYE", "80 48 36 0.01 0.005"},
+    {"THIN_PRISM_FISHEYE", "80 81 48 36 0.02 -0.01 0.003 -0.002 0.004 -0.001 0.01 -0.02"},
+    {"RAD_TAN_THIN_PRISM_FISHEYE",
+     "80 81 48 36 0.02 -0.01 0.004 -0.001 0.0005 -0.0002 0.003 -0.002 0.01 -0.02 0.005 0.004"},
+    {"SIMPLE_DIVISION", "80 48 36 -0.2"},
+    {"DIVISION", "80 81 48 36 0.1"},
+    {"SIMPLE_FISHEYE", "80 48 36"},
+    {"FISHEYE", "80 81 48 36"},
+    {"EUCM", "80 81 48 36 0.6 1.1"}};
 
 void write_colmap(const fs::path& dir, const Model& model, int width, int height, const ImageRgb8& picture) {
     fs::create_directories(dir / "sparse" / "0");
     fs::create_directories(dir / "images" / "sub");
-    write_file(dir / "sparse/0/cameras.txt", fmt::format("# comment\n7 {} {} {} {}\n", model.name, width, height, model.parameters));
-    write_file(dir / "sparse/0/images.txt", fmt::format("# comment\n3 0.70710678 0 0.70710678 0 1 2 3 7 sub/a b.png\n10.5 11.5 -1 3.5 2 4\n"));
-    write_file(
-        dir / "sparse/0/points3D.txt",
-        std::string_view("# comment\n1 1 2 3 10 20 30 0.5 3 0\n2 1.1 2 3 10 20 30 0.5\n3 1 2.2 3 10 20 30 0.5\n4 1 2 3.3 40 50 60 0.5 3 1 3 2\n"));
+    write_file(dir / "sparse/0/cameras.txt",
+               fmt::format("# comment\n7 {} {} {} {}\n", model.name, width, height, model.parameters));
+    write_file(dir / "sparse/0/images.txt",
+               fmt::format("# comment\n3 0.70710678 0 0.70710678 0 1 2 3 7 sub/a b.png\n10.5 11.5 -1 3.5 2 4\n"));
+    write_file(dir / "sparse/0/points3D.txt",
+               std::string_view("# comment\n1 1 2 3 10 20 30 0.5 3 0\n2 1.1 2 3 10 20 30 0.5\n3 1 2.2 3 10 20 30 "
+                                "0.5\n4 1 2 3.3 40 50 60 0.5 3 1 3 2\n"));
     save_png(dir / "images/sub/a b.png", picture);
 }
 
@@ -150,8 +154,9 @@ TEST(Photos, LensesAreColmaps) {
 
 TEST(Photos, UnknownLensesAreRefusedByName) {
     const fs::path dir = scratch("unknown");
-    for (const auto& [model, named] : {std::pair{Model{"PLUMB_BOB", "80 48 36"}, "PLUMB_BOB"}, std::pair{Model{"EUCM", "80 81 48 36 1.5 1"}, "EUCM"},
-                                       std::pair{Model{"EUCM", "80 81 48 36 0.5 -1"}, "EUCM"}}) {
+    for (const auto& [model, named] :
+         {std::pair{Model{"PLUMB_BOB", "80 48 36"}, "PLUMB_BOB"}, std::pair{Model{"EUCM", "80 81 48 36 1.5 1"}, "EUCM"},
+          std::pair{Model{"EUCM", "80 81 48 36 0.5 -1"}, "EUCM"}}) {
         write_colmap(dir, model, 96, 72, ImageRgb8(96, 72));
         try {
             load_colmap_capture(dir, {});
@@ -197,9 +202,11 @@ TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
     const PhotoViews views = views_of_capture(capture, {}, run);
     ASSERT_EQ(views.set.views.size(), 3u);
     EXPECT_EQ(views.set.views[1].name, "p2.png");
-    EXPECT_NEAR(views.set.views[2].world_from_camera.translation.x - views.set.views[0].world_from_camera.translation.x, 0.4f, 1e-4f);
+    EXPECT_NEAR(views.set.views[2].world_from_camera.translation.x - views.set.views[0].world_from_camera.translation.x,
+                0.4f, 1e-4f);
     EXPECT_NE(warnings.text.find("2 of 5"), std::string::npos) << warnings.text;
-    for (const char* name : {"p1.png", "p3.png"}) EXPECT_NE(warnings.text.find((dir / name).string()), std::string::npos) << warnings.text;
+    for (const char* name : {"p1.png", "p3.png"})
+        EXPECT_NE(warnings.text.find((dir / name).string()), std::string::npos) << warnings.text;
     write_file(dir / "p4.png", std::string_view("no picture"));
     try {
         views_of_capture(capture, {}, run);
@@ -215,7 +222,8 @@ TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
     EXPECT_EQ(views_of_capture(capture, {}, run).set.views.size(), 2u);
 }
 
-// A mask may be smaller than its picture, not of another shape: stretched it would hide the wrong places. Where only some have one, it is said.
+// A mask may be smaller than its picture, not of another shape: stretched it would hide the wrong places. Where only
+// some have one, it is said.
 TEST(Photos, MasksHaveTheShapeOfTheirPictures) {
     const fs::path dir = scratch("mask_shape");
     Capture capture = capture_of(dir, 5);
@@ -233,8 +241,12 @@ TEST(Photos, MasksHaveTheShapeOfTheirPictures) {
     EXPECT_EQ(views.set.views[1].weight.at(1, 1), 0);
     EXPECT_EQ(views.set.views[1].weight.at(2, 1), 255);
     EXPECT_EQ(views.set.views[2].name, "p3.png");
-    EXPECT_NE(warnings.text.find((dir / "m2.png").string() + ": expected the shape of its picture, 16 x 16, found 16 x 8"), std::string::npos) << warnings.text;
-    EXPECT_NE(warnings.text.find("2 of 5 pictures have no mask and count whole, p0.png first"), std::string::npos) << warnings.text;
+    EXPECT_NE(
+        warnings.text.find((dir / "m2.png").string() + ": expected the shape of its picture, 16 x 16, found 16 x 8"),
+        std::string::npos)
+        << warnings.text;
+    EXPECT_NE(warnings.text.find("2 of 5 pictures have no mask and count whole, p0.png first"), std::string::npos)
+        << warnings.text;
     for (std::size_t i = 0; i < 5; ++i) capture.photos[i].mask = dir / "m1.png";
     warnings.text.clear();
     views_of_capture(capture, {}, run);
@@ -292,7 +304,8 @@ TEST(Photos, OtherSizesScaleTheCamera) {
     save_png(dir / "images_4/sub/a b.png", ImageRgb8(24, 18, {9, 9, 9}));
     CaptureFolders folders;
     folders.downscale = 4;
-    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, folders), params, fastscene::Run{}).set.views[0].color.at(0, 0), (Rgb8{9, 9, 9}));
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, folders), params, fastscene::Run{}).set.views[0].color.at(0, 0),
+              (Rgb8{9, 9, 9}));
     save_png(dir / "images/sub/a b.png", ImageRgb8(72, 96));
     EXPECT_THROW(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}), Error);
 }
@@ -307,7 +320,8 @@ TEST(Photos, MasksAndMissingPictures) {
     EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0].weight.at(5, 6), 0);
     PhotosParams params;
     params.invert_masks = true;
-    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{}).set.views[0].weight.at(5, 6), 255);
+    EXPECT_EQ(views_of_capture(load_colmap_capture(dir, {}), params, fastscene::Run{}).set.views[0].weight.at(5, 6),
+              255);
     fs::remove(dir / "images/sub/a b.png");
     EXPECT_THROW(views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}), Error);
 }
@@ -321,12 +335,14 @@ TEST(Photos, ScenesFarOffAndWithStrayCamerasComeClose) {
         Photo photo;
         photo.name = photo.file = dir / "p.png";
         photo.lens = lens_of(*lens_model("SIMPLE_PINHOLE"), 8, 8, {8, 4, 4});
-        photo.world_from_camera.translation = Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 50;
+        photo.world_from_camera.translation = Vec3d{500000, 200000, -40} +
+                                              Vec3d{random.normal(), random.normal(), random.normal()} * 50;
         if (i == 10) photo.world_from_camera.translation = {-1e9, 0, 0};
         capture.photos.push_back(photo);
     }
     for (int i = 0; i < 500; ++i)
-        capture.points.push_back({Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 100, {}});
+        capture.points.push_back(
+            {Vec3d{500000, 200000, -40} + Vec3d{random.normal(), random.normal(), random.normal()} * 100, {}});
     const PhotoViews views = views_of_capture(capture, {}, fastscene::Run{});
     int near = 0;
     for (const SurfacePoint& p : views.set.points) near += length(p.position_m) < 10;
@@ -353,7 +369,8 @@ TEST(Photos, OneCameraWithoutPoints) {
 TEST(Photos, NerfstudioCamerasLookAlongMinusZ) {
     const fs::path dir = scratch("nerf");
     save_png(dir / "r_0.png", ImageRgb8(40, 30, {1, 2, 3}));
-    write_file(dir / "transforms.json", std::string_view(R"({"camera_angle_x": 1.5707963, "frames": [{"file_path": "./r_0",
+    write_file(dir / "transforms.json",
+               std::string_view(R"({"camera_angle_x": 1.5707963, "frames": [{"file_path": "./r_0",
         "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}]})"));
     const Capture capture = load_nerfstudio_capture(dir, {});
     ASSERT_EQ(capture.photos.size(), 1u);
@@ -380,7 +397,9 @@ TEST(Photos, SpheresStayWhole) {
     for (int x = 0; x < 128; ++x) mask.at(x, 63) = mask.at(x, 62) = 0;  // the tripod
     fs::create_directories(dir / "masks");
     save_png(dir / "masks/s.png", mask);
-    write_file(dir / "transforms.json", std::string_view(R"({"camera_model": "EQUIRECTANGULAR", "w": 128, "h": 64, "frames": [{"file_path": "s.png",
+    write_file(
+        dir / "transforms.json",
+        std::string_view(R"({"camera_model": "EQUIRECTANGULAR", "w": 128, "h": 64, "frames": [{"file_path": "s.png",
         "transform_matrix": [[1,0,0,1],[0,-1,0,2],[0,0,-1,3],[0,0,0,1]]}]})"));
     const View whole = views_of_capture(load_nerfstudio_capture(dir, {}), {}, fastscene::Run{}).set.views.at(0);
     EXPECT_EQ(whole.model, CameraModel::equirectangular);
@@ -416,7 +435,8 @@ TEST(Photos, MasksOfAnyKindAndMasksOfNothing) {
         for (int x = 0; x < 48; ++x) jpeg.at(x, y) = {0, 0, 0};
     for (const char* name : {"a b.jpg", "a b.png.jpg"}) {
         save_jpeg(dir / "masks/sub" / name, jpeg);
-        const ImageMask weight = views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0].weight;
+        const ImageMask weight =
+            views_of_capture(load_colmap_capture(dir, {}), {}, fastscene::Run{}).set.views[0].weight;
         ASSERT_FALSE(weight.empty()) << name;
         EXPECT_LT(weight.at(5, 6), 5);
         EXPECT_GT(weight.at(80, 6), 250);
@@ -455,11 +475,15 @@ TEST(Photos, CamerasJsonComesBack) {
     EXPECT_EQ(back.photos[0].name, photos[0].name);
     EXPECT_EQ(back.photos[0].lens.fy, photos[0].lens.fy);
     EXPECT_EQ(back.photos[1].lens.kind, LensKind::equirectangular);
-    EXPECT_NEAR(length(back.photos[0].world_from_camera.translation - photos[0].world_from_camera.translation), 0, 1e-12);
-    EXPECT_NEAR(length(back.photos[0].world_from_camera.rotation.row1 - photos[0].world_from_camera.rotation.row1), 0, 1e-12);
+    EXPECT_NEAR(length(back.photos[0].world_from_camera.translation - photos[0].world_from_camera.translation), 0,
+                1e-12);
+    EXPECT_NEAR(length(back.photos[0].world_from_camera.rotation.row1 - photos[0].world_from_camera.rotation.row1), 0,
+                1e-12);
     for (const char* bad : {"{}", "[1]", "[{\"img_name\": \"a\"}]",
-                            R"([{"img_name":"a","width":2,"height":2,"fx":1,"fy":1,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,5]]}])",
-                            R"([{"img_name":"a","width":1e30,"height":2,"fx":1,"fy":1,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]]}])"}) {
+                            R"([{"img_name":"a","width":2,"height":2,"fx":1,"fy":1,)"
+                            R"("position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,5]]}])",
+                            R"([{"img_name":"a","width":1e30,"height":2,"fx":1,"fy":1,)"
+                            R"("position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]]}])"}) {
         write_file(dir / "cameras.json", std::string_view(bad));
         EXPECT_THROW(load_cameras_json(dir / "cameras.json"), Error) << bad;
     }
@@ -468,10 +492,13 @@ TEST(Photos, CamerasJsonComesBack) {
 TEST(Photos, NerfstudioKnowsColmapsRadialLenses) {
     const fs::path dir = scratch("radial");
     for (const char* model : {"SIMPLE_RADIAL", "RADIAL"}) {
-        write_file(dir / "transforms.json",
-                   fmt::format(R"({{"camera_model": "{}", "w": 40, "h": 30, "fl_x": 20, "k1": -0.1, "ply_file_path": "absent.ply", "frames":
+        write_file(
+            dir / "transforms.json",
+            fmt::format(
+                R"({{"camera_model": "{}", "w": 40, "h": 30, "fl_x": 20, "k1": -0.1, "ply_file_path": "absent.ply",
+                     "frames":
             [{{"file_path": "a.png", "transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}}]}})",
-                               model));
+                model));
         const Capture capture = load_nerfstudio_capture(dir, {});
         EXPECT_EQ(capture.photos.at(0).lens.k[0], -0.1);
         EXPECT_EQ(capture.missing_points, dir / "absent.ply");
@@ -502,7 +529,8 @@ TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
     EXPECT_EQ(files({}), (std::vector<fs::path>{images / "cam0/1.png", images / "cam1/1.png"}));
     EXPECT_EQ(files({images, {}, 1}), (std::vector<fs::path>{images / "cam0/1.png", images / "cam1/1.png"}));
     EXPECT_EQ(files({{}, {}, 2}), (std::vector<fs::path>{smaller / "cam0/1.png", smaller / "cam1/1.png"}));
-    for (const Photo& photo : load_nerfstudio_capture(dir, {}).photos) EXPECT_EQ(photo.mask, dir / "masks" / fs::path(photo.name).lexically_relative("images"));
+    for (const Photo& photo : load_nerfstudio_capture(dir, {}).photos)
+        EXPECT_EQ(photo.mask, dir / "masks" / fs::path(photo.name).lexically_relative("images"));
     // A flat folder of one picture: it is not both cameras'.
     EXPECT_THROW(files({images / "cam0", {}, 1}), Error);
     // A place that neither camera has a picture of is no picture of both.
@@ -513,17 +541,22 @@ TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
 TEST(Photos, InstantNgpsWordsForLenses) {
     const fs::path dir = scratch("ngp");
     const auto lens = [&](const std::string& words) {
-        write_file(dir / "transforms.json", fmt::format(R"({{"w": 40, "h": 20, {}, "frames": [{{"file_path": "a.png", {}}}]}})", words, kSomewhere));
+        write_file(
+            dir / "transforms.json",
+            fmt::format(R"({{"w": 40, "h": 20, {}, "frames": [{{"file_path": "a.png", {}}}]}})", words, kSomewhere));
         return load_nerfstudio_capture(dir, {}).photos.at(0).lens;
     };
-    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0.01, "is_fisheye": true)").kind, LensKind::fisheye);
-    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0, "is_fisheye": false)").kind, LensKind::perspective);
+    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0.01, "is_fisheye": true)").kind,
+              LensKind::fisheye);
+    EXPECT_EQ(lens(R"("fl_x": 20, "k1": 0.1, "k2": 0, "k3": 0, "k4": 0, "is_fisheye": false)").kind,
+              LensKind::perspective);
     EXPECT_EQ(lens(R"("latlong": true)").kind, LensKind::equirectangular);
     EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fx, 20, 1e-9);
     EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fy, 20, 1e-7);
     // What would be drawn wrong is refused: a fourth coefficient of a lens that has three, lenses without a name here.
-    for (const char* odd : {R"("fl_x": 20, "k4": 0.01)", R"("fl_x": 20, "ftheta_p0": 1)", R"("fl_x": 20, "orthographic": true)", R"("fl_x": 20, "camera_model": 3)",
-                            R"("fl_x": 20, "camera_model": "FISHEYE624")"})
+    for (const char* odd :
+         {R"("fl_x": 20, "k4": 0.01)", R"("fl_x": 20, "ftheta_p0": 1)", R"("fl_x": 20, "orthographic": true)",
+          R"("fl_x": 20, "camera_model": 3)", R"("fl_x": 20, "camera_model": "FISHEYE624")"})
         EXPECT_THROW(lens(odd), Error) << odd;
 }
 
@@ -537,7 +570,8 @@ TEST(Photos, SizesOfMissingPicturesAreThoseOfTheOthers) {
         if (i > 0) save_png(dir / fmt::format("train/r_{}.png", i), ImageRgb8(40, 30, {1, 2, 3}));
     }
     write_file(dir / "train/r_3.png", std::string_view("no picture"));
-    write_file(dir / "transforms_train.json", fmt::format(R"({{"camera_angle_x": 1.5707963, "frames": [{}]}})", frames));
+    write_file(dir / "transforms_train.json",
+               fmt::format(R"({{"camera_angle_x": 1.5707963, "frames": [{}]}})", frames));
     const Capture capture = load_nerfstudio_capture(dir, {});
     ASSERT_EQ(capture.photos.size(), 5u);
     for (const Photo& photo : capture.photos) EXPECT_NEAR(photo.lens.fx, 20, 1e-4);
@@ -555,7 +589,8 @@ TEST(Photos, ALargerModelOfCOLMAPIsTold) {
     write_file(dir / "sparse/1/images.txt", std::string_view("1 1 0 0 0 0 0 0 7 a.png\n\n2 1 0 0 0 0 0 0 7 b.png\n\n"));
     const Capture capture = load_colmap_capture(dir, {});
     EXPECT_EQ(capture.photos.size(), 1u);
-    EXPECT_NE(capture.warning.find((dir / "sparse/1").string() + " has more pictures (2)"), std::string::npos) << capture.warning;
+    EXPECT_NE(capture.warning.find((dir / "sparse/1").string() + " has more pictures (2)"), std::string::npos)
+        << capture.warning;
     write_file(dir / "sparse/1/images.txt", std::string_view("damaged"));
     EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
 }

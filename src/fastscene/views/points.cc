@@ -13,18 +13,19 @@
 namespace fastscene {
 namespace {
 
-// Where points of the sky stand, at least. It has no parallax, and splats have: at 30 m a step of half a metre moved them by five pixels of 2048, and what the
-// viewpoints saw through a window was averaged to a blur. Viewers clip at a thousand metres.
+// Where points of the sky stand, at least. It has no parallax, and splats have: at 30 m a step of half a metre moved
+// them by five pixels of 2048, and what the viewpoints saw through a window was averaged to a blur. Viewers clip at a
+// thousand metres.
 constexpr float kSky_m = 400.f;
-constexpr float kFlattest = 0.15f;       // least cosine: grazing pixels must not eat all points
-constexpr float kMostArea = 4.f;         // of a pixel, in medians: nor far ones
+constexpr float kFlattest = 0.15f;  // least cosine: grazing pixels must not eat all points
+constexpr float kMostArea = 4.f;    // of a pixel, in medians: nor far ones
 
 struct Surface {
     Vec3f point, normal;
 };
 
-// In the panorama's frame. Nothing stands behind the sky, which is as far from the world's origin wherever the panorama was taken: it shows no
-// parallax. A painted range between a wall's and the sky's may be of kilometres.
+// In the panorama's frame. Nothing stands behind the sky, which is as far from the world's origin wherever the panorama
+// was taken: it shows no parallax. A painted range between a wall's and the sky's may be of kilometres.
 Vec3f point_at(const Panorama& panorama, float sky_m, int x, int y) {
     const float range = panorama.range.at(x, y);
     const Vec3f direction = direction_of_pixel(x, y, panorama.size());
@@ -46,7 +47,8 @@ Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m,
 
 float gradient_at(const ImageColor& color, int x, int y) {
     const auto value = [&](int i, int j) {
-        return std::sqrt(std::max(0.f, luminance(color.at(wrap_column(i, color.width), std::clamp(j, 0, color.height - 1)))));
+        return std::sqrt(
+            std::max(0.f, luminance(color.at(wrap_column(i, color.width), std::clamp(j, 0, color.height - 1)))));
     };
     return std::fabs(value(x + 1, y) - value(x - 1, y)) + std::fabs(value(x, y + 1) - value(x, y - 1));
 }
@@ -54,20 +56,20 @@ float gradient_at(const ImageColor& color, int x, int y) {
 // The pixels that may give points, with their shares.
 struct Candidate {
     std::uint32_t panorama, pixel;
-    float angle, area, edge;   // steradians; square metres; edge strength times solid angle
-    bool outside;              // no range: where it stands is ours, and so is its area
-    float hidden = 0;          // > 0: a surface's pixel, but the point is of the outside behind it; how dense such points lie
+    float angle, area, edge;  // steradians; square metres; edge strength times solid angle
+    bool outside;             // no range: where it stands is ours, and so is its area
+    float hidden = 0;  // > 0: a surface's pixel, but the point is of the outside behind it; how dense such points lie
 };
 
 // Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
 bool is_given(const Panorama& panorama) {
-    return panorama.known.empty() ||
-           std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(), [](Known k) { return k == Known::original; });
+    return panorama.known.empty() || std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(),
+                                                 [](Known k) { return k == Known::original; });
 }
 
 // Behind all that was taken or traced, and so far that steps between panoramas hardly turn it.
 float sky_distance(const std::vector<Panorama>& panoramas) {
-    constexpr float kBeyond = 1.5f, kMost_m = 900.f;   // viewers clip at 1000 m, and there is a backdrop behind
+    constexpr float kBeyond = 1.5f, kMost_m = 900.f;  // viewers clip at 1000 m, and there is a backdrop behind
     constexpr float kSteps = 250.f;
     float far = 0, step = 0;
     for (std::size_t i = 0; i < panoramas.size(); ++i) {
@@ -79,13 +81,14 @@ float sky_distance(const std::vector<Panorama>& panoramas) {
     return std::clamp(std::max(kBeyond * far, kSteps * step), kSky_m, kMost_m);
 }
 
-// Which of several given panoramas a bit of surface takes its points from: the one that sees it finest. So each bit gives points once, and in
-// the best colors there are.
+// Which of several given panoramas a bit of surface takes its points from: the one that sees it finest. So each bit
+// gives points once, and in the best colors there are.
 class Owners {
   public:
     Owners(const std::vector<Panorama>& panoramas, float sky_m) : sky_m_(sky_m) {
         for (std::uint32_t i = 0; i < panoramas.size(); ++i)
-            if (i == 0 || is_given(panoramas[i])) given_.push_back({&panoramas[i], inverse(panoramas[i].world_from_pano), i});
+            if (i == 0 || is_given(panoramas[i]))
+                given_.push_back({&panoramas[i], inverse(panoramas[i].world_from_pano), i});
     }
     std::size_t count() const { return given_.size(); }
     // Every so many rows and columns give a candidate: panoramas that overlap have pixels to spare.
@@ -98,7 +101,8 @@ class Owners {
     // Of a surface seen by panorama `index`; its frame.
     bool owns(std::uint32_t index, const Panorama& panorama, const Surface& surface, bool outside) const {
         if (given_.size() < 2) return true;
-        const Vec3f point = panorama.world_from_pano * surface.point, normal = panorama.world_from_pano.rotation * surface.normal;
+        const Vec3f point = panorama.world_from_pano * surface.point,
+                    normal = panorama.world_from_pano.rotation * surface.normal;
         const float own = pixels_an_area(surface.point, surface.normal);
         for (const Given& g : given_) {
             if (g.index == index || (outside && g.index > index)) continue;
@@ -123,10 +127,10 @@ class Owners {
         return std::max(0.f, -dot(normal, point)) / (far2 * std::sqrt(far2));
     }
     bool sees(const Panorama& panorama, Vec3f there, bool outside) const {
-        constexpr float kSame = 0.02f, kSame_m = 0.01f;   // what a slanted surface changes within a pixel
+        constexpr float kSame = 0.02f, kSame_m = 0.01f;  // what a slanted surface changes within a pixel
         const Vec2f at = pixel_of_direction(there, panorama.size());
-        const float range =
-            panorama.range.at(wrap_column(static_cast<int>(at.x), panorama.color.width), std::min(static_cast<int>(at.y), panorama.color.height - 1));
+        const float range = panorama.range.at(wrap_column(static_cast<int>(at.x), panorama.color.width),
+                                              std::min(static_cast<int>(at.y), panorama.color.height - 1));
         if (outside) return !(range < sky_m_);
         const float far = length(there);
         return std::fabs(range - far) < kSame * far + kSame_m;
@@ -136,7 +140,8 @@ class Owners {
     std::vector<Given> given_;
 };
 
-void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const Owners& owners, float sky_m, std::vector<Candidate>& out) {
+void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const Owners& owners, float sky_m,
+             std::vector<Candidate>& out) {
     const Panorama& panorama = panoramas[index];
     const bool given = index == 0 || is_given(panorama);
     const EquirectSize size = panorama.size();
@@ -150,32 +155,39 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
             for (int x = stride / 2; x < size.width; x += stride) {
                 const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
                 if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
-                if (given && cuts.at(x, y) & kFarSide) continue;   // two surfaces in one color; what was painted has one
+                if (given && cuts.at(x, y) & kFarSide) continue;  // two surfaces in one color; what was painted has one
                 const Surface s = surface_at(panorama, cuts, sky_m, x, y);
                 const bool outside = !(panorama.range.at(x, y) < sky_m);
                 if (given && !owners.owns(index, panorama, s, outside)) continue;
-                const float distance = length(s.point), cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
-                rows[static_cast<std::size_t>(row)].push_back({index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
-                                                               angle * (0.01f + gradient_at(panorama.color, x, y)), outside});
+                const float distance = length(s.point),
+                            cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
+                rows[static_cast<std::size_t>(row)].push_back(
+                    {index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
+                     angle * (0.01f + gradient_at(panorama.color, x, y)), outside});
             }
         }
     });
     for (const auto& row : rows) out.insert(out.end(), row.begin(), row.end());
 }
 
-// Radians from each pixel to the nearest nonzero one, along steps to the eight neighbours (at most a twelfth too long); columns close at the seam.
+// Radians from each pixel to the nearest nonzero one, along steps to the eight neighbours (at most a twelfth too long);
+// columns close at the seam.
 ImageF angle_to(const ImageMask& mask) {
     const int w = mask.width, h = mask.height;
     ImageF out(w, h, std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < out.size(); ++i)
         if (mask.pixels[i]) out.pixels[i] = 0;
     const float down = kPi / static_cast<float>(h);
-    const auto across = [&](int y) { return 2 * kPi / static_cast<float>(w) * std::sin(down * (static_cast<float>(y) + 0.5f)); };
+    const auto across = [&](int y) {
+        return 2 * kPi / static_cast<float>(w) * std::sin(down * (static_cast<float>(y) + 0.5f));
+    };
     // A row takes after the one before it, then from left to right and back, twice around.
     const auto pass = [&](int y, int before) {
         const float side = across(y), slant = std::hypot(side, down);
         for (int x = 0; x < w && before >= 0 && before < h; ++x)
-            out.at(x, y) = std::min({out.at(x, y), out.at(x, before) + down, out.at(wrap_column(x - 1, w), before) + slant, out.at(wrap_column(x + 1, w), before) + slant});
+            out.at(x,
+                   y) = std::min({out.at(x, y), out.at(x, before) + down, out.at(wrap_column(x - 1, w), before) + slant,
+                                  out.at(wrap_column(x + 1, w), before) + slant});
         for (const int step : {1, -1})
             for (int n = 0; n < 2 * w; ++n) {
                 const int x = wrap_column(step * n, w);
@@ -187,11 +199,12 @@ ImageF angle_to(const ImageMask& mask) {
     return out;
 }
 
-// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it: behind panorama 0's surfaces beside
-// it, as far as such a step moves them.
+// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it:
+// behind panorama 0's surfaces beside it, as far as such a step moves them.
 void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
     constexpr float kStep_m = 1.f;
-    constexpr float kBeside = 3.f * kPi / 180.f;   // so near to what was seen as dense as anything hidden; farther, the thinner
+    constexpr float kBeside = 3.f * kPi /
+                              180.f;  // so near to what was seen as dense as anything hidden; farther, the thinner
     const EquirectSize size = panorama.size();
     ImageMask outside(size.width, size.height);
     for (std::size_t i = 0; i < outside.size(); ++i) outside.pixels[i] = !std::isfinite(panorama.range.pixels[i]);
@@ -201,7 +214,8 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
             const float away = beside.at(x, y);
             if (outside.at(x, y) || away > std::max(kBeside, std::atan2(kStep_m, panorama.range.at(x, y)))) continue;
             const float angle = static_cast<float>(pixel_solid_angle(y, size));
-            out.push_back({0, static_cast<std::uint32_t>(y * size.width + x), angle, 0, 0, true, std::min(1.f, kBeside / away)});
+            out.push_back(
+                {0, static_cast<std::uint32_t>(y * size.width + x), angle, 0, 0, true, std::min(1.f, kBeside / away)});
         }
 }
 
@@ -216,11 +230,14 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> areas;
     areas.reserve(candidates.size());
     constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
-    for (const Candidate& c : candidates) areas.push_back(c.outside ? c.angle * usual * (c.hidden > 0 ? kHidden * c.hidden : 1.f) : std::min(c.area, kMostArea * usual * c.angle));
+    for (const Candidate& c : candidates)
+        areas.push_back(c.outside ? c.angle * usual * (c.hidden > 0 ? kHidden * c.hidden : 1.f)
+                                  : std::min(c.area, kMostArea * usual * c.angle));
     return areas;
 }
 
-// How many points each pixel gives in the mean: half of them by area, half by edges. More than one would stand where the first does.
+// How many points each pixel gives in the mean: half of them by area, half by edges. More than one would stand where
+// the first does.
 std::vector<double> shares_of(const std::vector<Candidate>& candidates, int count) {
     const std::vector<float> areas = counted_areas(candidates);
     double area = 0, edge = 0;
@@ -229,7 +246,8 @@ std::vector<double> shares_of(const std::vector<Candidate>& candidates, int coun
         edge += static_cast<double>(candidates[i].edge);
     }
     std::vector<double> shares(candidates.size());
-    for (std::size_t i = 0; i < candidates.size(); ++i) shares[i] = 0.5 * static_cast<double>(areas[i]) / area + 0.5 * static_cast<double>(candidates[i].edge) / edge;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        shares[i] = 0.5 * static_cast<double>(areas[i]) / area + 0.5 * static_cast<double>(candidates[i].edge) / edge;
     // What pixels cannot take goes to the others.
     double scale = count;
     constexpr int kRounds = 12;
@@ -266,17 +284,21 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
         while (next < sum && static_cast<int>(points.size()) < count) {
             const Panorama& panorama = panoramas[c.panorama];
             if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panorama.range);
-            const int x = static_cast<int>(c.pixel) % panorama.color.width, y = static_cast<int>(c.pixel) / panorama.color.width;
+            const int x = static_cast<int>(c.pixel) % panorama.color.width,
+                      y = static_cast<int>(c.pixel) / panorama.color.width;
             const Vec3f d = direction_of_pixel(x, y, panorama.size());
-            const Surface s = c.hidden > 0 ? Surface{d * sky_m, -d} : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
+            const Surface s = c.hidden > 0 ? Surface{d * sky_m, -d}
+                                           : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
             SurfacePoint point;
             point.position_m = panorama.world_from_pano * s.point;
             point.normal = panorama.world_from_pano.rotation * s.normal;
             point.color = srgb8_from_linear(c.hidden > 0 ? outlook.at(x, y) : panorama.color.at(x, y));
             const float area = c.hidden > 0 ? c.angle * sky_m * sky_m : c.area;
-            // Views see none of what is hidden: it stays as it starts, and is opaque from the first only where discs overlap well.
+            // Views see none of what is hidden: it stays as it starts, and is opaque from the first only where discs
+            // overlap well.
             constexpr float kWide = 1.7f;
-            point.radius_m = (c.hidden > 0 ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
+            point.radius_m = (c.hidden > 0 ? kWide : 1.f) *
+                             static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }
@@ -285,17 +307,20 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
 }
 
 std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count) {
-    constexpr float kBehind = 1.1f;      // of the sky's distance
-    constexpr float kWide = 1.3f;        // of their spacing: they overlap well
+    constexpr float kBehind = 1.1f;  // of the sky's distance
+    constexpr float kWide = 1.3f;    // of their spacing: they overlap well
     const Panorama& first = panoramas[0];
     const EquirectSize size = first.size();
-    const float golden = kPi * (3.f - std::sqrt(5.f)), far = kBehind * sky_distance(panoramas), n = static_cast<float>(count);
+    const float golden = kPi * (3.f - std::sqrt(5.f)), far = kBehind * sky_distance(panoramas),
+                n = static_cast<float>(count);
     std::vector<SurfacePoint> points;
-    for (int i = 0; i < count; ++i) {   // along a spiral, evenly spread
-        const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / n, r = std::sqrt(1.f - y * y), a = golden * static_cast<float>(i);
+    for (int i = 0; i < count; ++i) {  // along a spiral, evenly spread
+        const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / n, r = std::sqrt(1.f - y * y),
+                    a = golden * static_cast<float>(i);
         const Vec3f d{r * std::cos(a), y, r * std::sin(a)};
         const Vec2f at = pixel_of_direction(d, size);
-        const Vec3f color = first.color.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+        const Vec3f color = first.color.at(wrap_column(static_cast<int>(at.x), size.width),
+                                           std::min(static_cast<int>(at.y), size.height - 1));
         points.push_back({d * far, -d, srgb8_from_linear(color), kWide * far * std::sqrt(4 * kPi / n)});
     }
     return points;

@@ -10,10 +10,11 @@
 namespace fastscene {
 
 // `count` samples: half of them spread evenly over the surface that is seen, half where the picture has edges.
-// From the pixels of panorama 0 and of others that were given (nothing in them is carried or invented), and from what walked ones invented.
+// From the pixels of panorama 0 and of others that were given (nothing in them is carried or invented), and from what
+// walked ones invented.
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run);
-// `count` points of a sphere behind everything, so that nothing is left transparent: behind the outside, and wherever surfaces leave a gap. In each
-// direction it has the color that panorama 0 sees there.
+// `count` points of a sphere behind everything, so that nothing is left transparent: behind the outside, and wherever
+// surfaces leave a gap. In each direction it has the color that panorama 0 sees there.
 std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count);
 
 }  // namespace fastscene

@@ -34,7 +34,8 @@ class Tree {
     std::size_t longest_side(std::size_t begin, std::size_t end) const {
         Vec3f low = points_[order_[begin]], high = low;
         for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], points_[order_[i]][a]), high[a] = std::max(high[a], points_[order_[i]][a]);
+            for (std::size_t a = 0; a < 3; ++a)
+                low[a] = std::min(low[a], points_[order_[i]][a]), high[a] = std::max(high[a], points_[order_[i]][a]);
         const Vec3f side = high - low;
         return side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
     }
@@ -42,7 +43,8 @@ class Tree {
         if (axis_.empty()) axis_.resize(order_.size());
         if (end - begin <= kLeaf) return;
         const std::size_t middle = begin + (end - begin) / 2, a = longest_side(begin, end);
-        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin), order_.begin() + static_cast<std::ptrdiff_t>(middle),
+        std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                         order_.begin() + static_cast<std::ptrdiff_t>(middle),
                          order_.begin() + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t i, std::uint32_t j) {
                              return points_[i][a] != points_[j][a] ? points_[i][a] < points_[j][a] : i < j;
                          });

@@ -7,8 +7,8 @@
 
 namespace fastscene {
 
-// Root mean square distance of each point to its three nearest others (Kerbl et al. 2023); to fewer where there are fewer, 0 for a
-// point alone.
+// Root mean square distance of each point to its three nearest others (Kerbl et al. 2023); to fewer where there are
+// fewer, 0 for a point alone.
 std::vector<float> spacings(const std::vector<Vec3f>& points);
 
 }  // namespace fastscene

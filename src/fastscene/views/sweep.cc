@@ -13,12 +13,14 @@
 namespace fastscene {
 namespace {
 
-constexpr int kLookWidth = 256;   // pixels: what views agree on is seen at this size; noise and slight errors of poses are not
+constexpr int kLookWidth =
+    256;  // pixels: what views agree on is seen at this size; noise and slight errors of poses are not
 constexpr int kDistances = 64;
-constexpr int kWitnesses = 8;     // other views that are asked about a ray
-constexpr int kTries = 100;       // to find them
-constexpr float kSure = 0.3f;     // of the typical disagreement along a ray: less at its best distance tells that one from the others
-constexpr float kAgrees = 45;     // sum of the three colors' differences, of 255 each
+constexpr int kWitnesses = 8;  // other views that are asked about a ray
+constexpr int kTries = 100;    // to find them
+constexpr float kSure =
+    0.3f;  // of the typical disagreement along a ray: less at its best distance tells that one from the others
+constexpr float kAgrees = 45;  // sum of the three colors' differences, of 255 each
 constexpr float kLeastSure = 0.02f;
 
 // A view, small.
@@ -28,32 +30,41 @@ struct Look {
     int shrunk = 1;
     Image<Vec3f> color;
 
-    explicit Look(const View& of) : view(&of), camera_from_world(inverse(of.world_from_camera)), shrunk(std::max(1, of.color.width / kLookWidth)) {
+    explicit Look(const View& of)
+        : view(&of),
+          camera_from_world(inverse(of.world_from_camera)),
+          shrunk(std::max(1, of.color.width / kLookWidth)) {
         color = Image<Vec3f>(of.color.width / shrunk, of.color.height / shrunk);
         const float share = 1.f / static_cast<float>(shrunk * shrunk);
         for (int y = 0; y < color.height * shrunk; ++y)
             for (int x = 0; x < color.width * shrunk; ++x) {
                 const Rgb8 c = of.color.at(x, y);
-                color.at(x / shrunk, y / shrunk) += Vec3f{static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)} * share;
+                color.at(x / shrunk, y / shrunk) += Vec3f{static_cast<float>(c.r), static_cast<float>(c.g),
+                                                          static_cast<float>(c.b)} *
+                                                    share;
             }
     }
     EquirectSize size() const { return {view->camera.width, view->camera.height}; }
     bool is_sphere() const { return view->model == CameraModel::equirectangular; }
     // In the world, of length 1.
     Vec3f direction(Vec2f pixel) const {
-        return view->world_from_camera.rotation * normalize(is_sphere() ? direction_at(pixel, size()) : view->camera.direction_at(pixel));
+        return view->world_from_camera.rotation *
+               normalize(is_sphere() ? direction_at(pixel, size()) : view->camera.direction_at(pixel));
     }
     // The color seen at a place of the world, if it is in the picture.
     std::optional<Vec3f> seen(Vec3f place) const {
         const Vec3f there = camera_from_world * place;
-        const std::optional<Vec2f> pixel = is_sphere() ? std::optional(pixel_of_direction(there, size())) : view->camera.project(there);
+        const std::optional<Vec2f> pixel = is_sphere() ? std::optional(pixel_of_direction(there, size()))
+                                                       : view->camera.project(there);
         if (!pixel) return {};
-        const float fx = pixel->x / static_cast<float>(shrunk) - 0.5f, fy = pixel->y / static_cast<float>(shrunk) - 0.5f;
+        const float fx = pixel->x / static_cast<float>(shrunk) - 0.5f,
+                    fy = pixel->y / static_cast<float>(shrunk) - 0.5f;
         if (!(fy > -0.5f && fy < static_cast<float>(color.height) - 0.5f)) return {};
         if (!is_sphere() && !(fx > -0.5f && fx < static_cast<float>(color.width) - 0.5f)) return {};
         const int x = static_cast<int>(std::floor(fx)), y = static_cast<int>(std::floor(fy));
         const auto at = [&](int i, int j) {
-            return color.at(is_sphere() ? wrap_column(i, color.width) : std::clamp(i, 0, color.width - 1), std::clamp(j, 0, color.height - 1));
+            return color.at(is_sphere() ? wrap_column(i, color.width) : std::clamp(i, 0, color.width - 1),
+                            std::clamp(j, 0, color.height - 1));
         };
         const float u = fx - static_cast<float>(x), v = fy - static_cast<float>(y);
         return lerp(lerp(at(x, y), at(x + 1, y), u), lerp(at(x, y + 1), at(x + 1, y + 1), u), v);
@@ -63,11 +74,12 @@ struct Look {
 struct Ray {
     std::size_t view = 0;
     int x = 0, y = 0;
-    float distance = 0;   // 0: not told
+    float distance = 0;  // 0: not told
 };
 
 // How much another view's picture of a patch differs from this one's, if it has all of it.
-std::optional<float> disagreement(const Look& other, const std::array<Vec3f, 5>& places, const std::array<Vec3f, 5>& colors) {
+std::optional<float> disagreement(const Look& other, const std::array<Vec3f, 5>& places,
+                                  const std::array<Vec3f, 5>& colors) {
     float sum = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::optional<Vec3f> c = other.seen(places[i]);
@@ -79,16 +91,18 @@ std::optional<float> disagreement(const Look& other, const std::array<Vec3f, 5>&
 }
 
 // The distance at which the witnesses agree with the ray's own view; 0 where none stands out.
-float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::vector<float>& distances, Random& random) {
+float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::vector<float>& distances,
+                     Random& random) {
     const Look& own = looks[ray.view];
     const Vec3f from = own.view->world_from_camera.translation;
-    const float step = 1.5f * static_cast<float>(own.shrunk), px = static_cast<float>(ray.x) + 0.5f, py = static_cast<float>(ray.y) + 0.5f;
+    const float step = 1.5f * static_cast<float>(own.shrunk), px = static_cast<float>(ray.x) + 0.5f,
+                py = static_cast<float>(ray.y) + 0.5f;
     const std::array<Vec2f, 5> patch{Vec2f{px, py}, {px - step, py}, {px + step, py}, {px, py - step}, {px, py + step}};
     std::array<Vec3f, 5> ways, colors, places;
     for (std::size_t i = 0; i < patch.size(); ++i) {
         ways[i] = own.direction(patch[i]);
         const std::optional<Vec3f> c = own.seen(from + ways[i]);
-        if (!c) return 0;   // at the picture's rim
+        if (!c) return 0;  // at the picture's rim
         colors[i] = *c;
     }
     // From elsewhere, and with some of the ray in the picture.
@@ -101,7 +115,8 @@ float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::
     std::vector<const Look*> witnesses;
     for (int tries = 0; tries < kTries && static_cast<int>(witnesses.size()) < kWitnesses; ++tries) {
         const Look& other = looks[static_cast<std::size_t>(random.index(static_cast<int>(looks.size())))];
-        if (may_know(other) && std::find(witnesses.begin(), witnesses.end(), &other) == witnesses.end()) witnesses.push_back(&other);
+        if (may_know(other) && std::find(witnesses.begin(), witnesses.end(), &other) == witnesses.end())
+            witnesses.push_back(&other);
     }
     std::vector<float> costs, asked;
     float best = kAgrees, distance = 0;
@@ -125,10 +140,12 @@ float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::
     return best < kSure * *middle ? distance : 0;
 }
 
-float difference(Rgb8 a, Rgb8 b) { return static_cast<float>(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b)); }
+float difference(Rgb8 a, Rgb8 b) {
+    return static_cast<float>(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b));
+}
 
-// Each ray of one view that was not told takes the distance of the told one of its color that is nearest to it. Where there is none, as for the black
-// behind an object on a table, nothing stands.
+// Each ray of one view that was not told takes the distance of the told one of its color that is nearest to it. Where
+// there is none, as for the black behind an object on a table, nothing stands.
 void take_from_neighbours(std::vector<Ray>& rays, std::size_t begin, std::size_t end, const Look& look) {
     const View& view = *look.view;
     std::vector<Ray> sure;
@@ -143,7 +160,8 @@ void take_from_neighbours(std::vector<Ray>& rays, std::size_t begin, std::size_t
                 std::int64_t dx = std::abs(s.x - ray.x);
                 if (look.is_sphere()) dx = std::min(dx, static_cast<std::int64_t>(view.camera.width) - dx);
                 const std::int64_t dy = s.y - ray.y, far = dx * dx + dy * dy;
-                if (far < least && difference(view.color.at(s.x, s.y), view.color.at(ray.x, ray.y)) < kAgrees) least = far, ray.distance = s.distance;
+                if (far < least && difference(view.color.at(s.x, s.y), view.color.at(ray.x, ray.y)) < kAgrees)
+                    least = far, ray.distance = s.distance;
             }
         }
     });
@@ -151,7 +169,8 @@ void take_from_neighbours(std::vector<Ray>& rays, std::size_t begin, std::size_t
 
 }  // namespace
 
-std::vector<SurfacePoint> swept_points(const ViewSet& set, int count, float nearest_m, float farthest_m, const Run& run) {
+std::vector<SurfacePoint> swept_points(const ViewSet& set, int count, float nearest_m, float farthest_m,
+                                       const Run& run) {
     std::vector<Look> looks;
     for (const View& view : set.views) looks.emplace_back(view);
     std::vector<float> distances;

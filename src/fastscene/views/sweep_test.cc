@@ -19,7 +19,8 @@ ViewSet spheres(const SyntheticWorld& world, float spread_m) {
     ViewSet set;
     Random dice(3, "places");
     for (int i = 0; i < 12; ++i) {
-        const Vec3f place{dice.uniform(-spread_m, spread_m), dice.uniform(-spread_m, spread_m), dice.uniform(-spread_m, spread_m)};
+        const Vec3f place{dice.uniform(-spread_m, spread_m), dice.uniform(-spread_m, spread_m),
+                          dice.uniform(-spread_m, spread_m)};
         View view;
         view.camera.width = kSphere.width, view.camera.height = kSphere.height;
         view.model = CameraModel::equirectangular;
@@ -39,10 +40,11 @@ TEST(Sweep, PointsLieOnWhatTheViewsShow) {
     for (const SurfacePoint& p : points) {
         EXPECT_GT(p.radius_m, 0);
         const Vec2f at = pixel_of_direction(p.position_m, kSphere);
-        const float wanted = range.at(std::min(static_cast<int>(at.x), kSphere.width - 1), std::min(static_cast<int>(at.y), kSphere.height - 1));
+        const float wanted = range.at(std::min(static_cast<int>(at.x), kSphere.width - 1),
+                                      std::min(static_cast<int>(at.y), kSphere.height - 1));
         near += std::abs(std::log(length(p.position_m) / wanted)) < 0.15f;
     }
-    EXPECT_GT(near, 0.7 * static_cast<double>(points.size()));   // by lot, evenly in the logarithm, it were a twentieth
+    EXPECT_GT(near, 0.7 * static_cast<double>(points.size()));  // by lot, evenly in the logarithm, it were a twentieth
 }
 
 TEST(Sweep, ViewsOfOnePlaceTellNoDistance) {

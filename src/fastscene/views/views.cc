@@ -32,8 +32,9 @@ std::array<Mat3f, kViewsAPanorama> view_rotations() {
 
 // How much each pixel of a panorama counts; empty = all fully.
 ImageMask weights_of(const Panorama& panorama, const ViewsParams& params) {
-    const bool all_original = panorama.known.empty() || std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(),
-                                                                    [](Known k) { return k == Known::original; });
+    const bool all_original = panorama.known.empty() ||
+                              std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(),
+                                          [](Known k) { return k == Known::original; });
     if (all_original) return {};
     const int w = panorama.color.width, h = panorama.color.height;
     const ImageMask cuts = range_edges(panorama.range);
@@ -41,7 +42,9 @@ ImageMask weights_of(const Panorama& panorama, const ViewsParams& params) {
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             const Known known = panorama.known.at(x, y);
-            int weight = known == Known::original || known == Known::looked ? 255 : known == Known::carried ? params.weight_carried : params.weight_invented;
+            int weight = known == Known::original || known == Known::looked ? 255
+                         : known == Known::carried                          ? params.weight_carried
+                                                                            : params.weight_invented;
             // A warped silhouette is right to a pixel at best.
             if (cuts.at(x, y) & (kFarSide | kNearSide)) weight = std::min(weight, params.weight_silhouette);
             out.at(x, y) = static_cast<std::uint8_t>(std::clamp(weight, 0, 255));
@@ -54,14 +57,17 @@ ImageMask cut_weights(const ImageMask& weights, const Pinhole& camera, const Mat
     const EquirectSize size{weights.width, weights.height};
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
-            const Vec2f at =
-                pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
-            out.at(x, y) = weights.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+            const Vec2f at = pixel_of_direction(
+                pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}),
+                size);
+            out.at(x, y) = weights.at(wrap_column(static_cast<int>(at.x), size.width),
+                                      std::min(static_cast<int>(at.y), size.height - 1));
         }
     return out;
 }
 
-// The same cuts through every panorama of one size, planned once. Cubic: what bilinear cuts lose in sharpness no trainer brings back.
+// The same cuts through every panorama of one size, planned once. Cubic: what bilinear cuts lose in sharpness no
+// trainer brings back.
 class Cuts {
   public:
     Cuts(EquirectSize size, const Pinhole& camera, const std::array<Mat3f, kViewsAPanorama>& rotations) : size_(size) {
@@ -82,8 +88,10 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
     for (std::size_t p = 0; p < panoramas.size(); ++p)
         if (panoramas[p].range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
     ViewSet set;
-    const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{} : backdrop_points(panoramas, params.backdrop);
-    set.points = sample_points(panoramas, params.points, run);   // first: it needs all panoramas at once, cutting one after the other
+    const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{}
+                                                               : backdrop_points(panoramas, params.backdrop);
+    set.points = sample_points(panoramas, params.points,
+                               run);  // first: it needs all panoramas at once, cutting one after the other
     set.points.insert(set.points.end(), behind.begin(), behind.end());
     const Pinhole camera = Pinhole::with_fov(params.size, params.size, params.fov_deg);
     const auto rotations = view_rotations();
@@ -94,12 +102,14 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
         const Panorama panorama = std::move(panoramas[p]);
         const ImageMask weights = weights_of(panorama, params);
         if (!cuts || cuts->size().width != panorama.color.width) cuts.emplace(panorama.size(), camera, rotations);
-        const ImageColor color = unit_from_linear(panorama.color);   // a cubic through linear light would ring darkly about every lamp
+        const ImageColor color = unit_from_linear(
+            panorama.color);  // a cubic through linear light would ring darkly about every lamp
         for (std::size_t i = 0; i < rotations.size(); ++i) {
             View view;
             view.name = fmt::format("{:03}_{:02}.png", p, i);
             view.camera = camera;
-            view.world_from_camera = {panorama.world_from_pano.rotation * rotations[i], panorama.world_from_pano.translation};
+            view.world_from_camera = {panorama.world_from_pano.rotation * rotations[i],
+                                      panorama.world_from_pano.translation};
             view.color = cuts->cut(color, i);
             if (!weights.empty()) view.weight = cut_weights(weights, camera, rotations[i]);
             set.views.push_back(std::move(view));

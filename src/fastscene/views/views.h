@@ -13,13 +13,13 @@
 namespace fastscene {
 
 struct ViewsParams {
-    int size = 640;             // width and height of a view
+    int size = 640;  // width and height of a view
     float fov_deg = 90;
-    int points = 200000;        // starting points
-    int backdrop = 0;           // … and so many of a sphere behind everything
-    std::string sfm = "known";  // who says where the cameras are
-    int weight_carried = 200;   // of 255: painted at an earlier viewpoint
-    int weight_invented = 110;  // of 255: painted at this one
+    int points = 200000;          // starting points
+    int backdrop = 0;             // … and so many of a sphere behind everything
+    std::string sfm = "known";    // who says where the cameras are
+    int weight_carried = 200;     // of 255: painted at an earlier viewpoint
+    int weight_invented = 110;    // of 255: painted at this one
     int weight_silhouette = 130;  // of 255: most that a pixel beside a warped silhouette counts
 };
 template <class V>
@@ -27,17 +27,21 @@ void visit_fields(ViewsParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
     v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
     v("points", p.points, Bounds{1, 1e7}, "Starting points taken from the range maps.");
-    v("backdrop", p.backdrop, Bounds{0, 1e6}, "Starting points of a far sphere besides, so that no gap is left transparent; 0: none.");
+    v("backdrop", p.backdrop, Bounds{0, 1e6},
+      "Starting points of a far sphere besides, so that no gap is left transparent; 0: none.");
     v("sfm", p.sfm, Choices{{"known", "colmap", "triangulate"}},
       "Cameras: known by construction; found by COLMAP as the paper has it; or known, with points of COLMAP's.");
-    v("weight-carried", p.weight_carried, Bounds{0, 255}, "How much a pixel painted at an earlier viewpoint counts, of 255.");
-    v("weight-invented", p.weight_invented, Bounds{0, 255}, "How much a pixel painted at this viewpoint counts, of 255.");
-    v("weight-silhouette", p.weight_silhouette, Bounds{0, 255}, "The most that a pixel beside a warped silhouette counts, of 255.");
+    v("weight-carried", p.weight_carried, Bounds{0, 255},
+      "How much a pixel painted at an earlier viewpoint counts, of 255.");
+    v("weight-invented", p.weight_invented, Bounds{0, 255},
+      "How much a pixel painted at this viewpoint counts, of 255.");
+    v("weight-silhouette", p.weight_silhouette, Bounds{0, 255},
+      "The most that a pixel beside a warped silhouette counts, of 255.");
 }
 
 // Cuts every panorama into overlapping views that cover the whole sphere, floor and ceiling too (14 at 90 degrees).
-// Deterministic in (panoramas, params, run.seed). Who moves the panoramas in has the memory of each back when its views are cut: twenty of
-// 4096 columns are 3 GB.
+// Deterministic in (panoramas, params, run.seed). Who moves the panoramas in has the memory of each back when its views
+// are cut: twenty of 4096 columns are 3 GB.
 ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run);
 
 }  // namespace fastscene

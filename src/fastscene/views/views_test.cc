@@ -36,7 +36,8 @@ TEST(Views, CoverTheWholeSphereAndShowTheRoom) {
         double error = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x) {
-                const Vec3f d = normalize(m * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+                const Vec3f d = normalize(
+                    m * view.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
                 const Rgb8 wanted = srgb8_from_linear(trace_synthetic(room(), {}, d).color);
                 error += std::abs(wanted.g - view.color.at(x, y).g);
             }
@@ -54,7 +55,8 @@ TEST(Views, CoverTheWholeSphereAndShowTheRoom) {
         }
 }
 
-// Stripes four columns wide, cut at the panorama's own scale: bilinear cuts are off by 18 of 255, and the trainer would learn that.
+// Stripes four columns wide, cut at the panorama's own scale: bilinear cuts are off by 18 of 255, and the trainer would
+// learn that.
 TEST(Views, FineStripesStaySharp) {
     const auto stripes = [](float column) { return 0.5f + 0.4f * std::sin(0.5f * std::numbers::pi_v<float> * column); };
     Panorama panorama = render_synthetic(room(), {}, kSize, 1);
@@ -64,15 +66,16 @@ TEST(Views, FineStripesStaySharp) {
             panorama.color.at(x, y) = {v, v, v};
         }
     ViewsParams params = small_params();
-    params.size = 163;   // 512 columns a turn are 81.5 a radian
+    params.size = 163;  // 512 columns a turn are 81.5 a radian
     const ViewSet set = project_views({panorama}, params, {});
     double squares = 0, count = 0;
     const View& front = set.views[0];
     for (int y = 70; y < 93; ++y)
         for (int x = 50; x < 113; ++x) {
-            const Vec3f d =
-                front.world_from_camera.rotation * front.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-            const double off = static_cast<double>(front.color.at(x, y).g) - 255 * static_cast<double>(stripes(pixel_of_direction(d, kSize).x));
+            const Vec3f d = front.world_from_camera.rotation *
+                            front.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+            const double off = static_cast<double>(front.color.at(x, y).g) -
+                               255 * static_cast<double>(stripes(pixel_of_direction(d, kSize).x));
             squares += off * off;
             ++count;
         }
@@ -106,7 +109,8 @@ TEST(Points, LieOnTheSurfacesTheyName) {
     EXPECT_LT(area, 140);
 }
 
-// What two panoramas see gives points once: together they cover no more than the room, and each bit comes from the one that is nearer.
+// What two panoramas see gives points once: together they cover no more than the room, and each bit comes from the one
+// that is nearer.
 TEST(Points, OfOverlappingPanoramasComeFromTheFinestView) {
     const Vec3f aside{1.2f, 0, -1.f};
     const std::vector<Panorama> both{render_synthetic(room(), {}, kSize, 1), render_synthetic(room(), aside, kSize, 1)};
@@ -115,7 +119,8 @@ TEST(Points, OfOverlappingPanoramasComeFromTheFinestView) {
         for (const SurfacePoint& p : set.points) sum += static_cast<double>(p.radius_m * p.radius_m);
         return sum;
     };
-    const double one = area(project_views({both[0]}, small_params(), {})), two = area(project_views(both, small_params(), {}));
+    const double one = area(project_views({both[0]}, small_params(), {})),
+                 two = area(project_views(both, small_params(), {}));
     EXPECT_GT(two, 0.98 * one);
     EXPECT_LT(two, 1.35 * one) << "what only one of them sees comes on top";
 }
@@ -139,7 +144,8 @@ TEST(Points, ABackdropClosesTheSphereBehindEverything) {
 }
 
 int of_color(const ViewSet& set, Rgb8 color) {
-    return static_cast<int>(std::count_if(set.points.begin(), set.points.end(), [&](const SurfacePoint& p) { return p.color == color; }));
+    return static_cast<int>(
+        std::count_if(set.points.begin(), set.points.end(), [&](const SurfacePoint& p) { return p.color == color; }));
 }
 
 TEST(Points, ComeFromEveryGivenPanorama) {
@@ -148,7 +154,7 @@ TEST(Points, ComeFromEveryGivenPanorama) {
     std::fill(second.color.pixels.begin(), second.color.pixels.end(), Vec3f{1, 0, 0});
     second.known = Image<Known>(kSize.width, kSize.height, Known::original);
     EXPECT_GT(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 1000);
-    second.known.at(3, 3) = Known::carried;   // walked: it repeats what the first has seen
+    second.known.at(3, 3) = Known::carried;  // walked: it repeats what the first has seen
     EXPECT_EQ(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 0);
 }
 
@@ -170,9 +176,11 @@ TEST(Points, TheOutsideTakesNoMoreThanItsPartOfThePicture) {
     Panorama panorama = render_synthetic(room(), {}, kSize, 1);
     int outside = 0;
     for (int y = kSize.height * 3 / 8; y < kSize.height * 5 / 8; ++y)
-        for (int x = 0; x < kSize.width / 8; ++x) panorama.range.at(x, y) = std::numeric_limits<float>::infinity(), ++outside;
+        for (int x = 0; x < kSize.width / 8; ++x)
+            panorama.range.at(x, y) = std::numeric_limits<float>::infinity(), ++outside;
     const std::vector<SurfacePoint> points = project_views({panorama}, small_params(), {}).points;
-    const auto far = static_cast<double>(std::count_if(points.begin(), points.end(), [](const SurfacePoint& p) { return length(p.position_m) > 20; }));
+    const auto far = static_cast<double>(
+        std::count_if(points.begin(), points.end(), [](const SurfacePoint& p) { return length(p.position_m) > 20; }));
     const double part = static_cast<double>(outside) / static_cast<double>(panorama.range.size());
     EXPECT_GT(far, 0.5 * part * static_cast<double>(points.size()));
     EXPECT_LT(far, 2.5 * part * static_cast<double>(points.size()));
@@ -208,11 +216,12 @@ TEST(Points, NearWallsHideMoreOfTheOutsideThanFarOnes) {
             for (int x = 0; x < kSize.width / 16; ++x) panorama.range.at(x, y) = std::numeric_limits<float>::infinity();
         ViewsParams params = small_params();
         params.points = 40000;
-        std::array<int, 2> counts{};   // 8 to 24 degrees above the window, and beyond
+        std::array<int, 2> counts{};  // 8 to 24 degrees above the window, and beyond
         for (const SurfacePoint& p : project_views({panorama}, params, {}).points) {
             if (length(p.position_m) < 300) continue;
             const Vec2f at = pixel_of_direction(p.position_m, kSize);
-            const float above = 180 * (static_cast<float>(kSize.height * 7 / 16) - at.y) / static_cast<float>(kSize.height);
+            const float above = 180 * (static_cast<float>(kSize.height * 7 / 16) - at.y) /
+                                static_cast<float>(kSize.height);
             if (at.x < 0 || at.x > static_cast<float>(kSize.width) / 16) continue;
             counts[above < 24 ? 0 : 1] += above > 8;
         }
@@ -229,7 +238,8 @@ TEST(Points, NothingStandsBehindTheSky) {
     Panorama walked = first;
     walked.known = Image<Known>(kSize.width, kSize.height, Known::invented);
     for (float& r : walked.range.pixels) r = 2569.f;
-    for (const SurfacePoint& p : project_views({first, walked}, small_params(), {}).points) EXPECT_LE(length(p.position_m), 400.1f);
+    for (const SurfacePoint& p : project_views({first, walked}, small_params(), {}).points)
+        EXPECT_LE(length(p.position_m), 400.1f);
 }
 
 // The sky has no parallax: half a metre aside it must not have moved by a pixel of a panorama of 2048.

@@ -26,7 +26,8 @@ Panorama box_from(Vec3f position, EquirectSize size = {128, 64}) {
                 if (std::fabs(d[a]) > 1e-6f) t = std::min(t, ((d[a] > 0 ? high[a] : low[a]) - position[a]) / d[a]);
             const Vec3f p = position + d * t;
             out.range.at(x, y) = t;
-            out.color.at(x, y) = Vec3f{0.5f, 0.5f, 0.5f} + Vec3f{std::sin(3 * p.x), std::sin(3 * p.y), std::sin(3 * p.z)} * 0.3f;
+            out.color.at(x, y) = Vec3f{0.5f, 0.5f, 0.5f} +
+                                 Vec3f{std::sin(3 * p.x), std::sin(3 * p.y), std::sin(3 * p.z)} * 0.3f;
         }
     out.world_from_pano.translation = position;
     return out;
@@ -61,8 +62,9 @@ TEST(WalkWithMore, GivenPanoramasAreObservedAndViewpointsAreShared) {
         const Vec3f p = walked[i].world_from_pano.translation;
         near_second += length(p - second.world_from_pano.translation) < length(p);
         const Panorama truth = box_from(p);
-        int wrong = 0;   // in a corner the coarse pixels of the two differ
-        for (std::size_t k = 0; k < truth.range.size(); ++k) wrong += std::fabs(walked[i].range.pixels[k] / truth.range.pixels[k] - 1) > 0.05f;
+        int wrong = 0;  // in a corner the coarse pixels of the two differ
+        for (std::size_t k = 0; k < truth.range.size(); ++k)
+            wrong += std::fabs(walked[i].range.pixels[k] / truth.range.pixels[k] - 1) > 0.05f;
         EXPECT_LT(wrong, 0.002 * static_cast<double>(truth.range.size()));
     }
     EXPECT_EQ(near_second, 2);

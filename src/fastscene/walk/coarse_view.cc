@@ -12,24 +12,27 @@
 namespace fastscene {
 namespace {
 
-constexpr int kBandRows = 32;          // rows of the target that one piece of work owns
-constexpr float kEdgeSlack = 0.01f;    // triangles overlap by a hundredth, so that rounding opens no cracks
-constexpr float kDeepestFold_m = 0.25f;   // chosen on walked rooms with known truth, as is the next
-constexpr float kDeepestGuess_m = 0.6f;   // before the sky: a gap between a curtain's folds is rarely a window
-constexpr float kBridgeYields = 1.05f;    // of the jump: the far surface of the same cell, and a little of its slope
+constexpr int kBandRows = 32;            // rows of the target that one piece of work owns
+constexpr float kEdgeSlack = 0.01f;      // triangles overlap by a hundredth, so that rounding opens no cracks
+constexpr float kDeepestFold_m = 0.25f;  // chosen on walked rooms with known truth, as is the next
+constexpr float kDeepestGuess_m = 0.6f;  // before the sky: a gap between a curtain's folds is rarely a window
+constexpr float kBridgeYields = 1.05f;   // of the jump: the far surface of the same cell, and a little of its slope
 constexpr float kSkyRange = 0.5f * kFarthestRange;
 
 // Directions of all pixels, from the sines of rows and columns.
 struct Directions {
-    std::vector<Vec2f> column, row;   // sine and cosine of longitude and latitude
+    std::vector<Vec2f> column, row;  // sine and cosine of longitude and latitude
 
-    explicit Directions(EquirectSize size) : column(static_cast<std::size_t>(size.width)), row(static_cast<std::size_t>(size.height)) {
+    explicit Directions(EquirectSize size)
+        : column(static_cast<std::size_t>(size.width)), row(static_cast<std::size_t>(size.height)) {
         for (int x = 0; x < size.width; ++x) {
-            const Vec3f d = direction_at(Vec2f{static_cast<float>(x) + 0.5f, 0.5f * static_cast<float>(size.height)}, size);
+            const Vec3f d = direction_at(Vec2f{static_cast<float>(x) + 0.5f, 0.5f * static_cast<float>(size.height)},
+                                         size);
             column[static_cast<std::size_t>(x)] = {d.x, d.z};
         }
         for (int y = 0; y < size.height; ++y) {
-            const Vec3f d = direction_at(Vec2f{0.5f * static_cast<float>(size.width), static_cast<float>(y) + 0.5f}, size);
+            const Vec3f d = direction_at(Vec2f{0.5f * static_cast<float>(size.width), static_cast<float>(y) + 0.5f},
+                                         size);
             row[static_cast<std::size_t>(y)] = {d.y, d.z};
         }
     }
@@ -40,29 +43,31 @@ struct Directions {
 };
 
 struct Corner {
-    Vec3f point;   // from the target position
-    Vec2f pixel;   // where the target sees it
-    Vec2f uv;      // place in the cell of four colors
+    Vec3f point;  // from the target position
+    Vec2f pixel;  // where the target sees it
+    Vec2f uv;     // place in the cell of four colors
 };
 // Four colors (left top, right top, left bottom, right bottom); inside one surface also where their neighbours are.
 struct Colors {
     std::array<Vec3f, 4> corners;
     const WarpSource* around = nullptr;
     int x = 0, y = 0;
-    Cover cover = Cover::front;   // a bridge between two surfaces: each keeps its own color up to the middle
-    float behind_m = 0;           // a bridge yields to what lies no farther behind it: the surfaces that it joins
+    Cover cover = Cover::front;  // a bridge between two surfaces: each keeps its own color up to the middle
+    float behind_m = 0;          // a bridge yields to what lies no farther behind it: the surfaces that it joins
 };
 bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 
 // What the target looks at: the middle of every pixel, or the four quarters of some.
 struct Looks {
     EquirectSize size;
-    Directions directions;                // of pixels; in quarters: of a picture of twice the size
-    Image<std::int32_t> first_quarter;    // in quarters: where the view keeps a pixel's four, or -1; else empty
+    Directions directions;              // of pixels; in quarters: of a picture of twice the size
+    Image<std::int32_t> first_quarter;  // in quarters: where the view keeps a pixel's four, or -1; else empty
 
     explicit Looks(EquirectSize s) : size(s), directions(s) {}
     explicit Looks(const ImageMask& marked)
-        : size{marked.width, marked.height}, directions({2 * marked.width, 2 * marked.height}), first_quarter(marked.width, marked.height, -1) {
+        : size{marked.width, marked.height},
+          directions({2 * marked.width, 2 * marked.height}),
+          first_quarter(marked.width, marked.height, -1) {
         for (std::size_t i = 0; i < marked.size(); ++i)
             if (marked.pixels[i]) first_quarter.pixels[i] = std::exchange(count_, count_ + 4);
     }
@@ -76,7 +81,7 @@ struct Looks {
 
 struct Band {
     CoarseView& view;
-    ImageF& order;   // range plus behind_m of what was drawn: the least wins
+    ImageF& order;  // range plus behind_m of what was drawn: the least wins
     const Looks& looks;
     int begin, end;
 };
@@ -87,9 +92,11 @@ struct Box {
 };
 Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks) {
     const EquirectSize size = looks.size;
-    const float early = looks.in_quarters() ? 0.76f : 0.51f, late = 1.f - early;   // a look lies so far within its pixel
+    const float early = looks.in_quarters() ? 0.76f : 0.51f, late = 1.f - early;  // a look lies so far within its pixel
     const float w = static_cast<float>(size.width), h = static_cast<float>(size.height);
-    const auto near_a = [&](float x) { return x - a.pixel.x > 0.5f * w ? x - w : a.pixel.x - x > 0.5f * w ? x + w : x; };
+    const auto near_a = [&](float x) {
+        return x - a.pixel.x > 0.5f * w ? x - w : a.pixel.x - x > 0.5f * w ? x + w : x;
+    };
     const float bx = near_a(b.pixel.x), cx = near_a(c.pixel.x);
     const float x0 = std::min({a.pixel.x, bx, cx}), x1 = std::max({a.pixel.x, bx, cx});
     float y0 = std::min({a.pixel.y, b.pixel.y, c.pixel.y}), y1 = std::max({a.pixel.y, b.pixel.y, c.pixel.y});
@@ -103,20 +110,23 @@ Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks
         if (y1 > 0.7f * h) y1 = h;
         return {0, size.width - 1, static_cast<int>(std::floor(y0 - early)), static_cast<int>(std::ceil(y1 - late))};
     }
-    return {static_cast<int>(std::ceil(x0 - early)), static_cast<int>(std::floor(x1 - late)), static_cast<int>(std::ceil(y0 - early)),
-            static_cast<int>(std::floor(y1 - late))};
+    return {static_cast<int>(std::ceil(x0 - early)), static_cast<int>(std::floor(x1 - late)),
+            static_cast<int>(std::ceil(y0 - early)), static_cast<int>(std::floor(y1 - late))};
 }
 
 // Catmull-Rom weights of the four pixels about a place t between the middle two.
 std::array<float, 4> cubic_weights(float t) {
-    return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)), t * t * (-0.5f + 0.5f * t)};
+    return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)),
+            t * t * (-0.5f + 0.5f * t)};
 }
 
 // Five pixels of three channels and one channel more; of the sums over them only the first four pixels are used.
 using Lanes = float __attribute__((vector_size(64)));
 
-Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<float, 4>& wu, const std::array<float, 4>& wv) {
-    const auto w = static_cast<std::size_t>(image.width), first = static_cast<std::size_t>(y - 1) * w + static_cast<std::size_t>(x - 1);
+Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<float, 4>& wu,
+                    const std::array<float, 4>& wv) {
+    const auto w = static_cast<std::size_t>(image.width),
+               first = static_cast<std::size_t>(y - 1) * w + static_cast<std::size_t>(x - 1);
     Vec3f sum;
     if (x >= 1 && x + 2 < image.width && first + 3 * w + 6 <= image.size()) [[likely]] {
         Lanes rows{};
@@ -125,11 +135,13 @@ Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<floa
             std::memcpy(&line, static_cast<const void*>(&image.pixels[first + j * w]), sizeof line);
             rows += line * wv[j];
         }
-        for (int i = 0; i < 4; ++i) sum += Vec3f{rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]} * wu[static_cast<std::size_t>(i)];
+        for (int i = 0; i < 4; ++i)
+            sum += Vec3f{rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]} * wu[static_cast<std::size_t>(i)];
     } else {
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i)
-                sum += image.at(wrap_column(x - 1 + i, image.width), y - 1 + j) * (wu[static_cast<std::size_t>(i)] * wv[static_cast<std::size_t>(j)]);
+                sum += image.at(wrap_column(x - 1 + i, image.width), y - 1 + j) *
+                       (wu[static_cast<std::size_t>(i)] * wv[static_cast<std::size_t>(j)]);
     }
     return {std::max(0.f, sum.x), std::max(0.f, sum.y), std::max(0.f, sum.z)};
 }
@@ -142,7 +154,8 @@ Vec3f color_in_cell(const Colors& c, float u, float v) {
 }
 
 // Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
-void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, const Colors& colors, std::int16_t plane) {
+void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, const Colors& colors,
+          std::int16_t plane) {
     const Looks& looks = band.looks;
     const EquirectSize size = looks.size;
     const Box box = box_of(a, b, c, looks);
@@ -173,12 +186,14 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
         for (int column = box.x0; column <= box.x1; ++column) {
             const int x = column < 0 ? column + size.width : column >= size.width ? column - size.width : column;
             if (!looks.in_quarters()) {
-                look(looks.directions.at(x, y), static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x));
+                look(looks.directions.at(x, y),
+                     static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x));
                 continue;
             }
             const std::int32_t first = looks.first_quarter.at(x, y);
             if (first < 0) continue;
-            for (int k = 0; k < 4; ++k) look(looks.directions.at(2 * x + k % 2, 2 * y + k / 2), static_cast<std::size_t>(first + k));
+            for (int k = 0; k < 4; ++k)
+                look(looks.directions.at(2 * x + k % 2, 2 * y + k / 2), static_cast<std::size_t>(first + k));
         }
 }
 
@@ -186,15 +201,20 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
 struct Placed {
     const WarpSource& source;
     EquirectSize source_size, size;
-    Vec3f shift;   // source position seen from the target
+    Vec3f shift;  // source position seen from the target
     Image<Vec3f> point;
     Image<Vec2f> pixel;
-    std::vector<Vec2f> rows;   // least and greatest picture row of a source row's corners
+    std::vector<Vec2f> rows;  // least and greatest picture row of a source row's corners
     Directions directions;
 
     Placed(const WarpSource& s, EquirectSize target, Vec3f position)
-        : source(s), source_size{s.color.width, s.color.height}, size(target), shift(s.position - position),
-          point(s.color.width, s.color.height), pixel(s.color.width, s.color.height), rows(static_cast<std::size_t>(s.color.height)),
+        : source(s),
+          source_size{s.color.width, s.color.height},
+          size(target),
+          shift(s.position - position),
+          point(s.color.width, s.color.height),
+          pixel(s.color.width, s.color.height),
+          rows(static_cast<std::size_t>(s.color.height)),
           directions(source_size) {
         parallel_for(source_size.height, 16, [&](std::int64_t begin, std::int64_t end) {
             for (int y = static_cast<int>(begin); y < end; ++y) place_row(y);
@@ -226,7 +246,8 @@ Vec2f slope_at(const WarpSource& s, int x, int y) {
     const auto used = [&](int x1, int y1) { return s.used.empty() || s.used.at(x1, y1); };
     const int left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
     float before = 0, after = 0;
-    bool has_before = !(s.cuts.at(left, y) & kCutRight) && used(left, y), has_after = !(s.cuts.at(x, y) & kCutRight) && used(right, y);
+    bool has_before = !(s.cuts.at(left, y) & kCutRight) && used(left, y),
+         has_after = !(s.cuts.at(x, y) & kCutRight) && used(right, y);
     if (has_before) before = q - s.inverse_range.at(left, y);
     if (has_after) after = s.inverse_range.at(right, y) - q;
     // Of two slopes the flatter one: a crease must not be flung outward.
@@ -244,13 +265,16 @@ Vec2f slope_at(const WarpSource& s, int x, int y) {
     return slope;
 }
 
-// A cell that silhouettes cross: where they run. Its four pixels are numbered as Colors has them; places are in the cell, 0 to 1.
+// A cell that silhouettes cross: where they run. Its four pixels are numbered as Colors has them; places are in the
+// cell, 0 to 1.
 struct CutCell {
-    float top = 0.5f, bottom = 0.5f, left = 0.5f, right = 0.5f;   // where two pixels' parts meet, on the cell's four sides
-    Vec2f middle{0.5f, 0.5f};                                      // where all parts meet
+    float top = 0.5f, bottom = 0.5f, left = 0.5f,
+          right = 0.5f;        // where two pixels' parts meet, on the cell's four sides
+    Vec2f middle{0.5f, 0.5f};  // where all parts meet
 };
 
-// Where between two pixels the cut runs, seen from the first. A thing a pixel wide is cut on both sides, and shares what it lacks among them.
+// Where between two pixels the cut runs, seen from the first. A thing a pixel wide is cut on both sides, and shares
+// what it lacks among them.
 float place_of_cut(const WarpSource& s, int x0, int y0, int x1, int y1) {
     if (s.share.empty()) return 0.5f;
     const int w = s.color.width;
@@ -277,21 +301,26 @@ CutCell cut_cell(const WarpSource& s, int x, int y) {
     if (cut(x, y + 1, r, y + 1)) met({cell.bottom = place_of_cut(s, x, y + 1, r, y + 1), 1.f});
     if (cut(x, y, x, y + 1)) met({0.f, cell.left = place_of_cut(s, x, y, x, y + 1)});
     if (cut(r, y, r, y + 1)) met({1.f, cell.right = place_of_cut(s, r, y, r, y + 1)});
-    if (count >= 2) cell.middle = sum * (1.f / static_cast<float>(count));   // a silhouette crosses the cell in a straight line
+    if (count >= 2)
+        cell.middle = sum * (1.f / static_cast<float>(count));  // a silhouette crosses the cell in a straight line
     return cell;
 }
 
 // At a silhouette every pixel keeps its own part of the cell, a piece of its tangent plane in its own color.
-void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below, const CutCell& cell) {
+void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below,
+               const CutCell& cell) {
     const WarpSource& s = placed.source;
     const float q = s.inverse_range.at(x, y);
     const Vec2f slope = slope_at(s, x, y), own{right ? 1.f : 0.f, below ? 1.f : 0.f};
     const auto at = [&](Vec2f place) {
         const Vec2f o = place - own;
         const float inverse = std::clamp(q + slope.x * o.x + slope.y * o.y, 0.8f * q, 1.25f * q);
-        return placed.corner_at({static_cast<float>(cell_x) + 0.5f + place.x, static_cast<float>(cell_y) + 0.5f + place.y}, inverse, {0.5f, 0.5f});
+        return placed.corner_at(
+            {static_cast<float>(cell_x) + 0.5f + place.x, static_cast<float>(cell_y) + 0.5f + place.y}, inverse,
+            {0.5f, 0.5f});
     };
-    const Corner a = at(own), b = at({below ? cell.bottom : cell.top, own.y}), c = at(cell.middle), d = at({own.x, right ? cell.right : cell.left});
+    const Corner a = at(own), b = at({below ? cell.bottom : cell.top, own.y}), c = at(cell.middle),
+                 d = at({own.x, right ? cell.right : cell.left});
     const Vec3f color = s.color.at(x, y);
     const Colors colors{{color, color, color, color}};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
@@ -323,15 +352,17 @@ void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cove
 // and what shows between them is that, not the world behind.
 float jump_in_cell(const WarpSource& s, int x, int y) {
     const int r = wrap_column(x + 1, s.color.width);
-    const auto [low, high] =
-        std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y), s.inverse_range.at(x, y + 1), s.inverse_range.at(r, y + 1)});
+    const auto [low, high] = std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y),
+                                          s.inverse_range.at(x, y + 1), s.inverse_range.at(r, y + 1)});
     return 1.f / low - 1.f / high;
 }
 
 // May the cell touch the band? Its edges bulge towards the poles as in box_of.
 bool touches(const Band& band, const Placed& placed, int x, int r, int y) {
-    const Vec2f a = placed.pixel.at(x, y), b = placed.pixel.at(r, y), c = placed.pixel.at(x, y + 1), d = placed.pixel.at(r, y + 1);
-    const float turn = (std::max({a.x, b.x, c.x, d.x}) - std::min({a.x, b.x, c.x, d.x})) / static_cast<float>(placed.size.width);
+    const Vec2f a = placed.pixel.at(x, y), b = placed.pixel.at(r, y), c = placed.pixel.at(x, y + 1),
+                d = placed.pixel.at(r, y + 1);
+    const float turn = (std::max({a.x, b.x, c.x, d.x}) - std::min({a.x, b.x, c.x, d.x})) /
+                       static_cast<float>(placed.size.width);
     if (turn > 0.25f) return true;
     const float margin = 1.f + 2.f * turn * turn * static_cast<float>(placed.size.height);
     const auto [top, bottom] = std::minmax({a.y, b.y, c.y, d.y});
@@ -342,10 +373,11 @@ bool touches(const Band& band, const Placed& placed, int x, int r, int y) {
 void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesses) {
     const WarpSource& s = placed.source;
     const int r = x + 1 == s.color.width ? 0 : x + 1;
-    const bool u00 = placed.used(x, y), u10 = placed.used(r, y), u01 = placed.used(x, y + 1), u11 = placed.used(r, y + 1);
+    const bool u00 = placed.used(x, y), u10 = placed.used(r, y), u01 = placed.used(x, y + 1),
+               u11 = placed.used(r, y + 1);
     if (!(u00 || u10 || u01 || u11)) return;
-    const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) && !(s.cuts.at(r, y) & kCutDown) &&
-                       !(s.cuts.at(x, y + 1) & kCutRight);
+    const bool whole = u00 && u10 && u01 && u11 && !(s.cuts.at(x, y) & (kCutRight | kCutDown)) &&
+                       !(s.cuts.at(r, y) & kCutDown) && !(s.cuts.at(x, y + 1) & kCutRight);
     if (whole) {
         if (!guesses && touches(band, placed, x, r, y)) draw_whole(band, placed, x, y, Cover::front, 0);
         return;
@@ -374,7 +406,8 @@ void draw_cap(const Band& band, const Placed& placed, bool top) {
         color += s.color.at(x, y) / static_cast<float>(w);
         inverse += s.inverse_range.at(x, y) / static_cast<float>(w);
     }
-    const Corner pole = placed.corner_at({0.5f * static_cast<float>(w), top ? 0.f : static_cast<float>(s.color.height)}, inverse, {0.5f, 1.f});
+    const Corner pole = placed.corner_at({0.5f * static_cast<float>(w), top ? 0.f : static_cast<float>(s.color.height)},
+                                         inverse, {0.5f, 1.f});
     for (int x = 0; x < w; ++x) {
         const int r = wrap_column(x + 1, w);
         const Colors colors{{s.color.at(x, y), s.color.at(r, y), color, color}};
@@ -406,8 +439,8 @@ class Drawing {
   public:
     Drawing(Looks looks, Vec3f position) : looks_(std::move(looks)), position_(position) {
         const auto [w, h] = looks_.view_size();
-        view_ = {ImageColor(w, h), ImageF(w, h, std::numeric_limits<float>::infinity()), Image<std::int16_t>(w, h, kNoPlane),
-                 Image<Cover>(w, h, Cover::hole)};
+        view_ = {ImageColor(w, h), ImageF(w, h, std::numeric_limits<float>::infinity()),
+                 Image<std::int16_t>(w, h, kNoPlane), Image<Cover>(w, h, Cover::hole)};
         order_ = view_.range;
     }
     void add(const WarpSource& source) {
@@ -448,8 +481,12 @@ CoarseView drawn(const std::vector<Source>& sources, Looks looks, Vec3f position
 
 }  // namespace
 
-CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) { return drawn(sources, Looks(size), position); }
-CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position) { return drawn(sources, Looks(size), position); }
+CoarseView coarse_view(const std::vector<WarpSource>& sources, EquirectSize size, Vec3f position) {
+    return drawn(sources, Looks(size), position);
+}
+CoarseView coarse_view(const std::vector<PackedSource>& sources, EquirectSize size, Vec3f position) {
+    return drawn(sources, Looks(size), position);
+}
 CoarseView quarters_view(const std::vector<WarpSource>& sources, const ImageMask& marked, Vec3f position) {
     return drawn(sources, Looks(marked), position);
 }

@@ -15,14 +15,16 @@ constexpr int kRim = 2;             // pixels about a hole that make its rim
 constexpr std::size_t kMostHits = 64;
 constexpr int kOpeningSteps = 6;  // looks on the way through a wall
 constexpr float kThickestWall_m = 0.6f;
-constexpr float kNearer_m = 0.02f;  // of planes side by side the one that was seen nearer by goes on, if it was nearer by so much
+constexpr float kNearer_m =
+    0.02f;  // of planes side by side the one that was seen nearer by goes on, if it was nearer by so much
 constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
 
 // Would panorama 0 have seen this point, had it been a surface? Then there is none.
 bool is_known_free(Vec3f p, const ImageF& range) {
     const EquirectSize size{range.width, range.height};
     const Vec2f at = pixel_of_direction(p, size);
-    const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+    const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width),
+                                std::min(static_cast<int>(at.y), size.height - 1));
     return length(p) < 0.97f * seen - 0.02f;
 }
 
@@ -46,7 +48,8 @@ Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const
     for (int step = 1; step <= kOpeningSteps; ++step) {
         const float deep = t + wall.openings.depth_m / towards * static_cast<float>(step) / kOpeningSteps;
         const Vec3f p = position + d * deep;
-        if (wall.wall_at(p) == Wall::solid && !is_known_free(p, world.first_range)) return on_surface(p, deep, index, world);
+        if (wall.wall_at(p) == Wall::solid && !is_known_free(p, world.first_range))
+            return on_surface(p, deep, index, world);
         sky |= wall.wall_at(p) == Wall::sky;
     }
     return sky ? Ending{Ending::sky, std::numeric_limits<float>::infinity(), kNoPlane, {}} : Ending{};
@@ -55,11 +58,13 @@ Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const
 using Hits = std::array<std::pair<float, std::size_t>, kMostHits>;  // range, plane; nearest first
 
 bool is_open(Vec3f p, std::size_t index, const WalkWorld& world) {
-    return is_known_free(p, world.first_range) || (world.planes[index].plane.hull && world.planes[index].wall_at(p) != Wall::solid);
+    return is_known_free(p, world.first_range) ||
+           (world.planes[index].plane.hull && world.planes[index].wall_at(p) != Wall::solid);
 }
 
 // A ray ends at hit k, or at one just behind it that is likelier to be there.
-std::size_t likeliest(const Hits& hits, std::size_t count, std::size_t k, Vec3f position, Vec3f d, const WalkWorld& world) {
+std::size_t likeliest(const Hits& hits, std::size_t count, std::size_t k, Vec3f position, Vec3f d,
+                      const WalkWorld& world) {
     const ScenePlane& first = world.planes[hits[k].second].plane;
     std::size_t best = k;
     float least = world.planes[hits[k].second].unseen_at(position + d * hits[k].first);
@@ -157,8 +162,9 @@ bool has(const ImageMask& mask, bool value) {
     return std::any_of(mask.pixels.begin(), mask.pixels.end(), [=](std::uint8_t v) { return (v != 0) == value; });
 }
 
-// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Nothing stands between a frame and the
-// outside: where both are about, a pixel belongs to the one that the mean of the two is nearer to.
+// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Nothing
+// stands between a frame and the outside: where both are about, a pixel belongs to the one that the mean of the two is
+// nearer to.
 void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
     const int w = rest.width, h = rest.height;
     const EquirectSize size{w, h};
@@ -172,7 +178,8 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
     std::array<bool, std::size(kCubeFaces)> needed{};
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            if (rest.at(x, y)) needed[static_cast<std::size_t>(face_of_direction(direction_of_pixel(x, y, size)))] = true;
+            if (rest.at(x, y))
+                needed[static_cast<std::size_t>(face_of_direction(direction_of_pixel(x, y, size)))] = true;
     const auto reference = make_inpainter("harmonic");  // range is geometry, not paint
     const int face_size = std::max(16, w / 4);
     const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
@@ -184,8 +191,10 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
         ImageMask hole(face_size, face_size);
         for (int y = 0; y < face_size; ++y)
             for (int x = 0; x < face_size; ++x) {
-                const Vec2f at =
-                    pixel_of_direction(pano_from_camera * camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), size);
+                const Vec2f at = pixel_of_direction(
+                    pano_from_camera *
+                        camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}),
+                    size);
                 const int px = wrap_column(static_cast<int>(at.x), w), py = std::min(static_cast<int>(at.y), h - 1);
                 const float q = inverse_range(view.range.at(px, py));
                 color.at(x, y) = view.color.at(px, py);
@@ -194,7 +203,9 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
             }
         color = world.inpainter->fill(color, hole, run);
         ImageColor surfaces;  // inverse range without the outside; empty where there is none, or nothing else
-        if (const ImageMask open = without_outside(hole, inverse); !world.outside.empty() && open != hole && has(open, false)) surfaces = reference->fill(inverse, open, run);
+        if (const ImageMask open = without_outside(hole, inverse);
+            !world.outside.empty() && open != hole && has(open, false))
+            surfaces = reference->fill(inverse, open, run);
         inverse = reference->fill(inverse, hole, run);
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
@@ -207,7 +218,8 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 if (!surfaces.empty()) {
                     const float surface = sample_flat(surfaces, at).x;
                     if (q < 0.5f * surface) {
-                        view.color.at(x, y) = world.outside.at(x, y), view.range.at(x, y) = std::numeric_limits<float>::infinity();
+                        view.color.at(x, y) = world.outside.at(x, y),
+                                         view.range.at(x, y) = std::numeric_limits<float>::infinity();
                         continue;
                     }
                     q = surface;
@@ -230,7 +242,8 @@ void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, con
                 rest.at(x, y) = !fill_from_planes(view, x, y, position, world);
             }
     });
-    if (std::any_of(rest.pixels.begin(), rest.pixels.end(), [](std::uint8_t v) { return v != 0; })) fill_rest(view, rest, world, run);
+    if (std::any_of(rest.pixels.begin(), rest.pixels.end(), [](std::uint8_t v) { return v != 0; }))
+        fill_rest(view, rest, world, run);
 }
 
 }  // namespace fastscene

@@ -8,9 +8,9 @@ namespace fastscene {
 
 // What is known about the world while walking; all in the frame of panorama 0.
 struct WalkWorld {
-    ImageF first_range;                    // panorama 0's
+    ImageF first_range;  // panorama 0's
     std::vector<PlanePicture> planes;
-    ImageColor outside;                    // outside_picture
+    ImageColor outside;  // outside_picture
     const Inpainter* inpainter = nullptr;
 };
 

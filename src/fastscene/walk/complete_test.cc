@@ -13,10 +13,11 @@ constexpr float kSky = std::numeric_limits<float>::infinity();
 
 // A wall two metres away, the outside to the right of it.
 CoarseView half_outside(int width, int height) {
-    CoarseView view{ImageColor(width, height, Vec3f{0.8f, 0.2f, 0.2f}), ImageF(width, height, 2.f), Image<std::int16_t>(width, height, kNoPlane),
-                    Image<Cover>(width, height, Cover::front)};
+    CoarseView view{ImageColor(width, height, Vec3f{0.8f, 0.2f, 0.2f}), ImageF(width, height, 2.f),
+                    Image<std::int16_t>(width, height, kNoPlane), Image<Cover>(width, height, Cover::front)};
     for (int y = 0; y < height; ++y)
-        for (int x = width / 2; x < width - width / 8; ++x) view.color.at(x, y) = {0.1f, 0.2f, 0.9f}, view.range.at(x, y) = kSky;
+        for (int x = width / 2; x < width - width / 8; ++x)
+            view.color.at(x, y) = {0.1f, 0.2f, 0.9f}, view.range.at(x, y) = kSky;
     return view;
 }
 
@@ -42,7 +43,8 @@ Filled filled(int width, int height, const std::vector<std::pair<int, int>>& col
 }
 
 TEST(Complete, HolesNarrowerThanAFacesPixelAreFilled) {
-    for (int at = 3; at < 60; at += 4) {   // one column a picture: where a face's pixels miss it, nothing else opens that face
+    for (int at = 3; at < 60;
+         at += 4) {  // one column a picture: where a face's pixels miss it, nothing else opens that face
         const Filled f = filled(256, 128, {{at, at + 1}});
         for (std::size_t i = 0; i < f.hole.size(); ++i)
             if (f.hole.pixels[i]) {

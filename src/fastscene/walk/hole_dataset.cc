@@ -42,7 +42,8 @@ ImageMask published_hole(const ImageRgb8& color, const ImageF& range, Vec3d dire
     double most = 0;
     for (const float r : range.pixels)
         if (std::isfinite(r)) most = std::max(most, static_cast<double>(r));
-    const double free = kMostOfTheWay * distance_ahead(range, normalize(in_float(world_from_published(direction)))) / most / length(direction);
+    const double free = kMostOfTheWay * distance_ahead(range, normalize(in_float(world_from_published(direction)))) /
+                        most / length(direction);
     const PublishedWarp warp = published_warp(color, units, direction * std::min(share, free));
     ImageMask hole(color.width, color.height);
     std::transform(warp.source.pixels.begin(), warp.source.pixels.end(), hole.pixels.begin(),
@@ -56,7 +57,9 @@ struct Plan {
     std::uint64_t seed;
 
     fs::path done(std::int64_t i) const { return folder / "done" / fmt::format("{:08}.json", i); }
-    bool held_out(const PanoramaFiles& files) const { return Random(seed, files.place).uniform() * 100.f < static_cast<float>(params.held_out); }
+    bool held_out(const PanoramaFiles& files) const {
+        return Random(seed, files.place).uniform() * 100.f < static_cast<float>(params.held_out);
+    }
     fs::path part(const PanoramaFiles& files) const { return folder / (held_out(files) ? "held-out" : "train"); }
     fs::path file(const fs::path& part_folder, const char* kind, std::int64_t i, const std::string& rest) const {
         return part_folder / kind / fmt::format("shard-{:05}", i / params.shard) / fmt::format("{:08}-{}.png", i, rest);
@@ -71,11 +74,13 @@ void settle_settings(const Plan& plan) {
     const Json found = read_json(path);
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
-            throw UsageError("{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder", path.string(), name,
-                             value.dump(), found.contains(name) ? found[name].dump() : "none");
+            throw UsageError(
+                "{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder",
+                path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// Nothing, with a warning, when the picture cannot be read or walked in: its trouble is its own. (A disk that cannot be written is not.)
+// Nothing, with a warning, when the picture cannot be read or walked in: its trouble is its own. (A disk that cannot be
+// written is not.)
 std::optional<Panorama> readable(const PanoramaFiles& files, const Run& run) {
     try {
         return ready_to_walk(load_panorama(files), {run.seed, nullptr, run.stop});
@@ -91,7 +96,8 @@ void make_one(const Plan& plan, const PanoramaFiles& files, const Panorama& pano
     const fs::path part = plan.part(files);
     for (const char* kind : {"images", "masks"}) make_directories(plan.file(part, kind, i, "").parent_path());
     const auto whole = published_faces(color, ImageMask(color.width, color.height), plan.params.size);
-    for (std::size_t f = 0; f < whole.size(); ++f) save_png(plan.file(part, "images", i, std::string(name_of(kPublishedFaces[f]))), whole[f].color);
+    for (std::size_t f = 0; f < whole.size(); ++f)
+        save_png(plan.file(part, "images", i, std::string(name_of(kPublishedFaces[f]))), whole[f].color);
     const std::vector<ImageMask> holes = walk_holes(panorama, plan.params);
     double open = 0;
     for (std::size_t k = 0; k < holes.size(); ++k) {
@@ -99,11 +105,16 @@ void make_one(const Plan& plan, const PanoramaFiles& files, const Panorama& pano
         const auto torn = published_hole_faces(holes[k], plan.params.size);
         for (std::size_t f = 0; f < torn.size(); ++f) {
             save_png(plan.file(part, "masks", i, fmt::format("{}-{:02}", name_of(kPublishedFaces[f]), k)), torn[f]);
-            open += static_cast<double>(std::count(torn[f].pixels.begin(), torn[f].pixels.end(), 255)) / static_cast<double>(torn[f].size());
+            open += static_cast<double>(std::count(torn[f].pixels.begin(), torn[f].pixels.end(), 255)) /
+                    static_cast<double>(torn[f].size());
         }
     }
-    write_json(plan.done(i), {{"color", files.name}, {"place", files.place}, {"part", part.filename().string()}, {"faces", whole.size()},
-                              {"masks", holes.size() * whole.size()}, {"open", open / static_cast<double>(holes.size() * whole.size())}});
+    write_json(plan.done(i), {{"color", files.name},
+                              {"place", files.place},
+                              {"part", part.filename().string()},
+                              {"faces", whole.size()},
+                              {"masks", holes.size() * whole.size()},
+                              {"open", open / static_cast<double>(holes.size() * whole.size())}});
 }
 
 }  // namespace
@@ -122,14 +133,15 @@ std::vector<ImageMask> walk_holes(const Panorama& panorama, const HoleDatasetPar
             for (const PublishedDirection& direction : kPublishedDirections) {
                 const Vec3f towards = normalize(in_float(world_from_published(direction.move)));
                 out.push_back(our_holes(source, panorama.size(),
-                                        towards * std::min(static_cast<float>(metres), kMostOfTheWay * distance_ahead(panorama.range, towards))));
+                                        towards * std::min(static_cast<float>(metres),
+                                                           kMostOfTheWay * distance_ahead(panorama.range, towards))));
             }
     }
     return out;
 }
 
-HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const fs::path& folder,
-                                   const Run& run) {
+HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params,
+                                   const fs::path& folder, const Run& run) {
     numbers_in("--shares", params.shares);
     numbers_in("--metres", params.metres);
     const Plan plan{params, folder, run.seed};
@@ -155,8 +167,9 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
         const Json about = read_json(plan.done(i));
         // Records of before say the whole path.
         if (const std::string made = about.value("color", ""); made != files.name && made != files.color.string())
-            throw UsageError("{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder", folder.string(),
-                             i, made, files.name);
+            throw UsageError(
+                "{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder",
+                folder.string(), i, made, files.name);
         ++state.there;
         held_out += plan.held_out(files);
         state.faces += about.value("faces", std::int64_t{0});
@@ -164,10 +177,13 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
         progress.advance();
     }
     if (state.panoramas > 0 && state.there == 0)
-        throw Error("{}: expected a panorama with range that can be read, found none among {}", folder.string(), state.panoramas);
+        throw Error("{}: expected a panorama with range that can be read, found none among {}", folder.string(),
+                    state.panoramas);
     if (held_out == state.there)
-        run.warn(fmt::format("{}: all {} panoramas are of places that are held out, none is left to train on: give more places, or another folder with less --held-out",
-                             folder.string(), held_out));
+        run.warn(
+            fmt::format("{}: all {} panoramas are of places that are held out, none is left to train on: give more "
+                        "places, or another folder with less --held-out",
+                        folder.string(), held_out));
     return state;
 }
 

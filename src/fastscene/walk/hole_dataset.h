@@ -1,5 +1,5 @@
-// Hole dataset (paper, "Panoramic Inpainting Dataset"): panoramas with range -> the holes that a walk would tear into them, on cube faces:
-// what an inpainting network is trained with. The holes come from the code that walks.
+// Hole dataset (paper, "Panoramic Inpainting Dataset"): panoramas with range -> the holes that a walk would tear into
+// them, on cube faces: what an inpainting network is trained with. The holes come from the code that walks.
 #pragma once
 
 #include <cstdint>
@@ -25,24 +25,27 @@ void visit_fields(HoleDatasetParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Side of a cube face in pixels.");
     v("warp", p.warp, Choices{{"paper", "ours", "both"}},
       "Whose coarse view tears the holes: the paper's, which throws single pixels; our mesh; or each in its turn.");
-    v("shares", p.shares, "The paper's warp: distances of a step, as shares of the greatest range, in eight directions each.");
+    v("shares", p.shares,
+      "The paper's warp: distances of a step, as shares of the greatest range, in eight directions each.");
     v("metres", p.metres, "Our warp: the same in metres.");
-    v("held-out", p.held_out, Bounds{0, 50}, "Percent of the places (rooms, houses) whose pictures are kept for testing.");
+    v("held-out", p.held_out, Bounds{0, 50},
+      "Percent of the places (rooms, houses) whose pictures are kept for testing.");
     v("shard", p.shard, Bounds{1, 100000}, "Panoramas in a folder.");
 }
 
 struct HoleDatasetState {
     std::int64_t panoramas = 0, there = 0, made = 0, broken = 0;
-    std::int64_t faces = 0, masks = 0;   // of what is there
+    std::int64_t faces = 0, masks = 0;  // of what is there
 };
 // DIR/train and DIR/held-out hold
 //     images/shard-00000/00000042-front.png           a face, without holes
-//     masks/shard-00000/00000042-front-03.png         white = hole; the number counts (distance, direction), the paper's warp first
-// and DIR/done/00000042.json says, last, that panorama 42 of the folder's list is complete. What is there is kept; a panorama that cannot
-// be read is skipped with a warning, counted, and tried again next time. Throws UsageError when DIR holds a set with other settings,
-// Error when no panorama at all could be read.
-HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params, const std::filesystem::path& folder,
-                                   const Run& run);
+//     masks/shard-00000/00000042-front-03.png         white = hole; the number counts (distance, direction), the
+//     paper's warp first
+// and DIR/done/00000042.json says, last, that panorama 42 of the folder's list is complete. What is there is kept; a
+// panorama that cannot be read is skipped with a warning, counted, and tried again next time. Throws UsageError when
+// DIR holds a set with other settings, Error when no panorama at all could be read.
+HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params,
+                                   const std::filesystem::path& folder, const Run& run);
 
 // All hole masks of one panorama (nonzero = hole), in the dataset's order.
 std::vector<ImageMask> walk_holes(const Panorama& panorama, const HoleDatasetParams& params);

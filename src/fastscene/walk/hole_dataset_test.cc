@@ -40,7 +40,8 @@ void save_post(const fs::path& stem, int width) {
             const Vec3f d = direction_of_pixel(x, y, size);
             const bool post = std::fabs(d.x) < 0.2f && d.z > 0.5f;
             const float wall = 2.f / std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}), r = post ? 1.f : wall;
-            color.at(x, y) = post ? Rgb8{200, 40, 40} : Rgb8{static_cast<std::uint8_t>(x * 255 / width), 120, static_cast<std::uint8_t>(y)};
+            color.at(x, y) = post ? Rgb8{200, 40, 40}
+                                  : Rgb8{static_cast<std::uint8_t>(x * 255 / width), 120, static_cast<std::uint8_t>(y)};
             range.at(x, y) = static_cast<std::uint16_t>(r * 1000);
         }
     save_png(fs::path(stem).concat(".png"), color);
@@ -69,7 +70,7 @@ TEST(HoleDataset, SixFacesAndSixteenMasksOfEach) {
     const HoleDatasetState state = make_hole_dataset(panoramas, small(), folder.path / "out", {});
     EXPECT_EQ(state.made, 2);
     EXPECT_EQ(state.faces, 12);
-    EXPECT_EQ(state.masks, 2 * 6 * 16);   // the paper: 14k panoramas, 84k faces, 1344k masks
+    EXPECT_EQ(state.masks, 2 * 6 * 16);  // the paper: 14k panoramas, 84k faces, 1344k masks
     EXPECT_EQ(files_in(folder.path / "out/train/images"), state.faces);
     EXPECT_EQ(files_in(folder.path / "out/train/masks"), state.masks);
 
@@ -83,7 +84,8 @@ TEST(HoleDataset, SixFacesAndSixteenMasksOfEach) {
     const auto faces = published_faces(warp.color, hole, 32);
     std::ptrdiff_t open = 0;
     for (std::size_t f = 0; f < 6; ++f) {
-        EXPECT_EQ(load_mask_png(folder.path / fmt::format("out/train/masks/shard-00000/00000000-{}-02.png", name_of(kPublishedFaces[f]))),
+        EXPECT_EQ(load_mask_png(folder.path / fmt::format("out/train/masks/shard-00000/00000000-{}-02.png",
+                                                          name_of(kPublishedFaces[f]))),
                   faces[f].hole);
         open += std::count(faces[f].hole.pixels.begin(), faces[f].hole.pixels.end(), 255);
     }
@@ -107,7 +109,8 @@ TEST(HoleDataset, BothWarps) {
     const auto holes = walk_holes(load_panorama(find_panoramas(folder.path / "in")[0]), params);
     ASSERT_EQ(holes.size(), 16u);
     for (const ImageMask& hole : holes)
-        EXPECT_LT(std::count(hole.pixels.begin(), hole.pixels.end(), 255), static_cast<std::ptrdiff_t>(hole.size() / 2));
+        EXPECT_LT(std::count(hole.pixels.begin(), hole.pixels.end(), 255),
+                  static_cast<std::ptrdiff_t>(hole.size() / 2));
     // A step to the side shows what stood behind the post.
     EXPECT_GT(std::count(holes[10].pixels.begin(), holes[10].pixels.end(), 255), 20);
     params.metres = "0.3,x";
@@ -133,13 +136,15 @@ TEST(HoleDataset, TheSameFolderByAnotherNameGoesOnAndAnotherOneDoesNot) {
     const Folder folder;
     for (const char* name : {"a", "b"}) save_post(folder.path / "in" / name, 64);
     make_hole_dataset(find_panoramas(folder.path / "in"), small(), folder.path / "out", {});
-    const HoleDatasetState again = make_hole_dataset(find_panoramas(folder.path / "." / "in" / ""), small(), folder.path / "out", {});
+    const HoleDatasetState again = make_hole_dataset(find_panoramas(folder.path / "." / "in" / ""), small(),
+                                                     folder.path / "out", {});
     EXPECT_EQ(again.there, 2);
     EXPECT_EQ(again.made, 0);
     fs::rename(folder.path / "in", folder.path / "moved");
     EXPECT_EQ(make_hole_dataset(find_panoramas(folder.path / "moved"), small(), folder.path / "out", {}).there, 2);
     save_post(folder.path / "moved/0", 64);
-    EXPECT_THROW(make_hole_dataset(find_panoramas(folder.path / "moved"), small(), folder.path / "out", {}), UsageError) << "another list";
+    EXPECT_THROW(make_hole_dataset(find_panoramas(folder.path / "moved"), small(), folder.path / "out", {}), UsageError)
+        << "another list";
 }
 
 TEST(HoleDataset, NothingLeftToTrainOnIsTold) {

@@ -16,25 +16,29 @@ constexpr int kPublishedWidth = 1024;
 
 struct PaperStep {
     char axis;
-    double share, hole;   // Table 1: "Pose (m)", which are shares of the greatest range, and "Mask (%)" as a share
+    double share, hole;  // Table 1: "Pose (m)", which are shares of the greatest range, and "Mask (%)" as a share
 };
 constexpr PaperStep kPaper[] = {
-    {'x', 0.33, 0.643}, {'x', 0.27, 0.587}, {'x', 0.21, 0.519}, {'x', 0.15, 0.432}, {'x', 0.09, 0.332}, {'x', 0.03, 0.177}, {'x', -0.02, 0.149},
-    {'y', 0.20, 0.289}, {'y', 0.16, 0.242}, {'y', 0.12, 0.196}, {'y', 0.09, 0.153}, {'y', 0.05, 0.112}, {'y', 0.02, 0.071},  {'y', -0.02, 0.076},
-    {'z', 0.33, 0.622}, {'z', 0.27, 0.567}, {'z', 0.21, 0.500}, {'z', 0.15, 0.419}, {'z', 0.09, 0.315}, {'z', 0.03, 0.167}, {'z', -0.02, 0.160},
+    {'x', 0.33, 0.643},  {'x', 0.27, 0.587},  {'x', 0.21, 0.519}, {'x', 0.15, 0.432},  {'x', 0.09, 0.332},
+    {'x', 0.03, 0.177},  {'x', -0.02, 0.149}, {'y', 0.20, 0.289}, {'y', 0.16, 0.242},  {'y', 0.12, 0.196},
+    {'y', 0.09, 0.153},  {'y', 0.05, 0.112},  {'y', 0.02, 0.071}, {'y', -0.02, 0.076}, {'z', 0.33, 0.622},
+    {'z', 0.27, 0.567},  {'z', 0.21, 0.500},  {'z', 0.15, 0.419}, {'z', 0.09, 0.315},  {'z', 0.03, 0.167},
+    {'z', -0.02, 0.160},
 };
 
 ImageF at_published_size(const ImageF& range) {
     if (range.width <= kPublishedWidth) return range;
-    ImageF out(kPublishedWidth, kPublishedWidth / 2);   // picked: a mean of two surfaces lies on neither
+    ImageF out(kPublishedWidth, kPublishedWidth / 2);  // picked: a mean of two surfaces lies on neither
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
-            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width), (2 * y + 1) * range.height / (2 * out.height));
+            out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width),
+                                    (2 * y + 1) * range.height / (2 * out.height));
     return out;
 }
 
 double share_of(const ImageMask& mask) {
-    return static_cast<double>(std::count_if(mask.pixels.begin(), mask.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
+    return static_cast<double>(
+               std::count_if(mask.pixels.begin(), mask.pixels.end(), [](std::uint8_t v) { return v != 0; })) /
            static_cast<double>(mask.size());
 }
 
@@ -58,7 +62,8 @@ double share_inside(const ImageMask& a, const ImageMask& b, int reach) {
 ImageMask our_holes(const WarpSource& source, EquirectSize size, Vec3f position) {
     const CoarseView view = coarse_view({source}, size, position);
     ImageMask out(size.width, size.height);
-    std::transform(view.cover.pixels.begin(), view.cover.pixels.end(), out.pixels.begin(), [](Cover c) { return c == Cover::front ? std::uint8_t{0} : std::uint8_t{255}; });
+    std::transform(view.cover.pixels.begin(), view.cover.pixels.end(), out.pixels.begin(),
+                   [](Cover c) { return c == Cover::front ? std::uint8_t{0} : std::uint8_t{255}; });
     return out;
 }
 
@@ -69,7 +74,8 @@ ImageMask true_holes(EquirectSize size, Vec3f position, const Distance& distance
             for (int x = 0; x < size.width; ++x) {
                 const Vec3f d = direction_of_pixel(x, y, size);
                 const float far = distance(position, d);
-                if (!std::isfinite(far)) {   // the sky: seen from the first viewpoint if nothing stands in that direction
+                if (!std::isfinite(
+                        far)) {  // the sky: seen from the first viewpoint if nothing stands in that direction
                     out.at(x, y) = std::isfinite(distance({}, d)) ? 255 : 0;
                     continue;
                 }
@@ -81,8 +87,8 @@ ImageMask true_holes(EquirectSize size, Vec3f position, const Distance& distance
 }
 
 HoleTruth compare_holes(const ImageMask& ours, const ImageMask& truth, int reach) {
-    return {share_of(truth), share_inside(ours, truth, 0), share_inside(truth, ours, 0), share_inside(ours, truth, reach),
-            share_inside(truth, ours, reach)};
+    return {share_of(truth), share_inside(ours, truth, 0), share_inside(truth, ours, 0),
+            share_inside(ours, truth, reach), share_inside(truth, ours, reach)};
 }
 
 HoleTruth hole_truth(const WarpSource& source, Vec3f position, const Distance& distance) {
@@ -108,11 +114,19 @@ std::vector<HoleRow> hole_table(const ImageF& given, const Run& run, const Dista
     Progress progress(run, "hole table", static_cast<std::int64_t>(std::size(kPaper)));
     for (const PaperStep& step : kPaper) {
         run.check_stop();
-        const Vec3d move = step.axis == 'x' ? Vec3d{step.share, 0, 0} : step.axis == 'y' ? Vec3d{0, step.share, 0} : Vec3d{0, 0, step.share};
+        const Vec3d move = step.axis == 'x'   ? Vec3d{step.share, 0, 0}
+                           : step.axis == 'y' ? Vec3d{0, step.share, 0}
+                                              : Vec3d{0, 0, step.share};
         const Vec3d world = world_from_published(move) * most;
         const Vec3f position{static_cast<float>(world.x), static_cast<float>(world.y), static_cast<float>(world.z)};
-        HoleRow row{step.axis, step.share, step.share * most,  distance_ahead(first.range, normalize(position)) > length(position),
-                    0,         0,          step.hole, {}};
+        HoleRow row{step.axis,
+                    step.share,
+                    step.share * most,
+                    distance_ahead(first.range, normalize(position)) > length(position),
+                    0,
+                    0,
+                    step.hole,
+                    {}};
         row.published = published_warp(blank, range, move).hole_ratio();
         const ImageMask ours = our_holes(source, first.size(), position);
         row.ours = share_of(ours);
@@ -130,28 +144,30 @@ std::string hole_table_text(const std::vector<HoleRow>& rows) {
     text += "axis   step   metres   paper  published    ours";
     text += truth ? "    true  precision  recall\n" : "\n";
     for (const HoleRow& row : rows) {
-        text += fmt::format("{:<4} {:>+6.2f} {:>+7.2f}{} {:>6.1f} {:>10.1f} {:>7.1f}", row.axis, row.share, row.step_m, row.in_room ? ' ' : '*', 100 * row.paper,
-                            100 * row.published, 100 * row.ours);
-        if (row.truth) text += fmt::format(" {:>7.1f} {:>10.1f} {:>7.1f}", 100 * row.truth->ratio, 100 * row.truth->precision_near, 100 * row.truth->recall_near);
+        text += fmt::format("{:<4} {:>+6.2f} {:>+7.2f}{} {:>6.1f} {:>10.1f} {:>7.1f}", row.axis, row.share, row.step_m,
+                            row.in_room ? ' ' : '*', 100 * row.paper, 100 * row.published, 100 * row.ours);
+        if (row.truth)
+            text += fmt::format(" {:>7.1f} {:>10.1f} {:>7.1f}", 100 * row.truth->ratio, 100 * row.truth->precision_near,
+                                100 * row.truth->recall_near);
         text += "\n";
         outside |= !row.in_room;
     }
     text += "x: to the middle of the picture; y: up; z: to its right\n";
-    if (truth) text += "precision, recall: of our holes against those of the true room, within one of the panorama's pixels\n";
+    if (truth)
+        text += "precision, recall: of our holes against those of the true room, within one of the panorama's pixels\n";
     if (outside) text += "*: the step ends in or behind a surface\n";
     return text;
 }
 
 Json hole_table_json(const std::vector<HoleRow>& rows) {
-    const auto number = [](double v) { return shortest(static_cast<float>(v)); };   // seven digits say more than was measured
+    const auto number = [](double v) {
+        return shortest(static_cast<float>(v));
+    };  // seven digits say more than was measured
     Json out = Json::array();
     for (const HoleRow& row : rows) {
-        Json json{{"axis", std::string(1, row.axis)},
-                  {"share", number(row.share)},
-                  {"step_m", number(row.step_m)},
-                  {"in_room", row.in_room},
-                  {"paper", number(row.paper)},
-                  {"published", number(row.published)},
+        Json json{{"axis", std::string(1, row.axis)}, {"share", number(row.share)},
+                  {"step_m", number(row.step_m)},     {"in_room", row.in_room},
+                  {"paper", number(row.paper)},       {"published", number(row.published)},
                   {"ours", number(row.ours)}};
         if (row.truth)
             json["truth"] = {{"ratio", number(row.truth->ratio)},

@@ -13,28 +13,29 @@
 
 namespace fastscene {
 
-// Our holes against those that the true room has. Both are looked at on a finer grid than the panorama's, since after a short step a
-// true hole is narrower than a pixel. Near: within one of the panorama's pixels, for nobody knows where in a pixel a silhouette runs.
-inline constexpr int kFiner = 3;   // grid points a pixel and side
+// Our holes against those that the true room has. Both are looked at on a finer grid than the panorama's, since after a
+// short step a true hole is narrower than a pixel. Near: within one of the panorama's pixels, for nobody knows where in
+// a pixel a silhouette runs.
+inline constexpr int kFiner = 3;  // grid points a pixel and side
 struct HoleTruth {
-    double ratio = 0;                          // share of pixels whose surface the first viewpoint cannot see
-    double precision = 1, recall = 1;          // of our holes are true; of the true ones are ours
+    double ratio = 0;                  // share of pixels whose surface the first viewpoint cannot see
+    double precision = 1, recall = 1;  // of our holes are true; of the true ones are ours
     double precision_near = 1, recall_near = 1;
 };
 struct HoleRow {
-    char axis = 'x';            // official frame: x to the middle of the picture, y up, z to its right
-    double share = 0;           // signed step, in the greatest range
+    char axis = 'x';   // official frame: x to the middle of the picture, y up, z to its right
+    double share = 0;  // signed step, in the greatest range
     double step_m = 0;
-    bool in_room = true;        // false: the step ends in or behind a surface, where no one can stand
+    bool in_room = true;  // false: the step ends in or behind a surface, where no one can stand
     double published = 0, ours = 0;
-    double paper = 0;           // the paper's own figure for its scenes
+    double paper = 0;  // the paper's own figure for its scenes
     std::optional<HoleTruth> truth;
 };
 // Distance in metres from a point (panorama 0's frame) to the first surface along a unit direction; +inf = none.
 using Distance = std::function<float(Vec3f from, Vec3f direction)>;
 
-// Steps and axes of the paper's table. `range` is looked at 1024 pixels wide, as published, when it is wider. With `distance`, each
-// row also has its truth (some millions of rays).
+// Steps and axes of the paper's table. `range` is looked at 1024 pixels wide, as published, when it is wider. With
+// `distance`, each row also has its truth (some millions of rays).
 std::vector<HoleRow> hole_table(const ImageF& range, const Run& run, const Distance& distance = {});
 
 // Pixels that our warp of `source` leaves open; pixels that a true room hides from the source's viewpoint, the origin.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostMirrors = 4;
 constexpr std::size_t kLeastPixels = 64;
-constexpr double kFlat_m = 0.01;          // root mean square of what is taken for one glass
-constexpr float kBeforeGlass_m = 0.04f;   // what is no farther before it is its frame, or the wall about it
+constexpr double kFlat_m = 0.01;         // root mean square of what is taken for one glass
+constexpr float kBeforeGlass_m = 0.04f;  // what is no farther before it is its frame, or the wall about it
 constexpr Vec3f kSilver{0.92f, 0.93f, 0.92f};
 
 // Connected pixels that look into glass.
@@ -30,7 +30,8 @@ std::vector<std::vector<std::size_t>> parts_of(const ImageMask& glass) {
             const int x = static_cast<int>(part[k]) % w, y = static_cast<int>(part[k]) / w;
             for (const auto& [i, j] : {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
                 if (j < 0 || j >= h) continue;
-                const std::size_t next = static_cast<std::size_t>(j) * static_cast<std::size_t>(w) + static_cast<std::size_t>(wrap_column(i, w));
+                const std::size_t next = static_cast<std::size_t>(j) * static_cast<std::size_t>(w) +
+                                         static_cast<std::size_t>(wrap_column(i, w));
                 if (!left.pixels[next]) continue;
                 left.pixels[next] = 0;
                 part.push_back(next);
@@ -43,14 +44,16 @@ std::vector<std::vector<std::size_t>> parts_of(const ImageMask& glass) {
     return parts;
 }
 
-// The plane of the pixels' surfaces (m . p = 1 in the sense of least squares; panorama 0 is not on it). False: they lie on none.
+// The plane of the pixels' surfaces (m . p = 1 in the sense of least squares; panorama 0 is not on it). False: they lie
+// on none.
 bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mirror& mirror) {
     Mat3d squares{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     Vec3d sum{};
     std::vector<Vec3d> points;
     for (const std::size_t i : pixels) {
         const auto w = static_cast<std::size_t>(first.range.width);
-        const Vec3f q = direction_of_pixel(static_cast<int>(i % w), static_cast<int>(i / w), first.size()) * first.range.pixels[i];
+        const Vec3f q = direction_of_pixel(static_cast<int>(i % w), static_cast<int>(i / w), first.size()) *
+                        first.range.pixels[i];
         const Vec3d p{q.x, q.y, q.z};
         squares.row0 += p * p.x, squares.row1 += p * p.y, squares.row2 += p * p.z;
         sum += p;
@@ -62,7 +65,8 @@ bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mi
     double error = 0;
     for (const Vec3d p : points) error += std::pow((dot(*m, p) - 1) / length_m, 2);
     if (!(std::sqrt(error / static_cast<double>(points.size())) < kFlat_m)) return false;
-    mirror.normal = Vec3f{static_cast<float>(-m->x / length_m), static_cast<float>(-m->y / length_m), static_cast<float>(-m->z / length_m)};
+    mirror.normal = Vec3f{static_cast<float>(-m->x / length_m), static_cast<float>(-m->y / length_m),
+                          static_cast<float>(-m->z / length_m)};
     mirror.offset = static_cast<float>(-1 / length_m);
     const auto middle = sum / static_cast<double>(points.size());
     for (const Vec3d p : points) mirror.reach = std::max(mirror.reach, static_cast<float>(length(p - middle)));
@@ -74,26 +78,28 @@ bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mi
 WarpSource mirrored_room(const Panorama& first, Vec3f normal, float offset) {
     const EquirectSize size = first.size();
     const Vec3f n2 = normal * 2.f;
-    const Mat3f real_from_image{Vec3f{1, 0, 0} - n2 * normal.x, Vec3f{0, 1, 0} - n2 * normal.y, Vec3f{0, 0, 1} - n2 * normal.z};
+    const Mat3f real_from_image{Vec3f{1, 0, 0} - n2 * normal.x, Vec3f{0, 1, 0} - n2 * normal.y,
+                                Vec3f{0, 0, 1} - n2 * normal.z};
     ImageF range(size.width, size.height);
     ImageMask used(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Vec3f real = real_from_image * direction_of_pixel(x, y, size);
             const Vec2f at = pixel_of_direction(real, size);
-            const float r = first.range.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1));
+            const float r = first.range.at(wrap_column(static_cast<int>(at.x), size.width),
+                                           std::clamp(static_cast<int>(at.y), 0, size.height - 1));
             range.at(x, y) = r;
             used.at(x, y) = std::isfinite(r) ? dot(normal, real * r) - offset > kBeforeGlass_m : dot(normal, real) > 0;
         }
-    return make_warp_source(equirect_from_equirect(first.color, size, real_from_image), range, Image<std::int16_t>(size.width, size.height, kNoPlane), used,
-                            normal * (2 * offset));
+    return make_warp_source(equirect_from_equirect(first.color, size, real_from_image), range,
+                            Image<std::int16_t>(size.width, size.height, kNoPlane), used, normal * (2 * offset));
 }
 
 // Of the mirrored room only what lies behind the glass as seen from `position`: a disc about it is quickly asked.
 void keep_behind_glass(Mirror& mirror, Vec3f position) {
     WarpSource& image = mirror.image[0];
     const EquirectSize size{image.color.width, image.color.height};
-    const float reach = mirror.reach + 0.1f, near = mirror.offset - dot(mirror.normal, position);   // < 0
+    const float reach = mirror.reach + 0.1f, near = mirror.offset - dot(mirror.normal, position);  // < 0
     parallel_for(size.height, 16, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -108,8 +114,10 @@ void keep_behind_glass(Mirror& mirror, Vec3f position) {
     });
 }
 
-// The mirror's image in each marked pixel, the mean of its quarters that show something beyond the glass: take(pixel, color, range).
-void draw_image(Mirror& mirror, const ImageMask& marked, Vec3f position, const std::function<void(std::size_t, Vec3f, float)>& take) {
+// The mirror's image in each marked pixel, the mean of its quarters that show something beyond the glass: take(pixel,
+// color, range).
+void draw_image(Mirror& mirror, const ImageMask& marked, Vec3f position,
+                const std::function<void(std::size_t, Vec3f, float)>& take) {
     keep_behind_glass(mirror, position);
     const CoarseView quarters = quarters_view(mirror.image, marked, position);
     std::size_t quarter = 0;
@@ -146,7 +154,8 @@ std::vector<Mirror> find_mirrors(const Panorama& first) {
     std::vector<Mirror> mirrors;
     if (first.mirrored_range.empty()) return mirrors;
     ImageMask glass(first.range.width, first.range.height);
-    for (std::size_t i = 0; i < glass.size(); ++i) glass.pixels[i] = first.mirrored_range.pixels[i] != first.range.pixels[i];
+    for (std::size_t i = 0; i < glass.size(); ++i)
+        glass.pixels[i] = first.mirrored_range.pixels[i] != first.range.pixels[i];
     for (const std::vector<std::size_t>& part : parts_of(glass)) {
         Mirror mirror;
         if (!fit_plane(first, part, mirror)) continue;
@@ -169,10 +178,13 @@ void look_into(std::vector<Mirror>& mirrors, Vec3f position, CoarseView& view, I
             for (int x = 0; x < size.width; ++x) {
                 if (known.at(x, y) != Known::invented) continue;
                 const Vec3f d = direction_of_pixel(x, y, size);
-                const float towards = dot(mirror.normal, d), t = (mirror.offset - dot(mirror.normal, position)) / towards;
+                const float towards = dot(mirror.normal, d),
+                            t = (mirror.offset - dot(mirror.normal, position)) / towards;
                 if (!(towards < -1e-3f && t > 0)) continue;
                 const Vec2f at = pixel_of_direction(position + d * t, size);
-                if (!mirror.glass.at(wrap_column(static_cast<int>(at.x), size.width), std::clamp(static_cast<int>(at.y), 0, size.height - 1))) continue;
+                if (!mirror.glass.at(wrap_column(static_cast<int>(at.x), size.width),
+                                     std::clamp(static_cast<int>(at.y), 0, size.height - 1)))
+                    continue;
                 marked.at(x, y) = 1;
                 any = true;
             }

@@ -9,8 +9,8 @@
 namespace fastscene {
 namespace {
 
-constexpr float kBehind_m = 0.03f;          // a surface so far behind the wall was seen through it
-constexpr float kDeepestReveal_m = 0.6f;    // walls are not thicker
+constexpr float kBehind_m = 0.03f;        // a surface so far behind the wall was seen through it
+constexpr float kDeepestReveal_m = 0.6f;  // walls are not thicker
 
 // Unknown places (no entry in `known`) take after the nearest known one: one step a round, the sources in order.
 void spread(Image<Wall>& wall, ImageMask& known) {
@@ -47,7 +47,8 @@ Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSiz
             const Vec3f p = plane.at({plane.low.x + (static_cast<float>(x) + 0.5f) * metres_per_pixel,
                                       plane.low.y + (static_cast<float>(y) + 0.5f) * metres_per_pixel});
             const Vec2f at = pixel_of_direction(p, size);
-            const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width), std::min(static_cast<int>(at.y), size.height - 1));
+            const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width),
+                                        std::min(static_cast<int>(at.y), size.height - 1));
             // How far behind the plane the seen surface lies; beyond a wall's own roughness, it is an opening.
             const float behind = (seen / length(p) - 1.f) * -plane.offset;
             if (behind < -plane_tolerance(length(p))) continue;

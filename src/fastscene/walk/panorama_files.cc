@@ -17,16 +17,19 @@ namespace fs = std::filesystem;
 // A picture of the set that `fastscene rooms dataset` makes: its JSON, written last.
 std::optional<PanoramaFiles> from_our_set(const fs::path& json_path) {
     const Json about = read_json(json_path);
-    if (!about.is_object() || about.value(Json::json_pointer("/camera/model"), "") != "EQUIRECTANGULAR" || !about.contains("color") ||
-        !about.contains("range"))
+    if (!about.is_object() || about.value(Json::json_pointer("/camera/model"), "") != "EQUIRECTANGULAR" ||
+        !about.contains("color") || !about.contains("range"))
         return {};
-    return PanoramaFiles{json_path.parent_path() / about["color"].get<std::string>(), json_path.parent_path() / about["range"].get<std::string>(),
-                         fmt::format("room {}", about.value("room", 0)), {}};
+    return PanoramaFiles{json_path.parent_path() / about["color"].get<std::string>(),
+                         json_path.parent_path() / about["range"].get<std::string>(),
+                         fmt::format("room {}", about.value("room", 0)),
+                         {}};
 }
 
 std::optional<PanoramaFiles> from_structured3d(const fs::path& color) {
     const fs::path range = color.parent_path() / "depth.png";
-    if (color.filename() != "rgb_rawlight.png" || color.parent_path().filename() != "full" || !fs::exists(range)) return {};
+    if (color.filename() != "rgb_rawlight.png" || color.parent_path().filename() != "full" || !fs::exists(range))
+        return {};
     std::string place = color.parent_path().string();
     for (const fs::path& part : color)
         if (part.string().starts_with("scene_")) place = part.string();
@@ -45,7 +48,8 @@ std::optional<PanoramaFiles> from_anybody(const fs::path& color) {
 }  // namespace
 
 std::vector<PanoramaFiles> find_panoramas(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw UsageError("{}: expected a folder of panoramas with range maps, found none", folder.string());
+    if (!fs::is_directory(folder))
+        throw UsageError("{}: expected a folder of panoramas with range maps, found none", folder.string());
     const bool ours = fs::exists(folder / "dataset.json");
     std::vector<PanoramaFiles> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -58,27 +62,32 @@ std::vector<PanoramaFiles> find_panoramas(const fs::path& folder) {
     }
     if (found.empty())
         throw UsageError(
-            "{}: expected panoramas with range maps (a set of `fastscene rooms dataset`, Structured3D's folders, or NAME.png beside NAME.range.png), "
+            "{}: expected panoramas with range maps (a set of `fastscene rooms dataset`, Structured3D's folders, or "
+            "NAME.png beside NAME.range.png), "
             "found none",
             folder.string());
     for (PanoramaFiles& files : found) files.name = files.color.lexically_relative(folder).string();
-    std::sort(found.begin(), found.end(), [](const PanoramaFiles& a, const PanoramaFiles& b) { return a.color < b.color; });
+    std::sort(found.begin(), found.end(),
+              [](const PanoramaFiles& a, const PanoramaFiles& b) { return a.color < b.color; });
     return found;
 }
 
 Panorama load_panorama(const PanoramaFiles& files) {
     const ImageRgb8 color = load_rgb8(files.color);
     if (color.width != 2 * color.height)
-        throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width, color.height);
+        throw Error("{}: expected a panorama twice as wide as high, found {} x {}", files.color.string(), color.width,
+                    color.height);
     const ImageF range = load_float(files.range);
     if (range.width != 2 * range.height)
-        throw Error("{}: expected a range map twice as wide as high, found {} x {}", files.range.string(), range.width, range.height);
+        throw Error("{}: expected a range map twice as wide as high, found {} x {}", files.range.string(), range.width,
+                    range.height);
     Panorama out;
     out.color = linear_from_srgb8(color);
     out.range = ImageF(color.width, color.height);
     for (int y = 0; y < color.height; ++y)
         for (int x = 0; x < color.width; ++x) {
-            const float r = range.at((2 * x + 1) * range.width / (2 * color.width), (2 * y + 1) * range.height / (2 * color.height));
+            const float r = range.at((2 * x + 1) * range.width / (2 * color.width),
+                                     (2 * y + 1) * range.height / (2 * color.height));
             out.range.at(x, y) = r > 0 ? r : std::numeric_limits<float>::infinity();
         }
     return out;

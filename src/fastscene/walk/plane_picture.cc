@@ -13,11 +13,12 @@
 namespace fastscene {
 namespace {
 
-constexpr float kReach_m = 8.f;        // a plane's picture ends here on each side of panorama 0,
-constexpr float kReach = 2.f;          // or at so many times the plane's distance: a hall's walls are seen beyond 8 m
+constexpr float kReach_m = 8.f;  // a plane's picture ends here on each side of panorama 0,
+constexpr float kReach = 2.f;    // or at so many times the plane's distance: a hall's walls are seen beyond 8 m
 constexpr int kLongestSide = 640;
-constexpr float kMargin_m = 0.3f;      // hidden part of a furniture face that we believe in; chosen on walked rooms with known truth
-constexpr float kWidestGap_m = 0.8f;   // hidden part between two seen ones
+constexpr float kMargin_m =
+    0.3f;  // hidden part of a furniture face that we believe in; chosen on walked rooms with known truth
+constexpr float kWidestGap_m = 0.8f;  // hidden part between two seen ones
 
 PlanePicture blank(ScenePlane plane) {
     PlanePicture picture{plane, 0.01f, {}, {}, {}, {}};
@@ -29,7 +30,9 @@ PlanePicture blank(ScenePlane plane) {
     const float longest = std::max(high.x - low.x, high.y - low.y);
     if (!(longest > 0.02f)) return picture;
     picture.metres_per_pixel = std::max(0.01f, longest / kLongestSide);
-    const auto pixels = [&](float metres) { return std::max(2, static_cast<int>(std::ceil(metres / picture.metres_per_pixel))); };
+    const auto pixels = [&](float metres) {
+        return std::max(2, static_cast<int>(std::ceil(metres / picture.metres_per_pixel)));
+    };
     picture.color = ImageColor(pixels(high.x - low.x), pixels(high.y - low.y));
     return picture;
 }
@@ -43,25 +46,32 @@ bool is_inside(const Image<std::int16_t>& label, const ImageMask& cuts, int x, i
     return true;
 }
 
-enum class Place : std::uint8_t { seen, hidden, empty };   // empty: panorama 0 looked past the plane there, or saw another close to it
+enum class Place : std::uint8_t {
+    seen,
+    hidden,
+    empty
+};  // empty: panorama 0 looked past the plane there, or saw another close to it
 
 // What panorama 0 says of the place `p` of a plane, which it sees, or what hides it, in pixel (x, y).
-Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes, const ImageF& range, const Image<std::int16_t>& label, int x, int y) {
+Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes, const ImageF& range,
+               const Image<std::int16_t>& label, int x, int y) {
     const ScenePlane& plane = planes[index];
     const int there = label.at(x, y);
-    const float far = length(p), seen = range.at(x, y), behind = (seen / far - 1.f) * -plane.offset;   // along the normal
+    const float far = length(p), seen = range.at(x, y),
+                behind = (seen / far - 1.f) * -plane.offset;  // along the normal
     if (there == static_cast<int>(index) && std::fabs(seen - far) < 0.02f + 0.03f * far) return Place::seen;
-    const bool beside = there >= 0 && there != static_cast<int>(index) && are_side_by_side(planes[static_cast<std::size_t>(there)], plane);
+    const bool beside = there >= 0 && there != static_cast<int>(index) &&
+                        are_side_by_side(planes[static_cast<std::size_t>(there)], plane);
     return beside || behind > plane_tolerance(far) ? Place::empty : Place::hidden;
 }
 
-// Metres from each place to the nearest one that is `goal`, on ways that cross nothing `barred` (infinite where there is none): rounds of equal
-// distance, steps of 3 and, across, of 4 thirds of a pixel (Borgefors 1986).
+// Metres from each place to the nearest one that is `goal`, on ways that cross nothing `barred` (infinite where there
+// is none): rounds of equal distance, steps of 3 and, across, of 4 thirds of a pixel (Borgefors 1986).
 ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixel, std::optional<Place> barred = {}) {
     constexpr int kStraight = 3, kDiagonal = 4;
     constexpr int kNever = std::numeric_limits<int>::max();
     Image<int> least(places.width, places.height, kNever);
-    std::array<std::vector<std::pair<int, int>>, kDiagonal + 1> rounds;   // by distance, modulo their number
+    std::array<std::vector<std::pair<int, int>>, kDiagonal + 1> rounds;  // by distance, modulo their number
     std::size_t waiting = 0;
     for (int y = 0; y < places.height; ++y)
         for (int x = 0; x < places.width; ++x)
@@ -82,18 +92,20 @@ ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixe
     }
     ImageF out(places.width, places.height);
     for (std::size_t i = 0; i < out.size(); ++i)
-        out.pixels[i] = least.pixels[i] == kNever ? std::numeric_limits<float>::infinity() : static_cast<float>(least.pixels[i]) * metres_per_pixel / kStraight;
+        out.pixels[i] = least.pixels[i] == kNever ? std::numeric_limits<float>::infinity()
+                                                  : static_cast<float>(least.pixels[i]) * metres_per_pixel / kStraight;
     return out;
 }
 
-// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between places seen that
-// are not far apart, but never across a place where panorama 0 looked past it, and not to where such a place is nearer than one that was seen:
-// what hides the edge of a seat hides the air beyond it too. Only what lies on a wall, the floor or the ceiling goes on there: frames are slender, panes are looked through.
+// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between
+// places seen that are not far apart, but never across a place where panorama 0 looked past it, and not to where such a
+// place is nearer than one that was seen: what hides the edge of a seat hides the air beyond it too. Only what lies on
+// a wall, the floor or the ceiling goes on there: frames are slender, panes are looked through.
 ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
     const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
     ImageMask face(places.width, places.height);
     for (std::size_t i = 0; i < face.size(); ++i) face.pixels[i] = unseen_m.pixels[i] <= kMargin_m;
-    const auto bridge = [&](int count, auto&& place, auto&& mark) {   // one line
+    const auto bridge = [&](int count, auto&& place, auto&& mark) {  // one line
         for (int i = 0, last = -1; i < count; ++i) {
             if (place(i) == Place::empty) last = -1;
             if (place(i) != Place::seen) continue;
@@ -103,9 +115,11 @@ ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const Ima
         }
     };
     for (int y = 0; y < places.height; ++y)
-        bridge(places.width, [&](int x) { return places.at(x, y); }, [&](int x) { face.at(x, y) = 1; });
+        bridge(
+            places.width, [&](int x) { return places.at(x, y); }, [&](int x) { face.at(x, y) = 1; });
     for (int x = 0; x < places.width; ++x)
-        bridge(places.height, [&](int y) { return places.at(x, y); }, [&](int y) { face.at(x, y) = 1; });
+        bridge(
+            places.height, [&](int y) { return places.at(x, y); }, [&](int y) { face.at(x, y) = 1; });
     if (plane.on_hull) return face;
     const ImageF empty_m = distance_to(Place::empty, places, metres_per_pixel);
     for (std::size_t i = 0; i < face.size(); ++i)
@@ -116,31 +130,39 @@ ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const Ima
 }  // namespace
 
 Vec3f PlanePicture::color_at(Vec3f point) const {
-    return sample_flat(color, {(dot(plane.u, point) - plane.low.x) / metres_per_pixel, (dot(plane.v, point) - plane.low.y) / metres_per_pixel});
+    return sample_flat(color, {(dot(plane.u, point) - plane.low.x) / metres_per_pixel,
+                               (dot(plane.v, point) - plane.low.y) / metres_per_pixel});
 }
 
 bool PlanePicture::reaches(Vec3f point) const {
     if (plane.hull) return true;
     if (plane.all_along && std::isfinite(unseen_at(point))) return true;
-    const float a = (dot(plane.u, point) - plane.low.x) / metres_per_pixel, b = (dot(plane.v, point) - plane.low.y) / metres_per_pixel;
+    const float a = (dot(plane.u, point) - plane.low.x) / metres_per_pixel,
+                b = (dot(plane.v, point) - plane.low.y) / metres_per_pixel;
     if (!(a >= 0 && b >= 0 && a < static_cast<float>(face.width) && b < static_cast<float>(face.height))) return false;
     return face.at(static_cast<int>(a), static_cast<int>(b)) != 0;
 }
 
 float PlanePicture::unseen_at(Vec3f point) const {
-    const auto cell = [&](float from_low, int count) { return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1); };
-    return unseen_m.at(cell(dot(plane.u, point) - plane.low.x, unseen_m.width), cell(dot(plane.v, point) - plane.low.y, unseen_m.height));
+    const auto cell = [&](float from_low, int count) {
+        return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1);
+    };
+    return unseen_m.at(cell(dot(plane.u, point) - plane.low.x, unseen_m.width),
+                       cell(dot(plane.v, point) - plane.low.y, unseen_m.height));
 }
 
 Wall PlanePicture::wall_at(Vec3f point) const {
     if (!openings.any()) return Wall::solid;
-    const auto cell = [&](float from_low, int count) { return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1); };
+    const auto cell = [&](float from_low, int count) {
+        return std::clamp(static_cast<int>(std::floor(from_low / metres_per_pixel)), 0, count - 1);
+    };
     return openings.wall.at(cell(dot(plane.u, point) - plane.low.x, openings.wall.width),
                             cell(dot(plane.v, point) - plane.low.y, openings.wall.height));
 }
 
 std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& label,
-                                       const ImageMask& cuts, const std::vector<ScenePlane>& planes, const Inpainter& inpainter, const Run& run) {
+                                       const ImageMask& cuts, const std::vector<ScenePlane>& planes,
+                                       const Inpainter& inpainter, const Run& run) {
     std::vector<PlanePicture> pictures(planes.size());
     const EquirectSize size{range.width, range.height};
     parallel_for(static_cast<std::int64_t>(planes.size()), 1, [&](std::int64_t begin, std::int64_t) {
@@ -151,10 +173,12 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
         bool any = false;
         for (int y = 0; y < hole.height; ++y)
             for (int x = 0; x < hole.width; ++x) {
-                const Vec3f p = picture.plane.at({picture.plane.low.x + (static_cast<float>(x) + 0.5f) * picture.metres_per_pixel,
-                                                  picture.plane.low.y + (static_cast<float>(y) + 0.5f) * picture.metres_per_pixel});
+                const Vec3f p = picture.plane.at(
+                    {picture.plane.low.x + (static_cast<float>(x) + 0.5f) * picture.metres_per_pixel,
+                     picture.plane.low.y + (static_cast<float>(y) + 0.5f) * picture.metres_per_pixel});
                 const Vec2f at = pixel_of_direction(p, size);
-                const int px = wrap_column(static_cast<int>(at.x), size.width), py = std::min(static_cast<int>(at.y), size.height - 1);
+                const int px = wrap_column(static_cast<int>(at.x), size.width),
+                          py = std::min(static_cast<int>(at.y), size.height - 1);
                 const float seen = range.at(px, py), wanted = length(p);
                 places.at(x, y) = place_at(p, index, planes, range, label, px, py);
                 if (!is_inside(label, cuts, px, py, static_cast<std::int16_t>(index))) continue;
@@ -167,7 +191,9 @@ std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& ra
             fill_from_repeats(picture.color, hole, picture.metres_per_pixel);
             picture.color = inpainter.fill(picture.color, hole, run);
             picture.unseen_m = distance_to(Place::seen, places, picture.metres_per_pixel, Place::empty);
-            if (picture.plane.hull) picture.openings = find_openings(range, picture.plane, {hole.width, hole.height}, picture.metres_per_pixel);
+            if (picture.plane.hull)
+                picture.openings = find_openings(range, picture.plane, {hole.width, hole.height},
+                                                 picture.metres_per_pixel);
             else picture.face = face_of(picture.plane, places, picture.unseen_m, picture.metres_per_pixel);
         } else {
             picture.color = {};

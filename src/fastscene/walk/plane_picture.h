@@ -13,9 +13,10 @@ struct PlanePicture {
     ScenePlane plane;
     float metres_per_pixel = 0.01f;
     ImageColor color;
-    ImageF unseen_m;           // metres, in the plane, to the nearest place where it was seen, around what panorama 0 saw to be empty
-    Openings openings;         // walls only
-    ImageMask face;            // not of walls: nonzero where it was seen, close by, and between
+    ImageF unseen_m;  // metres, in the plane, to the nearest place where it was seen, around what panorama 0 saw to be
+                      // empty
+    Openings openings;  // walls only
+    ImageMask face;     // not of walls: nonzero where it was seen, close by, and between
     bool empty() const { return color.empty(); }
     // Bilinear; beyond the picture, its border.
     Vec3f color_at(Vec3f point) const;
@@ -28,6 +29,7 @@ struct PlanePicture {
 };
 // `label`: label_planes. `color`: silhouettes cleaned.
 std::vector<PlanePicture> paint_planes(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& label,
-                                       const ImageMask& cuts, const std::vector<ScenePlane>& planes, const Inpainter& inpainter, const Run& run);
+                                       const ImageMask& cuts, const std::vector<ScenePlane>& planes,
+                                       const Inpainter& inpainter, const Run& run);
 
 }  // namespace fastscene

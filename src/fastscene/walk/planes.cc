@@ -10,19 +10,22 @@ namespace fastscene {
 namespace {
 
 constexpr int kMostPlanes = 28;
-constexpr int kDraws = 160;                // hypotheses a plane
-constexpr float kLeastShare = 0.0025f;     // of the sphere that a plane must cover
-constexpr float kAligned = 0.9f;           // cosine between a pixel's normal and its plane's
-constexpr float kHullShare = 0.03f;        // of the scene may lie behind a hull plane: what windows and doors show
-constexpr float kBehindPlane_m = 0.1f;     // what lies so far behind a plane does; in a hall, farther than points lie off their own plane
-// A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the room ends.
+constexpr int kDraws = 160;             // hypotheses a plane
+constexpr float kLeastShare = 0.0025f;  // of the sphere that a plane must cover
+constexpr float kAligned = 0.9f;        // cosine between a pixel's normal and its plane's
+constexpr float kHullShare = 0.03f;     // of the scene may lie behind a hull plane: what windows and doors show
+constexpr float kBehindPlane_m =
+    0.1f;  // what lies so far behind a plane does; in a hall, farther than points lie off their own plane
+// A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the
+// room ends.
 constexpr float kOnWall_m = 0.2f;
-// The wall that shows beside its tiles or a little above the cupboards is a strip: layers behind a hull plane may be small. What is before it is a thing.
+// The wall that shows beside its tiles or a little above the cupboards is a strip: layers behind a hull plane may be
+// small. What is before it is a thing.
 constexpr float kLeastLayer = 0.0005f;
-constexpr float kAllAlong = 0.9f;          // of the width or height of what was seen of the plane it lies on
+constexpr float kAllAlong = 0.9f;  // of the width or height of what was seen of the plane it lies on
 constexpr int kMostLayers = 3, kLayerDraws = 64;
-// What is built is parallel to a larger plane when it nearly is. Leaning by more than kExact it must have that much more support to be believed:
-// of few normals, or in relief, it leans by chance.
+// What is built is parallel to a larger plane when it nearly is. Leaning by more than kExact it must have that much
+// more support to be believed: of few normals, or in relief, it leans by chance.
 constexpr float kExact = 0.9998f, kLeaning = 0.985f, kLeaningGains = 1.5f;
 
 struct Sample {
@@ -52,13 +55,15 @@ std::vector<Sample> sample_scene(const ImageF& range) {
         for (int x = step / 2; x < range.width; x += step) {
             const Vec3f normal = normal_at(range, x, y);
             if (!std::isfinite(range.at(x, y)) || dot(normal, normal) < 0.5f) continue;
-            samples.push_back({point_at(range, x, y), normal, static_cast<float>(pixel_solid_angle(y, size)) * static_cast<float>(step * step)});
+            samples.push_back({point_at(range, x, y), normal,
+                               static_cast<float>(pixel_solid_angle(y, size)) * static_cast<float>(step * step)});
         }
     return samples;
 }
 
 bool belongs(const Sample& s, Vec3f normal, float offset) {
-    return std::fabs(dot(normal, s.point) - offset) < plane_tolerance(length(s.point)) && dot(normal, s.normal) > kAligned;
+    return std::fabs(dot(normal, s.point) - offset) < plane_tolerance(length(s.point)) &&
+           dot(normal, s.normal) > kAligned;
 }
 float support_of(const std::vector<Sample>& samples, Vec3f normal, float offset) {
     float sum = 0;
@@ -77,7 +82,9 @@ Vec3f straightened(Vec3f normal, const std::vector<ScenePlane>& larger, float le
 // Weighted mean of normals, then of offsets: twice is enough.
 // What is parallel to a larger plane stays so.
 void refine(const std::vector<Sample>& samples, const std::vector<ScenePlane>& larger, ScenePlane& plane) {
-    const bool parallel = std::any_of(larger.begin(), larger.end(), [&](const ScenePlane& p) { return std::fabs(dot(p.normal, plane.normal)) > kExact; });
+    const bool parallel = std::any_of(larger.begin(), larger.end(), [&](const ScenePlane& p) {
+        return std::fabs(dot(p.normal, plane.normal)) > kExact;
+    });
     const float least_cosine = parallel ? kLeaning : kExact;
     for (int round = 0; round < 2; ++round) {
         Vec3f normal;
@@ -101,7 +108,8 @@ void measure_extent(const std::vector<Sample>& samples, ScenePlane& plane) {
     plane.low = {1e9f, 1e9f};
     plane.high = {-1e9f, -1e9f};
     for (const Sample& s : samples) {
-        // A wall goes on wherever the room does, and what lies on it may; a face of furniture only as far as it was seen.
+        // A wall goes on wherever the room does, and what lies on it may; a face of furniture only as far as it was
+        // seen.
         if (!plane.hull && !plane.on_hull && !belongs(s, plane.normal, plane.offset)) continue;
         const float a = dot(plane.u, s.point), b = dot(plane.v, s.point);
         plane.low = {std::min(plane.low.x, a), std::min(plane.low.y, b)};
@@ -117,14 +125,16 @@ Vec2f spread_of(const std::vector<Sample>& samples, const ScenePlane& hull, floa
     measure_extent(samples, plane);
     return {std::max(0.f, plane.high.x - plane.low.x), std::max(0.f, plane.high.y - plane.low.y)};
 }
-// A wall behind its tiles that shows as wide as they do has no end beside a cupboard; things before a wall, however many, end.
+// A wall behind its tiles that shows as wide as they do has no end beside a cupboard; things before a wall, however
+// many, end.
 bool spreads_all_along(const std::vector<Sample>& samples, const ScenePlane& hull, float offset) {
     if (offset > hull.offset) return false;
     const Vec2f whole = spread_of(samples, hull, hull.offset), part = spread_of(samples, hull, offset);
     return part.x >= kAllAlong * whole.x || part.y >= kAllAlong * whole.y;
 }
 
-// The next layer of a hull plane: parallel, a little behind it, on samples that belong to no plane so far. False: there is none.
+// The next layer of a hull plane: parallel, a little behind it, on samples that belong to no plane so far. False: there
+// is none.
 bool find_layer(const std::vector<Sample>& left, const ScenePlane& hull, ScenePlane& layer) {
     std::vector<Sample> near;
     for (const Sample& s : left) {
@@ -154,7 +164,7 @@ std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed) {
     const float sphere = 4.f * std::numbers::pi_v<float>;
     while (static_cast<int>(planes.size()) < kMostPlanes && !left.empty()) {
         Random random(seed, "walk/planes", planes.size());
-        std::vector<Sample> few;   // every eighth sample judges the hypotheses
+        std::vector<Sample> few;  // every eighth sample judges the hypotheses
         for (std::size_t i = 0; i < left.size(); i += 8) few.push_back(left[i]);
         ScenePlane best;
         float most = 0;
@@ -175,10 +185,10 @@ std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed) {
         if (support_of(left, best.normal, best.offset) < kLeastShare * sphere) break;
         float behind = 0;
         for (const Sample& s : all)
-            if (dot(best.normal, s.point) - best.offset < -std::max(kBehindPlane_m, plane_tolerance(length(s.point)))) behind += s.weight;
-        const auto wall = std::find_if(planes.begin(), planes.end(), [&](const ScenePlane& p) {
-            return p.hull && are_side_by_side(p, best);
-        });
+            if (dot(best.normal, s.point) - best.offset < -std::max(kBehindPlane_m, plane_tolerance(length(s.point))))
+                behind += s.weight;
+        const auto wall = std::find_if(planes.begin(), planes.end(),
+                                       [&](const ScenePlane& p) { return p.hull && are_side_by_side(p, best); });
         best.on_hull = wall != planes.end();
         best.all_along = best.on_hull && spreads_all_along(all, *wall, best.offset);
         best.hull = behind < kHullShare * sphere && !best.on_hull;

@@ -13,11 +13,13 @@ namespace fastscene {
 struct ScenePlane {
     Vec3f normal;
     float offset = 0;
-    bool hull = false;       // (nearly) nothing of the scene lies behind it: a wall, the floor, the ceiling
-    bool on_hull = false;    // parallel to such a plane and close to it: a door in a wall, the wall above its tiles, a rug
-    bool all_along = false;  // behind it and seen as wide or as high, so that it ends only where another was seen nearer by
-    Vec3f u, v;              // axes in the plane
-    Vec2f low, high;         // its extent along them, metres
+    bool hull = false;  // (nearly) nothing of the scene lies behind it: a wall, the floor, the ceiling
+    bool on_hull =
+        false;  // parallel to such a plane and close to it: a door in a wall, the wall above its tiles, a rug
+    bool all_along =
+        false;        // behind it and seen as wide or as high, so that it ends only where another was seen nearer by
+    Vec3f u, v;       // axes in the plane
+    Vec2f low, high;  // its extent along them, metres
     Vec3f at(Vec2f p) const { return normal * offset + u * p.x + v * p.y; }
 };
 // How far a point may lie off a plane and still belong to it.

@@ -5,7 +5,7 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMeantForTwice = 2;   // the way back is built for super-resolved faces, twice as long
+constexpr int kMeantForTwice = 2;  // the way back is built for super-resolved faces, twice as long
 
 ImageColor unit_of(const ImageRgb8& image) {
     ImageColor out(image.width, image.height);
@@ -21,12 +21,14 @@ Rgb8 cut_to_bytes(Vec3f c) { return {cut_to_byte(c.x), cut_to_byte(c.y), cut_to_
 
 std::array<ImageMask, 6> published_hole_faces(const ImageMask& hole, int face_size) {
     ImageF mask(hole.width, hole.height);
-    std::transform(hole.pixels.begin(), hole.pixels.end(), mask.pixels.begin(), [](std::uint8_t v) { return v ? 1.f : 0.f; });
+    std::transform(hole.pixels.begin(), hole.pixels.end(), mask.pixels.begin(),
+                   [](std::uint8_t v) { return v ? 1.f : 0.f; });
     std::array<ImageMask, 6> faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const ImageF touched = published_face(mask, kPublishedFaces[f], face_size);
         faces[f] = ImageMask(face_size, face_size);
-        std::transform(touched.pixels.begin(), touched.pixels.end(), faces[f].pixels.begin(), [](float v) { return v > 0.f ? std::uint8_t{255} : std::uint8_t{0}; });
+        std::transform(touched.pixels.begin(), touched.pixels.end(), faces[f].pixels.begin(),
+                       [](float v) { return v > 0.f ? std::uint8_t{255} : std::uint8_t{0}; });
     }
     return faces;
 }

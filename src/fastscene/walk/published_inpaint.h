@@ -1,5 +1,6 @@
-// The official program's inpainting of a panorama (the paper's PNVI, one step): holes go to six cube faces, each face is painted,
-// and only hole pixels of the panorama are replaced by what comes back. Everything passes through 8 bits, cut off, not rounded.
+// The official program's inpainting of a panorama (the paper's PNVI, one step): holes go to six cube faces, each face
+// is painted, and only hole pixels of the panorama are replaced by what comes back. Everything passes through 8 bits,
+// cut off, not rounded.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 namespace fastscene {
 
 struct PublishedFace {
-    ImageRgb8 color;   // holes white
-    ImageMask hole;    // nonzero = a hole: any face pixel that a hole's pixel touches
+    ImageRgb8 color;  // holes white
+    ImageMask hole;   // nonzero = a hole: any face pixel that a hole's pixel touches
 };
 // In the order of kPublishedFaces. `hole`: nonzero = a hole.
 // The masks alone.

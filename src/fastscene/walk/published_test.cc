@@ -25,7 +25,7 @@ TEST(PublishedWarp, LandsWhereTheOfficialFrameSays) {
     int left = 0;
     for (int x = 1; x < w / 2; ++x)
         if (ahead.source.at(x, h / 2) != kNoSource) left = std::max(left, ahead.source.at(x, h / 2) % w - x);
-    EXPECT_GT(left, 2);   // from nearer the middle
+    EXPECT_GT(left, 2);  // from nearer the middle
     EXPECT_NEAR(ahead.range.at(w / 2, h / 2), 0.5, 0.02);
     const PublishedWarp up = published_warp(color, range, {0, 0.5, 0});
     EXPECT_NEAR(up.range.at(5, 1), 0.5, 0.02);
@@ -68,7 +68,9 @@ TEST(PublishedInpaint, OnlyHolesAreReplaced) {
     ImageMask hole(256, 128);
     for (int y = 40; y < 70; ++y)
         for (int x = 100; x < 180; ++x) hole.at(x, y) = 255;
-    const Painter gray = [](const ImageRgb8& face, const ImageMask&) { return ImageRgb8(face.width, face.height, Rgb8{90, 91, 92}); };
+    const Painter gray = [](const ImageRgb8& face, const ImageMask&) {
+        return ImageRgb8(face.width, face.height, Rgb8{90, 91, 92});
+    };
     const ImageRgb8 out = published_inpaint(color, hole, 64, gray);
     for (std::size_t i = 0; i < out.size(); ++i)
         if (!hole.pixels[i]) {
@@ -89,7 +91,7 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         const Walked walked = walked_through(first, params, {});
         const bool far = params.kind == "paper-far";
         ASSERT_EQ(walked.panoramas.size(), far ? 9u : 17u);
-        const Panorama& last = walked.panoramas[far ? 1 : 2];   // towards the middle of the picture
+        const Panorama& last = walked.panoramas[far ? 1 : 2];  // towards the middle of the picture
         EXPECT_NEAR(last.world_from_pano.translation.z, 2 * params.step * most, 0.02f * most * 0.1f);
         EXPECT_EQ(walked.about.at("kind"), kind);
         EXPECT_NE(walked.about.at("depth").get<std::string>().find("stands in"), std::string::npos);
@@ -103,8 +105,9 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         EXPECT_GT(invented, 500);
         EXPECT_EQ(carried > 0, !far);
         // Still the same room: a published step is rough, not wrong.
-        const Panorama truth = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks),
-                                                last.world_from_pano.translation, {256, 128}, 1);
+        const Panorama truth = render_synthetic(
+            SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks), last.world_from_pano.translation,
+            {256, 128}, 1);
         EXPECT_GT(psnr(srgb8_from_linear(last.color), srgb8_from_linear(truth.color)), 18) << kind;
     }
 }
@@ -115,10 +118,12 @@ TEST(PublishedWalk, AsksTheEstimatorAfterEachStep) {
     params.kind = "paper";
     params.steps = 2;
     int asked = 0;
-    const Walked walked = walked_through(first, params, {}, {[&](const ImageColor& color, const fastscene::Run&) {
-        ++asked;
-        return ImageF(color.width, color.height, 2.f);
-    }, {}});
+    const Walked walked = walked_through(first, params, {},
+                                         {[&](const ImageColor& color, const fastscene::Run&) {
+                                              ++asked;
+                                              return ImageF(color.width, color.height, 2.f);
+                                          },
+                                          {}});
     EXPECT_EQ(asked, 16);
     EXPECT_EQ(walked.panoramas[1].range.at(5, 5), 2.f);
     EXPECT_NE(walked.about.at("depth").get<std::string>().find("estimated"), std::string::npos);

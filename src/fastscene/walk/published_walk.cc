@@ -14,14 +14,14 @@
 namespace fastscene {
 namespace {
 
-constexpr int kFaceSize = 512;          // as published for 1024 columns; fewer columns need no more than half of them
+constexpr int kFaceSize = 512;  // as published for 1024 columns; fewer columns need no more than half of them
 
 // What the driver carries from step to step.
 struct Frame {
     ImageRgb8 color;
-    Image<double> range;   // metres; sky: +inf
+    Image<double> range;  // metres; sky: +inf
     Image<Known> known;
-    Vec3f position;        // in panorama 0's frame
+    Vec3f position;  // in panorama 0's frame
 };
 
 template <class T>
@@ -34,14 +34,15 @@ T greatest_range(const Image<T>& range) {
 
 // A step's warp, with what the official program does not keep: the sky and where each pixel is from.
 struct Stepped {
-    PublishedWarp warp;    // range in metres
+    PublishedWarp warp;  // range in metres
     Image<Known> known;
     ImageMask hole;
 };
 Stepped step_to(const Frame& from, Vec3d move_m) {
     const double most = greatest_range(from.range);
     Stepped to{published_warp(from.color, published_units(from.range), move_m / most),
-               Image<Known>(from.color.width, from.color.height, Known::invented), ImageMask(from.color.width, from.color.height)};
+               Image<Known>(from.color.width, from.color.height, Known::invented),
+               ImageMask(from.color.width, from.color.height)};
     for (std::size_t i = 0; i < to.hole.size(); ++i) {
         const std::int32_t source = to.warp.source.pixels[i];
         if (source == kNoSource) {
@@ -50,14 +51,16 @@ Stepped step_to(const Frame& from, Vec3d move_m) {
         }
         const auto s = static_cast<std::size_t>(source);
         to.known.pixels[i] = from.known.pixels[s] == Known::original ? Known::original : Known::carried;
-        to.warp.range.pixels[i] = std::isfinite(from.range.pixels[s]) ? to.warp.range.pixels[i] * most : std::numeric_limits<double>::infinity();
+        to.warp.range.pixels[i] = std::isfinite(from.range.pixels[s]) ? to.warp.range.pixels[i] * most
+                                                                      : std::numeric_limits<double>::infinity();
     }
     return to;
 }
 
 ImageF in_float(const Image<double>& image) {
     ImageF out(image.width, image.height);
-    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(), [](double v) { return static_cast<float>(v); });
+    std::transform(image.pixels.begin(), image.pixels.end(), out.pixels.begin(),
+                   [](double v) { return static_cast<float>(v); });
     return out;
 }
 
@@ -77,7 +80,8 @@ Image<double> filled_range(const PublishedWarp& warp) {
 
 }  // namespace
 
-Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const RangeEstimator& estimate) {
+Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
+                       const RangeEstimator& estimate) {
     const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights);
     const Painter paint = [&](const ImageRgb8& color, const ImageMask& hole) {
         return srgb8_from_linear(inpainter->fill(linear_from_srgb8(color), hole, run));
@@ -95,8 +99,10 @@ Json walk_as_published(const Panorama& first, const WalkParams& params, const Ru
     for (const PublishedDirection& direction : kPublishedDirections) {
         Frame frame = start;
         const Vec3d along = world_from_published(direction.move);
-        const Vec3f toward = normalize(Vec3f{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)});
-        // The official step is a share of the greatest range, found anew each time; here it also has to stay in the room.
+        const Vec3f toward = normalize(
+            Vec3f{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)});
+        // The official step is a share of the greatest range, found anew each time; here it also has to stay in the
+        // room.
         const double free_m = kMostOfTheWay * static_cast<double>(distance_ahead(first.range, toward));
         double reached_m = 0, wanted_m = 0;
         for (int step = 0; step < steps; ++step) {
@@ -107,32 +113,38 @@ Json walk_as_published(const Panorama& first, const WalkParams& params, const Ru
             wanted_m += long_m;
             reached_m += step_m;
             Stepped next = step_to(frame, move_m);
-            const ImageRgb8 painted = direct ? paint(next.warp.color, next.hole) : published_inpaint(next.warp.color, next.hole, face_size, paint);
+            const ImageRgb8 painted = direct ? paint(next.warp.color, next.hole)
+                                             : published_inpaint(next.warp.color, next.hole, face_size, paint);
             frame.color = painted;
-            if (direct)   // of the painted picture too only the holes are taken
+            if (direct)  // of the painted picture too only the holes are taken
                 for (std::size_t i = 0; i < next.hole.size(); ++i)
                     if (!next.hole.pixels[i]) frame.color.pixels[i] = next.warp.color.pixels[i];
             frame.range = estimate ? in_double(estimate(linear_from_srgb8(frame.color), run)) : filled_range(next.warp);
             frame.known = std::move(next.known);
             const Vec3d moved = world_from_published(move_m);
-            frame.position += Vec3f{static_cast<float>(moved.x), static_cast<float>(moved.y), static_cast<float>(moved.z)};
-            take({linear_from_srgb8(frame.color), in_float(frame.range), frame.known,
+            frame.position += Vec3f{static_cast<float>(moved.x), static_cast<float>(moved.y),
+                                    static_cast<float>(moved.z)};
+            take({linear_from_srgb8(frame.color),
+                  in_float(frame.range),
+                  frame.known,
                   {first.world_from_pano.rotation, first.world_from_pano * frame.position}});
             progress.advance();
         }
         if (reached_m < 0.999 * wanted_m) {
-            run.warn(fmt::format("walk: {:.2f} m towards {} would leave the room or enter a thing; the steps were clipped and reach {:.2f} m", wanted_m,
-                                 direction.name, reached_m));
+            run.warn(
+                fmt::format("walk: {:.2f} m towards {} would leave the room or enter a thing; the steps were clipped "
+                            "and reach {:.2f} m",
+                            wanted_m, direction.name, reached_m));
             clipped.push_back({{"direction", direction.name},
                                {"wanted_m", shortest(static_cast<float>(wanted_m))},
                                {"reached_m", shortest(static_cast<float>(reached_m))}});
         }
     }
-    return {
-        {"depth", estimate ? "estimated from each new panorama" : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
-        {"steps", steps},
-        {"step_share_of_greatest_range", shortest(static_cast<float>(share))},
-        {"clipped", clipped}};
+    return {{"depth", estimate ? "estimated from each new panorama"
+                               : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
+            {"steps", steps},
+            {"step_share_of_greatest_range", shortest(static_cast<float>(share))},
+            {"clipped", clipped}};
 }
 
 }  // namespace fastscene

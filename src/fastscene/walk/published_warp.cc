@@ -43,7 +43,8 @@ struct Landing {
 }  // namespace
 
 double PublishedWarp::hole_ratio() const {
-    return static_cast<double>(std::count(source.pixels.begin(), source.pixels.end(), kNoSource)) / static_cast<double>(source.size());
+    return static_cast<double>(std::count(source.pixels.begin(), source.pixels.end(), kNoSource)) /
+           static_cast<double>(source.size());
 }
 
 Image<Vec3d> published_directions(int width, int height) {
@@ -62,7 +63,8 @@ PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range,
     parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
         const auto columns = static_cast<std::size_t>(w);
         // Of a row: where its pixels lie seen from the new position, and at which angles.
-        std::vector<double> far(columns), up(columns), flat(columns), ahead(columns), left(columns), theta(columns), phi(columns);
+        std::vector<double> far(columns), up(columns), flat(columns), ahead(columns), left(columns), theta(columns),
+            phi(columns);
         for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y) {
             Landing* const row = &landing.pixels[y * columns];
             for (std::size_t x = 0; x < columns; ++x) {
@@ -78,7 +80,8 @@ PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range,
             arc_tangents(up, flat, theta);
             arc_tangents(left, ahead, phi);
             for (std::size_t x = 0; x < columns; ++x) {
-                const double ty = std::floor((0.5 - theta[x] / std::numbers::pi) * h), tx = std::floor((0.5 - phi[x] / (2 * std::numbers::pi)) * w);
+                const double ty = std::floor((0.5 - theta[x] / std::numbers::pi) * h),
+                             tx = std::floor((0.5 - phi[x] / (2 * std::numbers::pi)) * w);
                 if (far[x] > 0 && ty > 0 && ty < h && tx > 0 && tx < w)
                     row[x] = {static_cast<std::int32_t>(ty) * w + static_cast<std::int32_t>(tx), far[x]};
             }

@@ -1,7 +1,7 @@
-// The official program's coarse view (the paper's CVS), with its habits: a pixel's direction is that of its upper left corner;
-// each pixel of the source lands on one pixel of the target, found by floor, the nearest wins; row 0 and column 0 are never
-// written and nothing wraps. So cracks open even where nothing was hidden, and the far shines through the near.
-// docs/decisions/0010 lists what was observed.
+// The official program's coarse view (the paper's CVS), with its habits: a pixel's direction is that of its upper left
+// corner; each pixel of the source lands on one pixel of the target, found by floor, the nearest wins; row 0 and column
+// 0 are never written and nothing wraps. So cracks open even where nothing was hidden, and the far shines through the
+// near. docs/decisions/0010 lists what was observed.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace fastscene {
 inline constexpr std::int32_t kNoSource = -1;
 
 struct PublishedWarp {
-    ImageRgb8 color;              // holes white
-    Image<double> range;          // from the new position; holes 0
-    Image<std::int32_t> source;   // index of the pixel that landed here, or kNoSource: a hole
+    ImageRgb8 color;             // holes white
+    Image<double> range;         // from the new position; holes 0
+    Image<std::int32_t> source;  // index of the pixel that landed here, or kNoSource: a hole
     double hole_ratio() const;
 };
 
@@ -37,13 +37,15 @@ Image<Vec3d> published_directions(int width, int height);
 // The official units: a share of the greatest range; what is unknown (0) lies at the greatest. Not finite: likewise.
 Image<double> published_units(const Image<double>& range);
 
-// The eight ways in which the official program walks, in its order; diagonals are longer by a square root of two, as published.
+// The eight ways in which the official program walks, in its order; diagonals are longer by a square root of two, as
+// published.
 struct PublishedDirection {
     const char* name;
-    Vec3d move;   // official frame
+    Vec3d move;  // official frame
 };
-inline constexpr PublishedDirection kPublishedDirections[] = {{"+x", {1, 0, 0}}, {"-x", {-1, 0, 0}}, {"+z", {0, 0, 1}}, {"-z", {0, 0, -1}},
-                                                              {"+xz", {1, 0, 1}}, {"-xz", {-1, 0, -1}}, {"+x-z", {1, 0, -1}}, {"-x+z", {-1, 0, 1}}};
+inline constexpr PublishedDirection kPublishedDirections[] = {
+    {"+x", {1, 0, 0}},  {"-x", {-1, 0, 0}},   {"+z", {0, 0, 1}},    {"-z", {0, 0, -1}},
+    {"+xz", {1, 0, 1}}, {"-xz", {-1, 0, -1}}, {"+x-z", {1, 0, -1}}, {"-x+z", {-1, 0, 1}}};
 
 // World (x right, y down, z forward) from the official frame.
 template <class F>

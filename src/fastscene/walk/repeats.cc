@@ -12,15 +12,18 @@
 namespace fastscene {
 namespace {
 
-constexpr float kCell_m = 0.04f;              // motions are looked for on a coarse picture of such cells, then made exact
-constexpr int kMostCells = 256;               // a side of the coarse picture: there are as many shifts as cells; halls have larger ones
-constexpr float kAbout_m = 0.4f;              // what is seen so near to a hidden place judges the motions
-constexpr float kPattern = 0.002f;            // least variance there (linear color, three channels): plain surfaces need no motion
-constexpr float kAgrees = 0.4f;               // of that variance may be left between a picture and its moved self; chance leaves twice it
-constexpr std::size_t kFirst = 60;            // questions: who answers none of these is asked no further
+constexpr float kCell_m = 0.04f;  // motions are looked for on a coarse picture of such cells, then made exact
+constexpr int kMostCells =
+    256;  // a side of the coarse picture: there are as many shifts as cells; halls have larger ones
+constexpr float kAbout_m = 0.4f;  // what is seen so near to a hidden place judges the motions
+constexpr float kPattern =
+    0.002f;  // least variance there (linear color, three channels): plain surfaces need no motion
+constexpr float kAgrees =
+    0.4f;  // of that variance may be left between a picture and its moved self; chance leaves twice it
+constexpr std::size_t kFirst = 60;  // questions: who answers none of these is asked no further
 constexpr int kMostQuestions = 240, kMostWitnesses = 40, kMostMotions = 8;
-constexpr int kMirrors = 90;                  // directions of a mirror's axis over half a turn
-constexpr float kLeastOfWindow = 0.1f;        // of a window must bear witness
+constexpr int kMirrors = 90;            // directions of a mirror's axis over half a turn
+constexpr float kLeastOfWindow = 0.1f;  // of a window must bear witness
 // The nearest witnesses that there are judge each pixel; the farther off they are, the better a motion must agree.
 struct Window {
     float reach_m, agrees;
@@ -33,9 +36,13 @@ struct Motion {
     Vec2f operator()(Vec2f p) const { return x * p.x + y * p.y + shift; }
     bool mirrors() const { return x.x * y.y < x.y * y.x; }
 };
-Vec2f turned(Vec2f v, float by) { return {std::cos(by) * v.x - std::sin(by) * v.y, std::sin(by) * v.x + std::cos(by) * v.y}; }
+Vec2f turned(Vec2f v, float by) {
+    return {std::cos(by) * v.x - std::sin(by) * v.y, std::sin(by) * v.x + std::cos(by) * v.y};
+}
 // At an axis of this angle, so far from the origin.
-Motion mirror(float axis, float distance) { return {turned({1, 0}, 2 * axis), turned({0, -1}, 2 * axis), turned({0, 2 * distance}, axis)}; }
+Motion mirror(float axis, float distance) {
+    return {turned({1, 0}, 2 * axis), turned({0, -1}, 2 * axis), turned({0, 2 * distance}, axis)};
+}
 
 // Colors with a place for "not seen".
 struct SeenPart {
@@ -98,7 +105,8 @@ std::vector<Question> questions_of(const SeenPart& seen, int reach) {
             Question q{{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, {}, 0};
             for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j)
                 for (int i = std::max(0, x - reach); i <= std::min(w - 1, x + reach); ++i)
-                    if (!seen.hole.at(i, j)) q.witnesses.push_back({static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f});
+                    if (!seen.hole.at(i, j))
+                        q.witnesses.push_back({static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f});
             if (static_cast<int>(q.witnesses.size()) < kMostWitnesses) continue;
             q.witnesses = thinned(q.witnesses, kMostWitnesses);
             q.variance = variance_of(q.witnesses, seen);
@@ -106,11 +114,13 @@ std::vector<Question> questions_of(const SeenPart& seen, int reach) {
         }
     questions = thinned(questions, kMostQuestions);
     Random random(0, "walk/repeats");
-    for (std::size_t i = questions.size(); i > 1; --i) std::swap(questions[i - 1], questions[static_cast<std::size_t>(random.index(static_cast<int>(i)))]);
+    for (std::size_t i = questions.size(); i > 1; --i)
+        std::swap(questions[i - 1], questions[static_cast<std::size_t>(random.index(static_cast<int>(i)))]);
     return questions;
 }
 
-// What a motion leaves of the variance about the question's place, kAgrees at most: so much where it fails or says nothing of the place.
+// What a motion leaves of the variance about the question's place, kAgrees at most: so much where it fails or says
+// nothing of the place.
 float left_by(const Motion& motion, const Question& q, const SeenPart& seen) {
     if (!seen.has(motion(q.place))) return kAgrees;
     float sum = 0;
@@ -146,7 +156,8 @@ std::vector<Motion> find_motions(const std::vector<Question>& questions, const S
         float gain = 0;
         answered.clear();
         for (std::size_t i = 0; i < questions.size() && (i < kFirst || !answered.empty()); ++i)
-            if (const float left = left_by(motion, questions[i], seen); left < kAgrees) gain += kAgrees - left, answered.push_back(i);
+            if (const float left = left_by(motion, questions[i], seen); left < kAgrees)
+                gain += kAgrees - left, answered.push_back(i);
         for (const std::size_t i : answered)
             if (gain > best[i].gain) best[i] = {gain, motion};
     };
@@ -155,7 +166,7 @@ std::vector<Motion> find_motions(const std::vector<Question>& questions, const S
         for (int x = -w / 2; x <= w / 2; ++x) judge({{1, 0}, {0, 1}, {static_cast<float>(x), static_cast<float>(y)}});
     const int longest = static_cast<int>(std::hypot(static_cast<float>(w), static_cast<float>(h)));
     for (int turn = 0; turn < kMirrors; ++turn)
-        for (int k = -2 * longest; k <= 2 * longest; ++k)   // half cells
+        for (int k = -2 * longest; k <= 2 * longest; ++k)  // half cells
             judge(mirror(kPi * static_cast<float>(turn) / kMirrors, 0.5f * static_cast<float>(k)));
     std::sort(best.begin(), best.end(), [](const Answer& a, const Answer& b) { return a.gain > b.gain; });
     std::vector<Motion> motions;
@@ -174,20 +185,24 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
         std::erase_if(q.witnesses, [&](Vec2f p) { return !fine.has(p); });
         if (!q.witnesses.empty()) q.variance = variance_of(q.witnesses, fine);
     }
-    std::erase_if(questions, [](const Question& q) { return static_cast<int>(q.witnesses.size()) < kMostWitnesses / 4 || q.variance < kPattern; });
+    std::erase_if(questions, [](const Question& q) {
+        return static_cast<int>(q.witnesses.size()) < kMostWitnesses / 4 || q.variance < kPattern;
+    });
     if (questions.empty()) return motion;
     const Vec2f pivot = questions[questions.size() / 2].place;
     float most = gain_of(motion, questions, fine);
     for (float step = 0.5f * scale; step >= 0.25f; step *= 0.5f)
         for (bool better = true; better;) {
             better = false;
-            const float turn = motion.mirrors() ? step / 100 : 0;   // a step at a hundred pixels
-            const std::array<std::array<float, 3>, 6> tries{{{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, turn}, {0, 0, -turn}}};
+            const float turn = motion.mirrors() ? step / 100 : 0;  // a step at a hundred pixels
+            const std::array<std::array<float, 3>, 6> tries{
+                {{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, turn}, {0, 0, -turn}}};
             for (const auto& [x, y, by] : tries) {
-                if (x == 0 && y == 0 && by == 0) continue;   // shifts do not turn
+                if (x == 0 && y == 0 && by == 0) continue;  // shifts do not turn
                 Motion other{turned(motion.x, by), turned(motion.y, by), {}};
                 other.shift = motion(pivot) - other(pivot) + Vec2f{x, y};
-                if (const float gain = gain_of(other, questions, fine); gain > most) most = gain, motion = other, better = true;
+                if (const float gain = gain_of(other, questions, fine); gain > most)
+                    most = gain, motion = other, better = true;
             }
         }
     return motion;
@@ -203,25 +218,35 @@ class Witnesses {
                 const Vec2f p{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, other = motion(p);
                 if (!seen.hole.at(x, y) && seen.has(other)) {
                     const Vec3f c = seen.at(p), d = c - seen.at(other);
-                    s = s + Sum{{1, static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z), static_cast<double>(dot(c, c)), static_cast<double>(dot(d, d))}};
+                    s = s + Sum{{1, static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z),
+                                 static_cast<double>(dot(c, c)), static_cast<double>(dot(d, d))}};
                 }
                 sums_.at(x + 1, y + 1) = s;
             }
     }
-    // What the motion leaves of the variance within `reach` pixels; nothing where too few bear witness, infinite where there is no pattern.
+    // What the motion leaves of the variance within `reach` pixels; nothing where too few bear witness, infinite where
+    // there is no pattern.
     std::optional<float> left(int x, int y, int reach) const {
-        const int x0 = std::max(0, x - reach), y0 = std::max(0, y - reach), x1 = std::min(sums_.width - 1, x + reach + 1), y1 = std::min(sums_.height - 1, y + reach + 1);
+        const int x0 = std::max(0, x - reach), y0 = std::max(0, y - reach),
+                  x1 = std::min(sums_.width - 1, x + reach + 1), y1 = std::min(sums_.height - 1, y + reach + 1);
         const Sum s = sums_.at(x1, y1) - sums_.at(x0, y1) - sums_.at(x1, y0) + sums_.at(x0, y0);
         const double n = s[0];
         if (n < static_cast<double>(kLeastOfWindow) * (2 * reach + 1) * (2 * reach + 1)) return {};
         const double variance = s[4] / n - (s[1] * s[1] + s[2] * s[2] + s[3] * s[3]) / (n * n);
-        return variance > static_cast<double>(kPattern) ? static_cast<float>(s[5] / n / variance) : std::numeric_limits<float>::infinity();
+        return variance > static_cast<double>(kPattern) ? static_cast<float>(s[5] / n / variance)
+                                                        : std::numeric_limits<float>::infinity();
     }
 
   private:
-    struct Sum : std::array<double, 6> {   // count, color, its square, the squared difference
-        friend Sum operator+(Sum a, const Sum& b) { for (std::size_t i = 0; i < 6; ++i) a[i] += b[i]; return a; }
-        friend Sum operator-(Sum a, const Sum& b) { for (std::size_t i = 0; i < 6; ++i) a[i] -= b[i]; return a; }
+    struct Sum : std::array<double, 6> {  // count, color, its square, the squared difference
+        friend Sum operator+(Sum a, const Sum& b) {
+            for (std::size_t i = 0; i < 6; ++i) a[i] += b[i];
+            return a;
+        }
+        friend Sum operator-(Sum a, const Sum& b) {
+            for (std::size_t i = 0; i < 6; ++i) a[i] -= b[i];
+            return a;
+        }
     };
     Image<Sum> sums_;
 };
@@ -230,13 +255,16 @@ class Witnesses {
 
 void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixel) {
     const SeenPart fine{color, hole};
-    const int factor = std::max({1, static_cast<int>(std::lround(kCell_m / metres_per_pixel)), (std::max(hole.width, hole.height) - 1) / kMostCells + 1});
+    const int factor = std::max({1, static_cast<int>(std::lround(kCell_m / metres_per_pixel)),
+                                 (std::max(hole.width, hole.height) - 1) / kMostCells + 1});
     const SeenPart coarse = shrunk(fine, factor);
-    const std::vector<Question> questions = questions_of(coarse, static_cast<int>(kAbout_m / (metres_per_pixel * static_cast<float>(factor))));
+    const std::vector<Question> questions = questions_of(
+        coarse, static_cast<int>(kAbout_m / (metres_per_pixel * static_cast<float>(factor))));
     if (questions.empty()) return;
     const std::vector<Motion> motions = find_motions(questions, coarse);
     ImageF least(hole.width, hole.height);
-    ImageMask window(hole.width, hole.height, static_cast<std::uint8_t>(kWindows.size()));   // that judged the pixel so far
+    ImageMask window(hole.width, hole.height,
+                     static_cast<std::uint8_t>(kWindows.size()));  // that judged the pixel so far
     for (const Motion& coarse_motion : motions) {
         const Motion motion = refined(coarse_motion, questions, fine, factor);
         const Witnesses witnesses(motion, fine);
@@ -247,7 +275,8 @@ void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixe
                 std::optional<float> left;
                 std::uint8_t k = 0;
                 for (; k < kWindows.size() && k <= judged; ++k)
-                    if (left = witnesses.left(x, y, static_cast<int>(kWindows[k].reach_m / metres_per_pixel)); left) break;
+                    if (left = witnesses.left(x, y, static_cast<int>(kWindows[k].reach_m / metres_per_pixel)); left)
+                        break;
                 if (!left) continue;
                 if (k < judged) judged = k, least.at(x, y) = kWindows[k].agrees, hole.at(x, y) = 1;
                 const Vec2f from = motion({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});

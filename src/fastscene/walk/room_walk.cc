@@ -14,7 +14,8 @@ int columns_a_ray(int y, EquirectSize size) {
     return std::clamp(static_cast<int>(1.f / std::max(1e-3f, std::cos(latitude))), 1, size.width);
 }
 
-ImageColor evenly_traced(const TracedRoom& room, const Rigid& world_from_pano, EquirectSize size, ShotParts parts, const Run& run) {
+ImageColor evenly_traced(const TracedRoom& room, const Rigid& world_from_pano, EquirectSize size, ShotParts parts,
+                         const Run& run) {
     ImageMask asked(size.width, size.height);
     for (int y = 0; y < size.height; ++y) {
         const int step = columns_a_ray(y, size);
@@ -32,25 +33,29 @@ ImageColor evenly_traced(const TracedRoom& room, const Rigid& world_from_pano, E
     return color;
 }
 
-Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, EquirectSize size, ShotParts parts, const Run& run) {
+Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, EquirectSize size, ShotParts parts,
+                   const Run& run) {
     parts.range = parts.object = false;
     ImageColor color = evenly_traced(room, world_from_pano, size, parts, run);
     // Ranges as the trainer needs them: where a flat mirror is looked into, that of the image behind it.
-    ImageF range = room.panorama(world_from_pano, size, {.color = false, .range = false, .mirrored_range = true}, run).mirrored_range;
+    ImageF range = room.panorama(world_from_pano, size, {.color = false, .range = false, .mirrored_range = true}, run)
+                       .mirrored_range;
     return {std::move(color), std::move(range), {}, world_from_pano};
 }
 
 }  // namespace
 
-Json walk_through_room(const Panorama& given, const TracedRoom& room, const StandableFloor& floor, const WalkParams& params, const ShotParts& shot,
-                       const Run& run, const TakePanorama& take) {
+Json walk_through_room(const Panorama& given, const TracedRoom& room, const StandableFloor& floor,
+                       const WalkParams& params, const ShotParts& shot, const Run& run, const TakePanorama& take) {
     Panorama first = given;
     if (!first.mirrored_range.empty()) first.range = std::move(first.mirrored_range);
     first.mirrored_range = {};
     Json about{{"kind", kRoomWalk}, {"standable_m2", standable_area_m2(floor)}};
     Standpoints standpoints = choose_standpoints(room, floor, {.most = params.standpoints}, run);
     if (standpoints.samples == 0) {
-        run.warn("nobody can stand in this room: it is looked at from around the first panorama only, and breaks where one goes farther");
+        run.warn(
+            "nobody can stand in this room: it is looked at from around the first panorama only, and breaks where one "
+            "goes farther");
         standpoints.positions_m = choose_viewpoints(first, params);
     } else {
         about["unseen_share"] = standpoints.unseen_share;
@@ -60,7 +65,7 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     about["standpoints"] = standpoints.positions_m.size();
     ShotParts parts = shot;
     parts.pixel_samples = params.pixel_samples;
-    parts.contacts = parts.denoise = false;   // what is noise in one view is averaged by the splats
+    parts.contacts = parts.denoise = false;  // what is noise in one view is averaged by the splats
     parts.noise = 0;
     parts.frugal = true;
     const int width = params.width > 0 ? params.width / 2 * 2 : first.color.width;
@@ -70,7 +75,8 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     for (std::size_t i = 0; i < standpoints.positions_m.size(); ++i) {
         run.check_stop();
         // Other camera rays at each standpoint: what is noise in one panorama is not in the next.
-        take(seen_from(room, {pose.rotation, standpoints.positions_m[i]}, {width, width / 2}, parts, Run{run.seed + i + 1, nullptr, run.stop}));
+        take(seen_from(room, {pose.rotation, standpoints.positions_m[i]}, {width, width / 2}, parts,
+                       Run{run.seed + i + 1, nullptr, run.stop}));
         progress.advance();
     }
     return about;

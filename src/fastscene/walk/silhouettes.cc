@@ -10,7 +10,8 @@
 namespace fastscene {
 namespace {
 
-constexpr float kFaint = 0.03f;   // surfaces whose colors differ by less, in shares of the brighter one, are not told apart
+constexpr float kFaint =
+    0.03f;  // surfaces whose colors differ by less, in shares of the brighter one, are not told apart
 
 bool beside_a_cut(std::uint8_t bits) { return bits & (kFarSide | kNearSide); }
 
@@ -42,7 +43,8 @@ struct Sum {
     Vec3f mean() const { return sum / static_cast<float>(count); }
 };
 
-// What a pixel is mixed of: its own surface's color, from neighbours that show nothing else, and that of the surfaces across its cuts.
+// What a pixel is mixed of: its own surface's color, from neighbours that show nothing else, and that of the surfaces
+// across its cuts.
 struct Parts {
     Sum own, other;
 };
@@ -54,7 +56,7 @@ Parts parts_of(const ImageColor& color, const ImageMask& cuts, int x, int y) {
         const auto [x1, y1] = around.pixel(side, 1);
         if (!around.cut(side, 1)) {
             if (!beside_a_cut(cuts.at(x1, y1))) parts.own.add(color.at(x1, y1));
-        } else if (around.exists(side, 2) && !around.cut(side, 2)) {   // the pixel right behind the cut is mixed too
+        } else if (around.exists(side, 2) && !around.cut(side, 2)) {  // the pixel right behind the cut is mixed too
             const auto [x2, y2] = around.pixel(side, 2);
             if (!beside_a_cut(cuts.at(x2, y2))) parts.other.add(color.at(x2, y2));
         }
@@ -77,7 +79,8 @@ Silhouettes find_silhouettes(const ImageColor& color, const ImageMask& cuts) {
                 const Vec3f own = parts.own.mean(), here = color.at(x, y);
                 if (bits & kFarSide) out.color.at(x, y) = own;
                 if (!parts.other.count) continue;
-                // here = share own + (1 - share) other, as near as can be; what is left over, and what is faint, speak against it.
+                // here = share own + (1 - share) other, as near as can be; what is left over, and what is faint, speak
+                // against it.
                 const Vec3f other = parts.other.mean(), apart = own - other;
                 const float contrast = dot(apart, apart);
                 const float brightest = std::max({own.x, own.y, own.z, other.x, other.y, other.z, 0.01f});
@@ -90,7 +93,8 @@ Silhouettes find_silhouettes(const ImageColor& color, const ImageMask& cuts) {
                 out.share.at(x, y) = static_cast<std::uint8_t>(std::lround((trusted - 0.5f) * 2.f * 255.f));
                 if (bits & kFarSide) continue;
                 const Vec3f unmixed = (here - other * (1.f - share)) / share;
-                out.color.at(x, y) = lerp(here, Vec3f{std::max(0.f, unmixed.x), std::max(0.f, unmixed.y), std::max(0.f, unmixed.z)}, trust);
+                out.color.at(x, y) = lerp(
+                    here, Vec3f{std::max(0.f, unmixed.x), std::max(0.f, unmixed.y), std::max(0.f, unmixed.z)}, trust);
             }
     });
     return out;

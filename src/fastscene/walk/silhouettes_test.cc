@@ -14,7 +14,8 @@ namespace {
 constexpr int kWidth = 128, kHeight = 64;
 const Vec3f kNear{0.6f, 0.2f, 0.1f}, kFar{0.1f, 0.3f, 0.8f};
 
-// A near surface to the left of a slanted line and a far one to its right; a second line, at `kBack`, leads back to the near one.
+// A near surface to the left of a slanted line and a far one to its right; a second line, at `kBack`, leads back to the
+// near one.
 constexpr float kBack = 100.5f;
 float line_at(float y) { return 40.f + 0.37f * y; }
 
@@ -31,7 +32,8 @@ TwoSurfaces two_surfaces(Vec3f near_color, Vec3f far_color) {
             Vec3f sum;
             for (int j = 0; j < kFine; ++j)
                 for (int i = 0; i < kFine; ++i)
-                    sum += is_near(static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / kFine, static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / kFine)
+                    sum += is_near(static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / kFine,
+                                   static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / kFine)
                                ? near_color
                                : far_color;
             out.color.at(x, y) = sum / static_cast<float>(kFine * kFine);
@@ -47,7 +49,8 @@ double mean_miss(const Silhouettes& found, const ImageMask& cuts) {
     for (int y = 4; y < kHeight - 4; ++y)
         for (int x = 30; x < 80; ++x) {
             if (!(cuts.at(x, y) & kCutRight)) continue;
-            const float place = static_cast<float>(x) + 1.f + own_share(found.share.at(x, y)) - own_share(found.share.at(x + 1, y));
+            const float place = static_cast<float>(x) + 1.f + own_share(found.share.at(x, y)) -
+                                own_share(found.share.at(x + 1, y));
             miss += std::fabs(place - line_at(static_cast<float>(y) + 0.5f));
             ++rows;
         }
@@ -59,7 +62,7 @@ TEST(Silhouettes, RunWhereTheColorsSay) {
     const TwoSurfaces seen = two_surfaces(kNear, kFar);
     const ImageMask cuts = range_edges(seen.range);
     const Silhouettes found = find_silhouettes(seen.color, cuts);
-    EXPECT_LT(mean_miss(found, cuts), 0.05);   // the middle between two pixels misses by a quarter of a pixel
+    EXPECT_LT(mean_miss(found, cuts), 0.05);  // the middle between two pixels misses by a quarter of a pixel
 }
 
 TEST(Silhouettes, RunMidwayWhereColorsSayNothing) {
@@ -96,7 +99,8 @@ TEST(Silhouettes, QuartersAreTheFinerView) {
             if (!marked.at(x, y)) continue;
             for (int k = 0; k < 4; ++k, ++quarter) {
                 const int fx = 2 * x + k % 2, fy = 2 * y + k / 2;
-                different += quarters.cover.pixels[quarter] != wanted.cover.at(fx, fy) || length(quarters.color.pixels[quarter] - wanted.color.at(fx, fy)) > 1e-3f;
+                different += quarters.cover.pixels[quarter] != wanted.cover.at(fx, fy) ||
+                             length(quarters.color.pixels[quarter] - wanted.color.at(fx, fy)) > 1e-3f;
             }
         }
     EXPECT_EQ(quarter, quarters.color.size());

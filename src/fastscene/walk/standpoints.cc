@@ -13,21 +13,21 @@ namespace {
 constexpr float kEyeLow_m = 1.2f, kEyeHigh_m = 1.8f, kCrouch_m = 0.7f, kCrouchShare = 0.15f;
 // Heights at which a panorama may be taken.
 constexpr std::array<float, 4> kHeights_m{0.65f, 1.15f, 1.5f, 1.85f};
-constexpr float kEyeAir_m = 0.15f;          // nobody looks from nearer to a surface
-constexpr float kLean_m = 0.6f;             // as far one leans in over a counter or a bed
+constexpr float kEyeAir_m = 0.15f;  // nobody looks from nearer to a surface
+constexpr float kLean_m = 0.6f;     // as far one leans in over a counter or a bed
 constexpr int kMostCandidates = 420;
 constexpr int kVisitors = 640, kRaysAVisitor = 20;
-constexpr float kCloseUp_m = 0.6f;          // nearer a visitor wants no finer picture
-constexpr float kSecondView = 0.35f;        // what a second view of a surface is worth, of a first one
-constexpr float kImage_m = 0.03f;           // a mirror's image is at least so far behind it, and known so well
-constexpr float kSlant = 0.08f;             // cosine: surfaces seen more obliquely than this give no texture
+constexpr float kCloseUp_m = 0.6f;    // nearer a visitor wants no finer picture
+constexpr float kSecondView = 0.35f;  // what a second view of a surface is worth, of a first one
+constexpr float kImage_m = 0.03f;     // a mirror's image is at least so far behind it, and known so well
+constexpr float kSlant = 0.08f;       // cosine: surfaces seen more obliquely than this give no texture
 
 // What a visitor sees.
 struct Sample {
     enum class Kind : unsigned char {
         surface,
-        image,     // behind a flat mirror: seen from where the mirror shows it
-        outside,   // in a direction
+        image,    // behind a flat mirror: seen from where the mirror shows it
+        outside,  // in a direction
     } kind;
     Vec3f position;    // of a surface or an image; outside: a unit direction
     Vec3f normal;      // of a surface
@@ -47,7 +47,8 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
             Random random(run.seed, "walk.visitors", v);
             const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
             const Vec2f at = floor.center(cell.column, cell.row);
-            const float height = random.chance(kCrouchShare) ? random.uniform(kCrouch_m, kEyeLow_m) : random.uniform(kEyeLow_m, kEyeHigh_m);
+            const float height = random.chance(kCrouchShare) ? random.uniform(kCrouch_m, kEyeLow_m)
+                                                             : random.uniform(kEyeLow_m, kEyeHigh_m);
             const Vec3f eye{at.x, floor.floor_y - height, at.y};
             if (!has_air(room, eye, kEyeAir_m)) continue;
             for (int k = 0; k < kRaysAVisitor; ++k) {
@@ -58,11 +59,13 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
                     continue;
                 }
                 if (const float image = room.distance_through_mirrors(eye, d); image > met.distance + kImage_m) {
-                    if (std::isfinite(image)) by_visitor[v].push_back({Sample::Kind::image, eye + d * image, {}, 1 / (image * image)});
+                    if (std::isfinite(image))
+                        by_visitor[v].push_back({Sample::Kind::image, eye + d * image, {}, 1 / (image * image)});
                     continue;
                 }
                 const float far = std::max(kCloseUp_m, met.distance), cosine = std::max(kSlant, -dot(met.normal, d));
-                by_visitor[v].push_back({Sample::Kind::surface, eye + d * met.distance, met.normal, cosine / (far * far)});
+                by_visitor[v].push_back(
+                    {Sample::Kind::surface, eye + d * met.distance, met.normal, cosine / (far * far)});
             }
         }
     });
@@ -86,7 +89,8 @@ std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floo
             FloorCell foot{column, row};
             for (int dz = -lean; dz <= lean && nearest > 0; ++dz)
                 for (int dx = -lean; dx <= lean; ++dx)
-                    if (const int far = static_cast<int>(std::ceil(std::hypot(dx, dz))); far < nearest && floor.at(column + dx, row + dz))
+                    if (const int far = static_cast<int>(std::ceil(std::hypot(dx, dz)));
+                        far < nearest && floor.at(column + dx, row + dz))
                         nearest = far, foot = {column + dx, row + dz};
             if (nearest > lean) continue;
             const Vec2f at = floor.center(column, row), from = floor.center(foot.column, foot.row);
@@ -101,7 +105,8 @@ std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floo
 
 // How well a sample is seen from an eye: 1 as finely as by its visitor, 0 not at all.
 float sight(const TracedRoom& room, Vec3f eye, const Sample& sample) {
-    if (sample.kind == Sample::Kind::outside) return std::isfinite(room.surface(eye, sample.position).distance) ? 0.f : 1.f;
+    if (sample.kind == Sample::Kind::outside)
+        return std::isfinite(room.surface(eye, sample.position).distance) ? 0.f : 1.f;
     const Vec3f way = sample.position - eye;
     const float far = length(way);
     if (sample.kind == Sample::Kind::image) {
@@ -135,7 +140,8 @@ struct Coverage {
 
 }  // namespace
 
-Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& floor, const StandpointParams& params, const Run& run) {
+Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& floor, const StandpointParams& params,
+                               const Run& run) {
     Standpoints chosen;
     if (standable_cells(floor).empty()) return chosen;
     const std::vector<Sample> samples = seen_by_visitors(room, floor, run);
@@ -148,7 +154,8 @@ Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& flo
     parallel_for(static_cast<std::int64_t>(eyes.size() + 1), 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
-            for (std::size_t i = 0; i < n; ++i) sights[c * n + i] = sight(room, c < eyes.size() ? eyes[c] : Vec3f{}, samples[i]);
+            for (std::size_t i = 0; i < n; ++i)
+                sights[c * n + i] = sight(room, c < eyes.size() ? eyes[c] : Vec3f{}, samples[i]);
     });
     Coverage coverage(n);
     const auto take = [&](std::size_t c) {

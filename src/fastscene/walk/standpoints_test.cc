@@ -30,10 +30,12 @@ TEST(Standpoints, SeeBothRoomsAndAreWhereOneCanLook) {
     ASSERT_GT(chosen.positions_m.size(), 3u);
     EXPECT_LT(chosen.unseen_share, 0.005);
     EXPECT_LT(chosen.one_sided_share, 0.05);
-    EXPECT_TRUE(std::any_of(chosen.positions_m.begin(), chosen.positions_m.end(), [](Vec3f p) { return p.z > 1.f; })) << "none behind the wall";
+    EXPECT_TRUE(std::any_of(chosen.positions_m.begin(), chosen.positions_m.end(), [](Vec3f p) { return p.z > 1.f; }))
+        << "none behind the wall";
     for (const Vec3f p : chosen.positions_m) EXPECT_GE(room.clearance(p, 0.15f), 0.149f);
     // The same again, and the first few are those of a smaller choice.
-    const Standpoints again = choose_standpoints(room, floor, {}, {}), few = choose_standpoints(room, floor, {.most = 2}, {});
+    const Standpoints again = choose_standpoints(room, floor, {}, {}),
+                      few = choose_standpoints(room, floor, {.most = 2}, {});
     EXPECT_EQ(again.positions_m, chosen.positions_m);
     ASSERT_EQ(few.positions_m.size(), 2u);
     EXPECT_EQ(few.positions_m[1], chosen.positions_m[1]);
@@ -58,11 +60,13 @@ TEST(RoomWalkAll, PanoramasAreTrueColorAndRange) {
     params.standpoints = 3;
     params.pixel_samples = 16;
     std::vector<Panorama> walked;
-    const Json about = walk_through_room(first, room, passable_floor(room), params, {}, {}, [&](Panorama p) { walked.push_back(std::move(p)); });
+    const Json about = walk_through_room(first, room, passable_floor(room), params, {}, {},
+                                         [&](Panorama p) { walked.push_back(std::move(p)); });
     ASSERT_EQ(walked.size(), 4u);
     EXPECT_EQ(about.at("standpoints"), 3);
     for (const Panorama& p : walked) {
-        const Shot truth = room.panorama(p.world_from_pano, size, {.pixel_samples = 64}, fastscene::Run{99, nullptr, {}});
+        const Shot truth = room.panorama(p.world_from_pano, size, {.pixel_samples = 64},
+                                         fastscene::Run{99, nullptr, {}});
         double error = 0;
         int far_off = 0;
         for (std::size_t i = 0; i < truth.color.size(); ++i) {
@@ -82,7 +86,8 @@ TEST(Walkable, ARoomsIsItsFloorAndAPicturesIsWhereLittleIsPainted) {
     EXPECT_FALSE(contains(area, Vec3f{0, 0, 0.95f})) << "in the wall";
     EXPECT_FALSE(contains(area, Vec3f{0, -1.f, 0})) << "above heads";
 
-    const std::vector<Invention> inventions{{{}, 0, 0}, {{1, 0, 0}, 0.05, 0.02}, {{-1, 0.2f, 0}, 0.02, 0}, {{0, 0, 1}, 0.1, 0}, {{0, 0, -1}, 0.3, 0}};
+    const std::vector<Invention> inventions{
+        {{}, 0, 0}, {{1, 0, 0}, 0.05, 0.02}, {{-1, 0.2f, 0}, 0.02, 0}, {{0, 0, 1}, 0.1, 0}, {{0, 0, -1}, 0.3, 0}};
     const WalkableArea held = walkable_of(inventions, 1.5f);
     EXPECT_TRUE(contains(held, Vec3f{0.9f, 0, 0}));
     EXPECT_TRUE(contains(held, Vec3f{0, 0, 0.8f}));

@@ -9,7 +9,7 @@
 
 #ifdef FASTSCENE_LIBMVEC
 #include <immintrin.h>
-extern "C" {   // the names that the x86-64 vector ABI gives them: d for AVX2, b for SSE
+extern "C" {  // the names that the x86-64 vector ABI gives them: d for AVX2, b for SSE
 __m256d _ZGVdN4v_sin(__m256d);
 __m256d _ZGVdN4v_cos(__m256d);
 __m256d _ZGVdN4vv_atan2(__m256d, __m256d);

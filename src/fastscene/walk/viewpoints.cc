@@ -6,7 +6,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kUpDown = 0.6f;           // people stand and bend, they do not fly
+constexpr float kUpDown = 0.6f;  // people stand and bend, they do not fly
 constexpr float kFarthest = 1e9f;
 
 // Evenly spread directions. 8: the corners of a cube; 14: and the middles of its faces; else a spiral.
@@ -26,7 +26,8 @@ std::vector<Vec3f> spread_directions(int count) {
     }
     const float golden = std::numbers::pi_v<float> * (3.f - std::sqrt(5.f));
     for (int i = 0; i < count; ++i) {
-        const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / static_cast<float>(count), r = std::sqrt(1.f - y * y);
+        const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / static_cast<float>(count),
+                    r = std::sqrt(1.f - y * y);
         const float a = golden * static_cast<float>(i);
         out.push_back({r * std::cos(a), y, r * std::sin(a)});
     }
@@ -51,7 +52,8 @@ std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& pa
             for (const Vec3f& v : visited) least = std::min(least, length(p - v));
             return least;
         };
-        const auto next = std::min_element(left.begin(), left.end(), [&](const Vec3f& a, const Vec3f& b) { return distance(a) < distance(b); });
+        const auto next = std::min_element(left.begin(), left.end(),
+                                           [&](const Vec3f& a, const Vec3f& b) { return distance(a) < distance(b); });
         visited.push_back(*next);
         left.erase(next);
     }

@@ -24,8 +24,9 @@ CoarseView compose(CoarseView view, const CoarseView& other, Image<Known>& known
     known = Image<Known>(view.color.width, view.color.height, Known::invented);
     for (std::size_t i = 0; i < view.color.size(); ++i) {
         const bool seen = view.cover.pixels[i] != Cover::hole && view.cover.pixels[i] != Cover::guess;
-        const bool guessed = view.cover.pixels[i] == Cover::guess && other.range.pixels[i] > kFarthestRange;   // as good as sky painted earlier
-        const bool painted = other.cover.pixels[i] == Cover::front && !guessed;   // what we made up has no back
+        const bool guessed = view.cover.pixels[i] == Cover::guess &&
+                             other.range.pixels[i] > kFarthestRange;             // as good as sky painted earlier
+        const bool painted = other.cover.pixels[i] == Cover::front && !guessed;  // what we made up has no back
         if (painted && (!seen || other.range.pixels[i] * kObservedWins + kObservedWins_m < view.range.pixels[i])) {
             view.color.pixels[i] = other.color.pixels[i];
             view.range.pixels[i] = other.range.pixels[i];
@@ -39,14 +40,16 @@ CoarseView compose(CoarseView view, const CoarseView& other, Image<Known>& known
     return view;
 }
 
-// One look a pixel makes stairs of silhouettes. Beside them a pixel becomes the mean of its quarters; a quarter that shows nothing known is of
-// what was painted here: in this pixel, or in those next to it on that side.
-ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource>& observed, const std::vector<PackedSource>& invented, Vec3f position) {
+// One look a pixel makes stairs of silhouettes. Beside them a pixel becomes the mean of its quarters; a quarter that
+// shows nothing known is of what was painted here: in this pixel, or in those next to it on that side.
+ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource>& observed,
+                              const std::vector<PackedSource>& invented, Vec3f position) {
     const int w = next.color.width, h = next.color.height;
     ImageMask beside = range_edges(next.range);
     for (std::uint8_t& bits : beside.pixels) bits &= kFarSide | kNearSide;
     Image<Known> known;
-    const CoarseView quarters = compose(quarters_view(observed, beside, position), quarters_view(invented, beside, position), known);
+    const CoarseView quarters = compose(quarters_view(observed, beside, position),
+                                        quarters_view(invented, beside, position), known);
     ImageColor out = next.color;
     std::size_t quarter = 0;
     for (int y = 0; y < h; ++y)
@@ -70,8 +73,8 @@ ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource
     return out;
 }
 
-// What the next viewpoints see of a painting: pixels that are part of a surface, however small. One without neighbours would be a speck
-// in front of whatever lies behind it.
+// What the next viewpoints see of a painting: pixels that are part of a surface, however small. One without neighbours
+// would be a speck in front of whatever lies behind it.
 ImageMask carried_part(const ImageMask& painted) {
     ImageMask out(painted.width, painted.height);
     for (int y = 0; y + 1 < painted.height; ++y)
@@ -84,7 +87,8 @@ ImageMask carried_part(const ImageMask& painted) {
 }
 
 // A reach longer than the room is wide somewhere: said once, with what became of it, and written down.
-Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params, const Run& run) {
+Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params,
+                      const Run& run) {
     float nearest = std::numeric_limits<float>::infinity(), reached = 0;
     for (const Vec3f& world : positions) {
         const Vec3f p = inverse(first.world_from_pano) * world;
@@ -93,8 +97,10 @@ Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions
     }
     Json about{{"viewpoints", positions.size()}, {"reached_m", shortest(reached)}};
     if (nearest < params.reach_m) {
-        run.warn(fmt::format("walk: a reach of {} m would leave the room (a surface is {:.2f} m away); viewpoints are clipped to {:.0f} % of the free distance",
-                             params.reach_m, nearest, 100 * params.clearance));
+        run.warn(
+            fmt::format("walk: a reach of {} m would leave the room (a surface is {:.2f} m away); viewpoints are "
+                        "clipped to {:.0f} % of the free distance",
+                        params.reach_m, nearest, 100 * params.clearance));
         about["clipped"] = {{"wanted_m", shortest(params.reach_m)},
                             {"nearest_surface_m", shortest(nearest)},
                             {"share_of_free_distance", shortest(params.clearance)}};
@@ -125,21 +131,23 @@ Panorama looking_into_mirrors(Panorama panorama) {
 }
 
 // The holes as the room itself has them.
-void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& look, const Rigid& world_from_pano, const Run& run) {
+void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& look, const Rigid& world_from_pano,
+                    const Run& run) {
     const RoomSight sight = look(world_from_pano, hole, {run.seed, nullptr, run.stop});
     FASTSCENE_CHECK(sight.color.same_size(hole) && sight.range.same_size(hole));
     for (std::size_t i = 0; i < hole.size(); ++i) {
         if (!hole.pixels[i]) continue;
         view.color.pixels[i] = sight.color.pixels[i];
-        view.range.pixels[i] = sight.range.pixels[i] < kFarthestRange ? sight.range.pixels[i] : std::numeric_limits<float>::infinity();
+        view.range.pixels[i] = sight.range.pixels[i] < kFarthestRange ? sight.range.pixels[i]
+                                                                      : std::numeric_limits<float>::infinity();
         view.plane.pixels[i] = kNoPlane;
     }
 }
 
-Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run, const TakePanorama& take,
-                  const RoomLook& look) {
+Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run,
+                  const TakePanorama& take, const RoomLook& look) {
     const EquirectSize size = given.size();
-    const std::vector<Vec3f> positions = all_viewpoints(given, more, params);   // nobody steps into a mirror
+    const std::vector<Vec3f> positions = all_viewpoints(given, more, params);  // nobody steps into a mirror
     Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
     const bool looks = params.inpainter == kLookIntoRoom;
@@ -152,12 +160,14 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     std::vector<WarpSource> observed;
     std::vector<PackedSource> invented;
     observed.push_back(make_warp_source(first.color, first.range, label, {}, {}));
-    const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);   // the planes are the first's
+    const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);  // the planes are the first's
     for (const Panorama& one : more)
-        observed.push_back(make_warp_source(one.color, one.range, no_planes, {}, inverse(first.world_from_pano) * one.world_from_pano.translation));
+        observed.push_back(make_warp_source(one.color, one.range, no_planes, {},
+                                            inverse(first.world_from_pano) * one.world_from_pano.translation));
     WalkWorld world;
     if (!looks)
-        world = {first.range, paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
+        world = {first.range,
+                 paint_planes(observed[0].color, first.range, label, observed[0].cuts, planes, *inpainter, run),
                  outside_picture(first.color, first.range), inpainter.get()};
 
     take(first);
@@ -167,9 +177,10 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         run.check_stop();
         const Vec3f position = inverse(first.world_from_pano) * world_position;
         Panorama next;
-        CoarseView view = compose(coarse_view(observed, size, position), coarse_view(invented, size, position), next.known);
+        CoarseView view = compose(coarse_view(observed, size, position), coarse_view(invented, size, position),
+                                  next.known);
         look_into(mirrors, position, view, next.known);
-        run.check_stop();   // a large picture's steps take long
+        run.check_stop();  // a large picture's steps take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         next.world_from_pano = {first.world_from_pano.rotation, world_position};
@@ -179,7 +190,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         next.color = std::move(view.color);
         next.range = std::move(view.range);
         next.color = smooth_silhouettes(next, observed, invented, position);
-        invented.push_back(std::move(painted));   // later viewpoints cut silhouettes themselves
+        invented.push_back(std::move(painted));  // later viewpoints cut silhouettes themselves
         for (std::size_t i = 0; looks && i < hole.size(); ++i)
             if (hole.pixels[i]) next.known.pixels[i] = Known::looked;
         take(std::move(next));
@@ -196,23 +207,27 @@ WalkParams resolved(WalkParams params, bool known_room) {
     return params;
 }
 
-Json walk_through(const Panorama& given, const WalkParams& asked, const Run& run, const TakePanorama& take, const WalkAdvice& advice,
-                  const std::vector<Panorama>& more) {
+Json walk_through(const Panorama& given, const WalkParams& asked, const Run& run, const TakePanorama& take,
+                  const WalkAdvice& advice, const std::vector<Panorama>& more) {
     const WalkParams params = resolved(asked, false);
-    if (params.kind == kRoomWalk) throw UsageError("--walk {}: expected a room that is known, found a panorama alone", kRoomWalk);
+    if (params.kind == kRoomWalk)
+        throw UsageError("--walk {}: expected a room that is known, found a panorama alone", kRoomWalk);
     if (params.inpainter == kLookIntoRoom && (params.kind != "ours" || !advice.room))
         throw UsageError("--walk-inpainter {}: expected {}", kLookIntoRoom,
-                         params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind) : "a room that is known, found none");
+                         params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind)
+                                               : "a room that is known, found none");
     const Panorama first = ready_to_walk(given, run);
     if (!more.empty() && params.kind != "ours")
-        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama", params.kind);
+        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama",
+                         params.kind);
     std::vector<Panorama> others;
     for (const Panorama& one : more) {
-        FASTSCENE_CHECK(one.color.same_size(first.color) && one.world_from_pano.rotation == first.world_from_pano.rotation);
+        FASTSCENE_CHECK(one.color.same_size(first.color) &&
+                        one.world_from_pano.rotation == first.world_from_pano.rotation);
         others.push_back(ready_to_walk(one, run));
     }
     Json about = params.kind == "ours" ? walk_our_way(first, others, params, run, take, advice.room)
-                                      : walk_as_published(first, params, run, take, advice.range);
+                                       : walk_as_published(first, params, run, take, advice.range);
     about["kind"] = params.kind;
     return about;
 }
@@ -220,7 +235,8 @@ Json walk_through(const Panorama& given, const WalkParams& asked, const Run& run
 Walked walked_through(const Panorama& first, const WalkParams& params, const Run& run, const WalkAdvice& advice,
                       const std::vector<Panorama>& more) {
     Walked walked;
-    walked.about = walk_through(first, params, run, [&](Panorama one) { walked.panoramas.push_back(std::move(one)); }, advice, more);
+    walked.about = walk_through(
+        first, params, run, [&](Panorama one) { walked.panoramas.push_back(std::move(one)); }, advice, more);
     return walked;
 }
 

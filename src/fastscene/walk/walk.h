@@ -17,15 +17,15 @@ namespace fastscene {
 struct WalkParams {
     std::string kind = "auto";
     // "room": panoramas of a known room.
-    int standpoints = 24;         // most, besides panorama 0
-    int width = 0;                // of a standpoint's panorama; 0: of panorama 0
-    int pixel_samples = 16;       // camera rays a pixel; the splats average over views
+    int standpoints = 24;    // most, besides panorama 0
+    int width = 0;           // of a standpoint's panorama; 0: of panorama 0
+    int pixel_samples = 16;  // camera rays a pixel; the splats average over views
     // "ours": panoramas around the first one, holes inpainted.
-    int viewpoints = 14;          // new ones, besides panorama 0
-    float reach_m = 0.7f;         // farthest viewpoint from panorama 0
-    float clearance = 0.5f;       // never farther than this share of the free distance
+    int viewpoints = 14;     // new ones, besides panorama 0
+    float reach_m = 0.7f;    // farthest viewpoint from panorama 0
+    float clearance = 0.5f;  // never farther than this share of the free distance
     // The published kinds.
-    float step = 0.02f;           // of the greatest range
+    float step = 0.02f;  // of the greatest range
     int steps = 6;
     std::string inpainter = "auto";
     std::string inpaint_weights;
@@ -40,26 +40,36 @@ inline std::vector<std::string> hole_fillers() {
     names.push_back("auto");
     return names;
 }
-inline std::vector<std::string> walk_kinds() { return {"auto", kRoomWalk, "ours", "paper", "paper-direct", "paper-far"}; }
+inline std::vector<std::string> walk_kinds() {
+    return {"auto", kRoomWalk, "ours", "paper", "paper-direct", "paper-far"};
+}
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
     v("kind", p.kind, Choices{walk_kinds()},
-      "How to walk: room, panoramas of the room behind a prompt from standpoints all over it; ours, around the first panorama with holes "
-      "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama itself (paper-direct), "
-      "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else ours.");
-    v("standpoints", p.standpoints, Bounds{0, 400}, "Room: most standpoints besides the first panorama; fewer where fewer see all.");
-    v("width", p.width, Bounds{0, 8192}, "Room: width of a standpoint's panorama in pixels; 0 = as the first panorama.");
+      "How to walk: room, panoramas of the room behind a prompt from standpoints all over it; ours, around the first "
+      "panorama with holes "
+      "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama "
+      "itself (paper-direct), "
+      "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else "
+      "ours.");
+    v("standpoints", p.standpoints, Bounds{0, 400},
+      "Room: most standpoints besides the first panorama; fewer where fewer see all.");
+    v("width", p.width, Bounds{0, 8192},
+      "Room: width of a standpoint's panorama in pixels; 0 = as the first panorama.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a standpoint's panorama.");
     v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
     v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
-    v("clearance", p.clearance, Bounds{0.05, 0.95}, "Ours: greatest step as a share of the free distance in that direction.");
+    v("clearance", p.clearance, Bounds{0.05, 0.95},
+      "Ours: greatest step as a share of the free distance in that direction.");
     v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
     v("inpainter", p.inpainter, Choices{hole_fillers()},
-      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the panorama, which is looked at "
+      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the "
+      "panorama, which is looked at "
       "again. auto: aotgan, where the walk has holes.");
     v("inpaint-weights", p.inpaint_weights,
-      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the program.");
+      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the "
+      "program.");
 }
 // With "auto" resolved. `known_room`: a room stands behind the panorama, and its range is exact.
 WalkParams resolved(WalkParams params, bool known_room);
@@ -68,13 +78,15 @@ WalkParams resolved(WalkParams params, bool known_room);
 // the free space around panorama 0, up and down too.
 std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& params);
 
-// Takes one panorama after the other as each is complete in color and range, with `known` set: panorama 0, those given besides, then one a
-// viewpoint. None is kept here: twenty of 4096 columns are 3 GB.
+// Takes one panorama after the other as each is complete in color and range, with `known` set: panorama 0, those given
+// besides, then one a viewpoint. None is kept here: twenty of 4096 columns are 3 GB.
 using TakePanorama = std::function<void(Panorama panorama)>;
-// Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's size.
+// Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's
+// size.
 using RangeEstimator = std::function<ImageF(const ImageColor& color, const Run& run)>;
-// What a known room shows of the nonzero pixels of a mask from some place in it: color as panorama 0 has it, and metres along the ray, on through flat
-// mirrors, +inf = outside. Both of the mask's size; pixels that were not asked for may hold anything.
+// What a known room shows of the nonzero pixels of a mask from some place in it: color as panorama 0 has it, and metres
+// along the ray, on through flat mirrors, +inf = outside. Both of the mask's size; pixels that were not asked for may
+// hold anything.
 struct RoomSight {
     ImageColor color;
     ImageF range;
@@ -83,14 +95,15 @@ using RoomLook = std::function<RoomSight(const Rigid& world_from_pano, const Ima
 // What a walk may ask; what it does not need may be empty.
 struct WalkAdvice {
     RangeEstimator range;
-    RoomLook room;   // for the inpainter "room"
+    RoomLook room;  // for the inpainter "room"
 };
 
 // Returns what the record of the stage should say: what stood in, what was clipped.
-// `more`: further panoramas of the same place with ranges, in the first's orientation; "ours" alone can use them: they are
-// observed as the first is, and the viewpoints are shared out among all. Pixels of `first` without a range (0, NaN, infinite) are far background. Throws Error when there is no room to walk in.
-Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take, const WalkAdvice& advice = {},
-                  const std::vector<Panorama>& more = {});
+// `more`: further panoramas of the same place with ranges, in the first's orientation; "ours" alone can use them: they
+// are observed as the first is, and the viewpoints are shared out among all. Pixels of `first` without a range (0, NaN,
+// infinite) are far background. Throws Error when there is no room to walk in.
+Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
+                  const WalkAdvice& advice = {}, const std::vector<Panorama>& more = {});
 
 // The same, with all panoramas kept.
 struct Walked {

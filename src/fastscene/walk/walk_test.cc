@@ -23,7 +23,9 @@ namespace {
 constexpr EquirectSize kSize{512, 256};
 const Vec3f kElsewhere{0.35f, -0.15f, 0.25f};
 
-WarpSource source_of(const Panorama& p) { return make_warp_source(p.color, p.range, {}, {}, p.world_from_pano.translation); }
+WarpSource source_of(const Panorama& p) {
+    return make_warp_source(p.color, p.range, {}, {}, p.world_from_pano.translation);
+}
 
 // Nonzero where a window of +-`reach` pixels holds a range edge.
 ImageMask near_edges(const ImageF& range, int reach) {
@@ -63,14 +65,17 @@ TEST(CoarseView, AgreesWithTruthOnSmoothSurfaces) {
     const Panorama first = render_synthetic(world, {}, kSize), truth = render_synthetic(world, kElsewhere, kSize);
     const CoarseView view = coarse_view({source_of(first)}, kSize, kElsewhere);
     ImageMask counts = near_edges(truth.range, 2);
-    for (std::size_t i = 0; i < counts.size(); ++i) counts.pixels[i] = !counts.pixels[i] && view.cover.pixels[i] == Cover::front;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        counts.pixels[i] = !counts.pixels[i] && view.cover.pixels[i] == Cover::front;
     const double db = psnr(srgb8_from_linear(view.color), srgb8_from_linear(truth.color), counts);
     RecordProperty("psnr", std::to_string(db));
     EXPECT_GE(db, 38);
     std::vector<float> errors;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts.pixels[i]) errors.push_back(std::fabs(view.range.pixels[i] - truth.range.pixels[i]) / truth.range.pixels[i]);
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100), errors.end());
+        if (counts.pixels[i])
+            errors.push_back(std::fabs(view.range.pixels[i] - truth.range.pixels[i]) / truth.range.pixels[i]);
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100),
+                     errors.end());
     EXPECT_LT(errors[errors.size() * 99 / 100], 0.01f);
 }
 
@@ -81,15 +86,16 @@ TEST(CoarseView, HolesAreDisocclusions) {
     ImageMask found(kSize.width, kSize.height);
     for (std::size_t i = 0; i < found.size(); ++i) found.pixels[i] = view.cover.pixels[i] != Cover::front;
     const ImageMask wanted = true_holes(world, truth, kElsewhere);
-    EXPECT_GE(share_inside(found, grown(wanted, 1, true)), 0.95);   // precision
-    EXPECT_GE(share_inside(wanted, grown(found, 1, true)), 0.95);   // recall
+    EXPECT_GE(share_inside(found, grown(wanted, 1, true)), 0.95);  // precision
+    EXPECT_GE(share_inside(wanted, grown(found, 1, true)), 0.95);  // recall
 }
 
 TEST(CoarseView, AnEmptyRoomHasNoHoleAnywhere) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     world.boxes.clear();
     const Panorama first = render_synthetic(world, {}, kSize, 1);
-    for (const Vec3f position : {Vec3f{}, Vec3f{0.7f, 0, 0}, Vec3f{0, 0.6f, 0}, Vec3f{0, -0.6f, 0}, Vec3f{-0.4f, 0.3f, -0.9f}}) {
+    for (const Vec3f position :
+         {Vec3f{}, Vec3f{0.7f, 0, 0}, Vec3f{0, 0.6f, 0}, Vec3f{0, -0.6f, 0}, Vec3f{-0.4f, 0.3f, -0.9f}}) {
         const CoarseView view = coarse_view({source_of(first)}, kSize, position);
         EXPECT_EQ(std::count(view.cover.pixels.begin(), view.cover.pixels.end(), Cover::hole), 0)
             << position.x << ' ' << position.y << ' ' << position.z;
@@ -103,10 +109,11 @@ TEST(CoarseView, PackedSourcesShowTheSame) {
     std::vector<PackedSource> packed;
     for (const Vec3f position : {Vec3f{}, Vec3f{0.2f, 0.1f, 0}}) {
         const Panorama first = render_synthetic(world, position, kSize, 1);
-        ImageMask used(kSize.width, kSize.height);   // a few stretches a row, another share of each picture
+        ImageMask used(kSize.width, kSize.height);  // a few stretches a row, another share of each picture
         std::size_t count = 0;
         for (int y = 0; y < kSize.height; ++y)
-            for (int x = 0; x < kSize.width; ++x) count += used.at(x, y) = (x * 7 + y * 3) % 90 < (sources.empty() ? 50 : 20) || y == 0;
+            for (int x = 0; x < kSize.width; ++x)
+                count += used.at(x, y) = (x * 7 + y * 3) % 90 < (sources.empty() ? 50 : 20) || y == 0;
         Image<std::int16_t> plane(kSize.width, kSize.height);
         for (std::size_t i = 0; i < plane.size(); ++i) plane.pixels[i] = static_cast<std::int16_t>(i % 5);
         sources.push_back(make_warp_source(first.color, first.range, plane, used, position));
@@ -118,7 +125,8 @@ TEST(CoarseView, PackedSourcesShowTheSame) {
     EXPECT_EQ(found.range.pixels, wanted.range.pixels);
     EXPECT_EQ(found.plane.pixels, wanted.plane.pixels);
     EXPECT_EQ(found.cover.pixels, wanted.cover.pixels);
-    EXPECT_GT(std::count(found.cover.pixels.begin(), found.cover.pixels.end(), Cover::front), kSize.width * kSize.height / 4);
+    EXPECT_GT(std::count(found.cover.pixels.begin(), found.cover.pixels.end(), Cover::front),
+              kSize.width * kSize.height / 4);
 }
 
 TEST(Viewpoints, StayInFreeSpaceNearEarlierOnes) {
@@ -131,7 +139,8 @@ TEST(Viewpoints, StayInFreeSpaceNearEarlierOnes) {
         ASSERT_EQ(static_cast<int>(points.size()), count);
         for (std::size_t i = 0; i < points.size(); ++i) {
             EXPECT_LE(length(points[i]), params.reach_m * 1.001f);
-            EXPECT_LE(length(points[i]), params.clearance * trace_synthetic(world, {}, normalize(points[i])).range * 1.02f);
+            EXPECT_LE(length(points[i]),
+                      params.clearance * trace_synthetic(world, {}, normalize(points[i])).range * 1.02f);
             float nearest = length(points[i]);
             for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(points[i] - points[j]));
             EXPECT_LE(nearest, params.reach_m * 1.001f);
@@ -195,7 +204,8 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
             save_png(name("truth"), srgb8_from_linear(truth.color));
             ImageColor coarse = alone.color;
             for (std::size_t i = 0; i < coarse.size(); ++i)
-                if (holes.pixels[i]) coarse.pixels[i] = alone.cover.pixels[i] == Cover::back ? Vec3f{0, 0, 1} : Vec3f{1, 0, 1};
+                if (holes.pixels[i])
+                    coarse.pixels[i] = alone.cover.pixels[i] == Cover::back ? Vec3f{0, 0, 1} : Vec3f{1, 0, 1};
             save_png(name("coarse"), srgb8_from_linear(coarse));
         }
     }
@@ -205,7 +215,8 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
 
 TEST(Walk, AWallAndFloorBehindABoxContinue) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
-    world.boxes = {{{-0.5f, 0.3f, 1.5f}, {0.5f, 1.5f, 1.55f}, {0.6f, 0.1f, 0.1f}, SyntheticPaint::plain}};   // a thin screen
+    world.boxes = {
+        {{-0.5f, 0.3f, 1.5f}, {0.5f, 1.5f, 1.55f}, {0.6f, 0.1f, 0.1f}, SyntheticPaint::plain}};  // a thin screen
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 3;
@@ -215,7 +226,8 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
         int good = 0, all = 0;
         for (std::size_t i = 0; i < edges.size(); ++i) {
             if (edges.pixels[i] || panorama.known.pixels[i] == Known::original) continue;
-            const bool near = std::fabs(panorama.range.pixels[i] - truth.range.pixels[i]) < 0.03f * truth.range.pixels[i];
+            const bool near = std::fabs(panorama.range.pixels[i] - truth.range.pixels[i]) <
+                              0.03f * truth.range.pixels[i];
             good += near && length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.03f;
             ++all;
         }
@@ -223,11 +235,12 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
     }
 }
 
-// In a hall too the walls end what a screen hides, and have the color there that they have around it: at 100 m normals are rough to many centimetres.
+// In a hall too the walls end what a screen hides, and have the color there that they have around it: at 100 m normals
+// are rough to many centimetres.
 TEST(Walk, AHallsWallsContinueBehindAScreen) {
     SyntheticWorld world;
     world.room = {{-100, -100, -100}, {100, 100, 100}, {0.5f, 0.5f, 0.5f}, SyntheticPaint::plain};
-    world.boxes = {{{12, -100, 99.9f}, {100, 100, 100}, {0.1f, 0.1f, 0.6f}, SyntheticPaint::plain},    // blue beyond 12 m
+    world.boxes = {{{12, -100, 99.9f}, {100, 100, 100}, {0.1f, 0.1f, 0.6f}, SyntheticPaint::plain},  // blue beyond 12 m
                    {{20, -30, 40}, {40, 20, 41}, {0.6f, 0.1f, 0.1f}, SyntheticPaint::plain}};
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
@@ -240,7 +253,8 @@ TEST(Walk, AHallsWallsContinueBehindAScreen) {
         const ImageMask edges = near_edges(truth.range, 2);
         for (std::size_t i = 0; i < edges.size(); ++i) {
             if (edges.pixels[i] || panorama.known.pixels[i] == Known::original) continue;
-            const bool near = std::fabs(panorama.range.pixels[i] - truth.range.pixels[i]) < 0.03f * truth.range.pixels[i];
+            const bool near = std::fabs(panorama.range.pixels[i] - truth.range.pixels[i]) <
+                              0.03f * truth.range.pixels[i];
             good += near && length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.03f;
             ++all;
         }
@@ -249,12 +263,14 @@ TEST(Walk, AHallsWallsContinueBehindAScreen) {
     EXPECT_GE(good, all * 95 / 100) << all;
 }
 
-// A brown door stands 5 cm before a pale wall that a wardrobe hides: what shows above the wardrobe from elsewhere is wall.
+// A brown door stands 5 cm before a pale wall that a wardrobe hides: what shows above the wardrobe from elsewhere is
+// wall.
 TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const float wall = world.room.high.z, floor = world.room.high.y;
-    world.boxes = {{{1.5f, floor - 2.f, wall - 0.05f}, {2.4f, floor, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain},
-                   {{-1.8f, floor - 1.9f, wall - 0.9f}, {0.6f, floor, wall - 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain}};
+    world.boxes = {
+        {{1.5f, floor - 2.f, wall - 0.05f}, {2.4f, floor, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain},
+        {{-1.8f, floor - 1.9f, wall - 0.9f}, {0.6f, floor, wall - 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain}};
     const Panorama first = render_synthetic(world, {}, kSize);
     WalkParams params;
     params.viewpoints = 8;
@@ -302,7 +318,8 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
             for (int x = 0; x < kSize.width; ++x) {
                 if (edges.at(x, y) || panorama.known.at(x, y) == Known::original) continue;
                 if ((from + direction_of_pixel(x, y, kSize) * truth.range.at(x, y)).z < wall - 0.01f) continue;
-                if (!evenly_colored(truth.color, x, y)) continue;   // a corner where a side meets the wall: a mixed pixel, and no edge of the range
+                if (!evenly_colored(truth.color, x, y))
+                    continue;  // a corner where a side meets the wall: a mixed pixel, and no edge of the range
                 ++out.all;
                 out.right += length(panorama.color.at(x, y) - truth.color.at(x, y)) < 0.05f;
             }
@@ -310,23 +327,30 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
     return out;
 }
 
-// Dark tiles as wide as the wall end behind cupboards; above those a strip of the pale wall shows, 5 cm behind the tiles.
+// Dark tiles as wide as the wall end behind cupboards; above those a strip of the pale wall shows, 5 cm behind the
+// tiles.
 TEST(Walk, TheWallAboveItsTilesGoesOnBehindACupboard) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const float wall = world.room.high.z, floor = world.room.high.y, side = world.room.high.x;
-    world.boxes = {{{-side, floor - 1.5f, wall - 0.05f}, {side, floor, wall + 0.1f}, {0.05f, 0.1f, 0.3f}, SyntheticPaint::plain},
-                   {{-1.6f, floor - 2.25f, wall - 0.9f}, {0.7f, floor - 1.4f, wall + 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain}};
+    world.boxes = {
+        {{-side, floor - 1.5f, wall - 0.05f}, {side, floor, wall + 0.1f}, {0.05f, 0.1f, 0.3f}, SyntheticPaint::plain},
+        {{-1.6f, floor - 2.25f, wall - 0.9f},
+         {0.7f, floor - 1.4f, wall + 0.1f},
+         {0.5f, 0.3f, 0.1f},
+         SyntheticPaint::plain}};
     const WallPainted painted = invented_wall(world, wall, 1);
     EXPECT_GT(painted.all, 150);
     EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
 }
 
-// Between a cupboard and the hood beside it, which stands back, the wall is seen: there the hood ends, and behind the cupboard's edge is wall too.
+// Between a cupboard and the hood beside it, which stands back, the wall is seen: there the hood ends, and behind the
+// cupboard's edge is wall too.
 TEST(Walk, AFaceDoesNotGoOnBeyondAGapThatWasLookedThrough) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const float wall = world.room.high.z;
-    world.boxes = {{{0.2f, -0.8f, wall - 0.8f}, {1.f, 0.8f, wall + 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain},
-                   {{1.38f, -0.8f, wall - 0.25f}, {2.1f, 0.8f, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain}};
+    world.boxes = {
+        {{0.2f, -0.8f, wall - 0.8f}, {1.f, 0.8f, wall + 0.1f}, {0.5f, 0.3f, 0.1f}, SyntheticPaint::plain},
+        {{1.38f, -0.8f, wall - 0.25f}, {2.1f, 0.8f, wall + 0.1f}, {0.1f, 0.04f, 0.02f}, SyntheticPaint::plain}};
     const WallPainted painted = invented_wall(world, wall, 0.8f);
     EXPECT_GT(painted.all, 60);
     EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
@@ -347,7 +371,9 @@ TEST(Walk, ASeatEndsWhereItIsNoLongerSeen) {
         const Panorama truth = render_synthetic(world, panorama.world_from_pano.translation, kSize);
         const ImageMask edges = near_edges(truth.range, 2);
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (edges.pixels[i] || panorama.known.pixels[i] == Known::original || length(truth.color.pixels[i] - seat) < 0.1f) continue;
+            if (edges.pixels[i] || panorama.known.pixels[i] == Known::original ||
+                length(truth.color.pixels[i] - seat) < 0.1f)
+                continue;
             ++all;
             bench += length(panorama.color.pixels[i] - seat) < 0.1f;
         }
@@ -365,21 +391,26 @@ ImageColor picture_of_rug(float grain) {
         for (int x = 0; x < out.width; ++x) {
             const float a = 0.3f, px = 0.01f * static_cast<float>(x) - 1.6f, py = 0.01f * static_cast<float>(y) - 1.2f;
             const float u = std::fabs(std::cos(a) * px + std::sin(a) * py), v = std::cos(a) * py - std::sin(a) * px;
-            const bool rug = u < 1 && std::fabs(v) < 0.6f, rim = u > 0.9f || std::fabs(v) > 0.5f;
+            const bool rug = u < 1 && std::fabs(v)<0.6f, rim = u> 0.9f || std::fabs(v) > 0.5f;
             const bool dark = std::sin(18 * u + 9 * u * u) + std::sin(14 * v + 5 * v * v + 2 * u) > 0.3f;
-            const Vec3f c = !rug ? Vec3f{0.3f, 0.2f, 0.1f} : rim ? Vec3f{0.6f, 0.1f, 0.05f} : dark ? Vec3f{0.05f, 0.1f, 0.3f} : Vec3f{0.8f, 0.75f, 0.6f};
+            const Vec3f c = !rug   ? Vec3f{0.3f, 0.2f, 0.1f}
+                            : rim  ? Vec3f{0.6f, 0.1f, 0.05f}
+                            : dark ? Vec3f{0.05f, 0.1f, 0.3f}
+                                   : Vec3f{0.8f, 0.75f, 0.6f};
             out.at(x, y) = c + Vec3f{1, 1, 1} * (grain * (random.uniform() - 0.5f));
         }
     return out;
 }
 
-// A round hole in the picture is filled from its repeats: most of it, far better than by the smoothest fill, and nothing else is touched.
+// A round hole in the picture is filled from its repeats: most of it, far better than by the smoothest fill, and
+// nothing else is touched.
 void expect_filled(const ImageColor& truth, int x0, int y0, float radius, float metres_per_pixel) {
     ImageColor color = truth;
     ImageMask hole(truth.width, truth.height);
     for (int y = 0; y < hole.height; ++y)
         for (int x = 0; x < hole.width; ++x)
-            if (std::hypot(static_cast<float>(x - x0), static_cast<float>(y - y0)) < radius) hole.at(x, y) = 1, color.at(x, y) = {};
+            if (std::hypot(static_cast<float>(x - x0), static_cast<float>(y - y0)) < radius)
+                hole.at(x, y) = 1, color.at(x, y) = {};
     const ImageMask before = hole;
     const ImageColor smooth = make_inpainter("harmonic")->fill(color, hole, {});
     fill_from_repeats(color, hole, metres_per_pixel);
@@ -418,15 +449,17 @@ TEST(Repeats, AWallpapersMotifIsThatOfItsNeighbour) {
         ImageColor wall(5 * period, 4 * period);
         for (int y = 0; y < wall.height; ++y)
             for (int x = 0; x < wall.width; ++x) wall.at(x, y) = motif.at(x % period, y % period);
-        expect_filled(wall, 2 * period + 10, 2 * period - 5, 0.6f * static_cast<float>(period), 0.6f / static_cast<float>(period));
+        expect_filled(wall, 2 * period + 10, 2 * period - 5, 0.6f * static_cast<float>(period),
+                      0.6f / static_cast<float>(period));
     }
 }
 
 TEST(Repeats, WhatHasNoPatternIsLeft) {
-    for (const float grain : {0.f, 0.05f, 0.8f}) {   // a plain floor, its grain, and gravel
+    for (const float grain : {0.f, 0.05f, 0.8f}) {  // a plain floor, its grain, and gravel
         ImageColor color(200, 200);
         Random random(2, "walk/test-gravel");
-        for (Vec3f& c : color.pixels) c = Vec3f{0.5f, 0.4f, 0.3f} + Vec3f{1, 1, 1} * (grain * (random.uniform() - 0.5f));
+        for (Vec3f& c : color.pixels)
+            c = Vec3f{0.5f, 0.4f, 0.3f} + Vec3f{1, 1, 1} * (grain * (random.uniform() - 0.5f));
         ImageMask hole(200, 200);
         for (int y = 70; y < 130; ++y)
             for (int x = 70; x < 130; ++x) hole.at(x, y) = 1;
@@ -444,13 +477,16 @@ struct Seen {
 Vec3f outside_color(Vec3f d) { return d.y < 0 ? Vec3f{0.5f, 0.6f, 0.9f} : Vec3f{0.2f, 0.7f, 0.2f}; }
 Seen look_at_window_room(Vec3f from, Vec3f d) {
     const float inf = std::numeric_limits<float>::infinity();
-    const auto reach = [&](float p, float v, float low, float high) { return v > 0 ? (high - p) / v : v < 0 ? (low - p) / v : inf; };
+    const auto reach = [&](float p, float v, float low, float high) {
+        return v > 0 ? (high - p) / v : v < 0 ? (low - p) / v : inf;
+    };
     const float tx = reach(from.x, d.x, -2, 2), ty = reach(from.y, d.y, -1.2f, 1.4f), tz = reach(from.z, d.z, -2, 2);
     const float t = std::min({tx, ty, tz});
     const Vec3f wall{0.7f, 0.4f, 0.3f}, p = from + d * t;
     if (t < tz || d.z < 0) return {t == ty ? Vec3f{0.5f, 0.4f, 0.3f} : wall, t};
     if (std::fabs(p.x) > 1 || std::fabs(p.y) > 0.7f) return {wall, t};
-    const float through = reach(from.z, d.z, -2, 2.25f), rx = reach(from.x, d.x, -1, 1), ry = reach(from.y, d.y, -0.7f, 0.7f);
+    const float through = reach(from.z, d.z, -2, 2.25f), rx = reach(from.x, d.x, -1, 1),
+                ry = reach(from.y, d.y, -0.7f, 0.7f);
     if (std::min(rx, ry) < through) return {wall, std::min(rx, ry)};
     if (std::fabs(from.x + d.x * through) < 0.03f) return {Vec3f{0.9f, 0.9f, 0.9f}, through};
     return {outside_color(d), inf};
@@ -466,7 +502,8 @@ Panorama panorama_of_window_room(Vec3f from) {
     return out;
 }
 
-// What was invented between a frame and the outside floated in mid-air, and other viewpoints saw it as scratches on the panes.
+// What was invented between a frame and the outside floated in mid-air, and other viewpoints saw it as scratches on the
+// panes.
 TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
     WalkParams params;
     params.viewpoints = 8;
@@ -476,7 +513,9 @@ TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
         for (int y = 0; y < kSize.height; ++y)
             for (int x = 0; x < kSize.width; ++x) {
                 const float range = panorama.range.at(x, y);
-                const float beyond = (panorama.world_from_pano.translation + direction_of_pixel(x, y, kSize) * range).z - 2.25f;
+                const float beyond = (panorama.world_from_pano.translation + direction_of_pixel(x, y, kSize) * range)
+                                         .z -
+                                     2.25f;
                 outside += std::isinf(range);
                 floating += std::isfinite(range) && beyond > 0.2f;
             }
@@ -489,7 +528,8 @@ TEST(Walk, AnOutsideOfSpecksIsWalkedToo) {
     WalkParams params;
     params.viewpoints = 2;
     params.inpainter = "harmonic";
-    Panorama panorama = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, kSize);
+    Panorama panorama = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
+                                         kSize);
     for (int y = 2; y < kSize.height; y += 5)
         for (int x = 2; x < kSize.width; x += 5) panorama.range.at(x, y) = std::numeric_limits<float>::infinity();
     for (const Panorama& walked : walked_through(panorama, params, {}).panoramas)
@@ -509,7 +549,8 @@ TEST(Walk, ThroughAWindowHolesAreTheOutside) {
             ++holes;
             const bool outside = std::isinf(truth.range.pixels[i]);
             sky += outside;
-            right += outside == std::isinf(panorama.range.pixels[i]) && length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.05f;
+            right += outside == std::isinf(panorama.range.pixels[i]) &&
+                     length(panorama.color.pixels[i] - truth.color.pixels[i]) < 0.05f;
         }
     }
     std::printf("%d holes, %d of them sky, %d right\n", holes, sky, right);
@@ -518,8 +559,9 @@ TEST(Walk, ThroughAWindowHolesAreTheOutside) {
 }
 
 TEST(CoarseView, AFoldStaysClosedButADeepJumpOpens) {
-    for (const float depth : {0.1f, 1.f}) {   // a wall in two halves, the right one `depth` behind
-        Panorama first{ImageColor(kSize.width, kSize.height, Vec3f{0.5f, 0.5f, 0.5f}), ImageF(kSize.width, kSize.height), {}, {}};
+    for (const float depth : {0.1f, 1.f}) {  // a wall in two halves, the right one `depth` behind
+        Panorama first{
+            ImageColor(kSize.width, kSize.height, Vec3f{0.5f, 0.5f, 0.5f}), ImageF(kSize.width, kSize.height), {}, {}};
         for (int y = 0; y < kSize.height; ++y)
             for (int x = 0; x < kSize.width; ++x) {
                 const Vec3f d = direction_of_pixel(x, y, kSize);
@@ -527,7 +569,8 @@ TEST(CoarseView, AFoldStaysClosedButADeepJumpOpens) {
             }
         const CoarseView view = coarse_view({source_of(first)}, kSize, {0.6f, 0, 0});
         int holes = 0;
-        for (int x = kSize.width * 3 / 8; x < kSize.width / 2; ++x) holes += view.cover.at(x, kSize.height / 2) == Cover::hole;
+        for (int x = kSize.width * 3 / 8; x < kSize.width / 2; ++x)
+            holes += view.cover.at(x, kSize.height / 2) == Cover::hole;
         if (depth < 0.2f) EXPECT_EQ(holes, 0);
         else EXPECT_GT(holes, 3);
     }
@@ -570,7 +613,8 @@ std::string error_of(const Panorama& first) {
 }
 
 TEST(Walk, RefusesWhatIsNoRoom) {
-    const Panorama good = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {64, 32}, 1);
+    const Panorama good = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
+                                           {64, 32}, 1);
     Panorama first = good;
     first.range = {};
     EXPECT_NE(error_of(first).find("expected a range map of the panorama's size 64 x 32"), std::string::npos);
@@ -578,7 +622,7 @@ TEST(Walk, RefusesWhatIsNoRoom) {
     EXPECT_NE(error_of(first).find("found 32 x 16"), std::string::npos);
     first.range = ImageF(64, 32, std::nanf(""));
     EXPECT_NE(error_of(first).find("no range in any"), std::string::npos);
-    first.range = ImageF(64, 32, 0.03f);   // a camera inside a cushion
+    first.range = ImageF(64, 32, 0.03f);  // a camera inside a cushion
     EXPECT_NE(error_of(first).find("inside a thing"), std::string::npos);
     first.color = ImageColor(60, 32);
     first.range = ImageF(60, 32, 1.f);
@@ -587,9 +631,11 @@ TEST(Walk, RefusesWhatIsNoRoom) {
 }
 
 TEST(Walk, WhatHasNoRangeIsFarBackground) {
-    Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {128, 64}, 1);
+    Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
+                                      {128, 64}, 1);
     // 1e-45 to 5e-4 are what a failed measurement leaves: not a surface before the lens at which every step would end.
-    const float nothing[] = {0.f, -1.f, std::nanf(""), std::numeric_limits<float>::infinity(), 1e-45f, 1e-30f, 5e-4f, -0.f};
+    const float nothing[] = {0.f,    -1.f,   std::nanf(""), std::numeric_limits<float>::infinity(),
+                             1e-45f, 1e-30f, 5e-4f,         -0.f};
     for (int y = 20; y < 28; ++y)
         for (int x = 40; x < 56; ++x) first.range.at(x, y) = nothing[(x + y) % 8];
     for (const char* kind : {"ours", "paper", "paper-direct", "paper-far"}) {
@@ -600,7 +646,8 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
         params.inpainter = "harmonic";
         Heard heard;
         const auto walked = walked_through(first, params, {0, &heard, {}}).panoramas;
-        EXPECT_NE(heard.warnings.find("112 pixels of the range map have no range"), std::string::npos) << kind << heard.warnings;
+        EXPECT_NE(heard.warnings.find("112 pixels of the range map have no range"), std::string::npos)
+            << kind << heard.warnings;
         EXPECT_TRUE(std::isinf(walked[0].range.at(48, 24))) << kind;
         EXPECT_GT(length(walked[1].world_from_pano.translation), 0.04f) << kind;
         for (const Panorama& panorama : walked) {
@@ -615,9 +662,11 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
     }
 }
 
-// Nobody has to keep them all: each is handed over before the next viewpoint is begun, also when the walk is stopped there.
+// Nobody has to keep them all: each is handed over before the next viewpoint is begun, also when the walk is stopped
+// there.
 TEST(Walk, HandsOverEachPanoramaWhenItIsComplete) {
-    const Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {}, {128, 64}, 1);
+    const Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
+                                            {128, 64}, 1);
     for (const char* kind : {"ours", "paper-far"}) {
         WalkParams params;
         params.kind = kind;
@@ -645,7 +694,10 @@ TEST(Walk, HandsOverEachPanoramaWhenItIsComplete) {
 TEST(Walk, TinyAndHugeRoomsAndStepsThatAreTooLong) {
     for (const float width : {0.5f, 200.f}) {
         SyntheticWorld world;
-        world.room = {{-0.5f * width, -0.4f * width, -0.6f * width}, {0.5f * width, 0.5f * width, 0.5f * width}, {0.5f, 0.5f, 0.5f}, SyntheticPaint::smooth};
+        world.room = {{-0.5f * width, -0.4f * width, -0.6f * width},
+                      {0.5f * width, 0.5f * width, 0.5f * width},
+                      {0.5f, 0.5f, 0.5f},
+                      SyntheticPaint::smooth};
         const Panorama first = render_synthetic(world, {}, {128, 64}, 1);
         for (const char* kind : {"ours", "paper"}) {
             WalkParams params;

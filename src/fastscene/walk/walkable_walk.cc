@@ -8,10 +8,11 @@
 namespace fastscene {
 namespace {
 
-constexpr float kEyeLow_m = 0.6f, kEyeHigh_m = 1.9f;   // a crouch, a tall adult
-// Painted pixels are right in the mean and wrong in detail: where they are more than this share of what one sees, it shows.
+constexpr float kEyeLow_m = 0.6f, kEyeHigh_m = 1.9f;  // a crouch, a tall adult
+// Painted pixels are right in the mean and wrong in detail: where they are more than this share of what one sees, it
+// shows.
 constexpr double kHolds = 0.15;
-constexpr float kBeyond_m = 0.1f;   // past the viewpoints that hold
+constexpr float kBeyond_m = 0.1f;  // past the viewpoints that hold
 
 float turn(Vec2f a, Vec2f b, Vec2f c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
@@ -25,7 +26,7 @@ std::vector<Vec2f> convex_hull(std::vector<Vec2f> points) {
             while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *it) <= 0) hull.pop_back();
             hull.push_back(*it);
         }
-        hull.pop_back();   // the next chain begins with it
+        hull.pop_back();  // the next chain begins with it
     };
     chain(points.begin(), points.end());
     chain(points.rbegin(), points.rend());
@@ -59,7 +60,9 @@ Invention invention_of(const Panorama& panorama) {
 Json to_json(const std::vector<Invention>& inventions) {
     Json out = Json::array();
     for (const Invention& i : inventions)
-        out.push_back({{"position_m", {i.position_m.x, i.position_m.y, i.position_m.z}}, {"invented_share", i.invented_share}, {"carried_share", i.carried_share}});
+        out.push_back({{"position_m", {i.position_m.x, i.position_m.y, i.position_m.z}},
+                       {"invented_share", i.invented_share},
+                       {"carried_share", i.carried_share}});
     return out;
 }
 
@@ -75,12 +78,13 @@ WalkableArea walkable_of(const std::vector<Invention>& inventions, float floor_y
     add({});
     for (const Invention& i : inventions)
         if (i.invented_share + i.carried_share <= kHolds) add(i.position_m);
-    return {{convex_hull(std::move(corners))}, low - kBeyond_m, std::min(high + kBeyond_m, floor_y - kBeyond_m), floor_y};
+    return {
+        {convex_hull(std::move(corners))}, low - kBeyond_m, std::min(high + kBeyond_m, floor_y - kBeyond_m), floor_y};
 }
 
 float floor_below(const Panorama& first) {
     const ImageF& range = first.range;
-    constexpr float kUsual_m = 1.5f;   // where the range straight down says nothing
+    constexpr float kUsual_m = 1.5f;  // where the range straight down says nothing
     std::vector<float> down;
     for (int y = range.height - std::max(1, range.height / 36); y < range.height; ++y)
         for (int x = 0; x < range.width; ++x) {

@@ -22,8 +22,8 @@ struct Invention {
 Invention invention_of(const Panorama& panorama);
 Json to_json(const std::vector<Invention>& inventions);
 
-// Of a picture whose room nobody knows: the scene holds at viewpoints where little had to be invented, and between them. The convex hull of
-// those, grown by a hand's breadth. `floor_y`: of the floor, world.
+// Of a picture whose room nobody knows: the scene holds at viewpoints where little had to be invented, and between
+// them. The convex hull of those, grown by a hand's breadth. `floor_y`: of the floor, world.
 WalkableArea walkable_of(const std::vector<Invention>& inventions, float floor_y);
 // Where the floor is, as far as panorama 0's range straight down tells.
 float floor_below(const Panorama& first);

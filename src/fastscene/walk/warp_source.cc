@@ -10,26 +10,27 @@ namespace {
 // Cells about which all sixteen pixels lie on one surface.
 ImageMask inside_of(const ImageMask& cuts) {
     const int w = cuts.width, h = cuts.height;
-    ImageMask beside(w, h), inside(w, h);   // beside: an edge in the row from one pixel before to two behind
+    ImageMask beside(w, h), inside(w, h);  // beside: an edge in the row from one pixel before to two behind
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             if (!(cuts.at(x, y) & (kFarSide | kNearSide))) continue;
             for (int i = -2; i <= 1; ++i) beside.at(wrap_column(x + i, w), y) = 1;
         }
     for (int y = 1; y + 2 < h; ++y)
-        for (int x = 0; x < w; ++x) inside.at(x, y) = !(beside.at(x, y - 1) | beside.at(x, y) | beside.at(x, y + 1) | beside.at(x, y + 2));
+        for (int x = 0; x < w; ++x)
+            inside.at(x, y) = !(beside.at(x, y - 1) | beside.at(x, y) | beside.at(x, y + 1) | beside.at(x, y + 2));
     return inside;
 }
 
 }  // namespace
 
-WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& plane, const ImageMask& used,
-                            Vec3f position) {
+WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const Image<std::int16_t>& plane,
+                            const ImageMask& used, Vec3f position) {
     WarpSource source;
     source.cuts = range_edges(range);
     Silhouettes silhouettes = find_silhouettes(color, source.cuts);
     source.color = std::move(silhouettes.color);
-    if (used.empty()) source.share = std::move(silhouettes.share);   // what was painted is mixed of nothing
+    if (used.empty()) source.share = std::move(silhouettes.share);  // what was painted is mixed of nothing
     source.inverse_range = ImageF(range.width, range.height);
     std::transform(range.pixels.begin(), range.pixels.end(), source.inverse_range.pixels.begin(), inverse_range);
     source.plane = plane;
@@ -39,7 +40,8 @@ WarpSource make_warp_source(const ImageColor& color, const ImageF& range, const 
     return source;
 }
 
-PackedSource::PackedSource(const WarpSource& source) : width_(source.color.width), height_(source.color.height), position_(source.position) {
+PackedSource::PackedSource(const WarpSource& source)
+    : width_(source.color.width), height_(source.color.height), position_(source.position) {
     FASTSCENE_CHECK(source.used.size() == source.color.size());
     const auto& used = source.used.pixels;
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -72,7 +74,8 @@ void PackedSource::unpack(WarpSource& into) const {
     std::size_t from = 0;
     for (const Stretch& s : stretches_) {
         std::copy_n(color_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.color.pixels.begin() + s.begin);
-        std::copy_n(inverse_range_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.inverse_range.pixels.begin() + s.begin);
+        std::copy_n(inverse_range_.begin() + static_cast<std::ptrdiff_t>(from), s.count,
+                    into.inverse_range.pixels.begin() + s.begin);
         std::copy_n(cuts_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.cuts.pixels.begin() + s.begin);
         std::copy_n(plane_.begin() + static_cast<std::ptrdiff_t>(from), s.count, into.plane.pixels.begin() + s.begin);
         std::fill_n(into.used.pixels.begin() + s.begin, s.count, std::uint8_t{1});
