@@ -49,10 +49,11 @@ struct TruthPose {
 // no roll. Deterministic in `seed`. Throws Error when the room leaves no space.
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
 
-// The truth at one pose: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the origin) did not
-// see the surface.
+// The truth at one pose, traced twice: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the
+// origin) did not see the surface.
 struct TruthPicture {
     ImageRgb8 color;
+    ImageRgb8 again;  // traced with other camera rays: what both have in common is no noise. Empty: `color` is exact
     ImageMask unseen;
 };
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run);
@@ -61,7 +62,7 @@ TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int si
 struct TruthSet {
     std::vector<TruthPose> poses;
     std::vector<TruthPicture> pictures;  // one a pose
-    double floor_db = 0;                 // two sets of camera rays of one view against each other, least of three views
+    double floor_db = 0;  // of `color` against `again`, the mean: the noise that PSNR is free of and SSIM is not
 };
 // `seed` of the run chooses the poses. Needs the room's light.
 TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const Run& run);
@@ -72,6 +73,8 @@ TruthSet load_truth_set(const std::filesystem::path& dir);
 struct Likeness {
     double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN where there is nothing to compare
 };
+// PSNR without the truth's own noise: the mean of (picture - color) (picture - again), whose noise is independent, is
+// an unbiased estimate of the squared error against a truth of endlessly many rays. SSIM is against `color`.
 Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
 // The splats as a truth-sized picture, and the share of its pixels that they leave more than 2 % open.

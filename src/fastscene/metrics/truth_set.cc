@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFloorViews = 3;
-
 Json json_of(const Rigid& pose) {
     Json rows = Json::array();
     const Mat3f& m = pose.rotation;
@@ -28,21 +26,18 @@ Rigid rigid_from(const Json& rows) {
 }
 
 fs::path color_file(const fs::path& dir, std::size_t i) { return dir / fmt::format("{:02}.png", i); }
+fs::path again_file(const fs::path& dir, std::size_t i) { return dir / fmt::format("{:02}-again.png", i); }
 fs::path unseen_file(const fs::path& dir, std::size_t i) { return dir / fmt::format("{:02}-unseen.png", i); }
 
 }  // namespace
 
 TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const Run& run) {
-    TruthSet set{truth_poses(room, params, run.seed), {}, std::numeric_limits<double>::infinity()};
+    TruthSet set{truth_poses(room, params, run.seed), {}, 0};
     Progress progress(run, "truth", static_cast<std::int64_t>(set.poses.size()));
     for (std::size_t i = 0; i < set.poses.size(); ++i) {
         run.check_stop();
         set.pictures.push_back(truth_picture(room, set.poses[i], params.size_px, Run{run.seed, nullptr, run.stop}));
-        if (i < kFloorViews) {  // what the truth itself is worth: other camera rays, same pose
-            const TruthPicture other = truth_picture(room, set.poses[i], params.size_px,
-                                                     Run{run.seed ^ 0x5eed, nullptr, run.stop});
-            set.floor_db = std::min(set.floor_db, psnr(set.pictures[i].color, other.color));
-        }
+        set.floor_db += psnr(set.pictures[i].color, set.pictures[i].again) / static_cast<double>(set.poses.size());
         progress.advance();
     }
     return set;
@@ -54,6 +49,7 @@ void save_truth_set(const fs::path& dir, const TruthSet& set) {
     for (std::size_t i = 0; i < set.poses.size(); ++i) {
         poses.push_back(json_of(set.poses[i].world_from_camera));
         save_png(color_file(dir, i), set.pictures[i].color);
+        save_png(again_file(dir, i), set.pictures[i].again);
         save_png(unseen_file(dir, i), set.pictures[i].unseen);
     }
     write_json(dir / "poses.json", {{"rotation_rows_and_position", poses}, {"floor_db", set.floor_db}});
@@ -70,7 +66,8 @@ TruthSet load_truth_set(const fs::path& dir) {
         throw Error("{}: expected poses and a floor: {}", (dir / "poses.json").string(), e.what());
     }
     for (std::size_t i = 0; i < set.poses.size(); ++i)
-        set.pictures.push_back({load_rgb8(color_file(dir, i)), load_mask_png(unseen_file(dir, i))});
+        set.pictures.push_back(
+            {load_rgb8(color_file(dir, i)), load_rgb8(again_file(dir, i)), load_mask_png(unseen_file(dir, i))});
     return set;
 }
 

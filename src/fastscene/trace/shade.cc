@@ -146,7 +146,8 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction,
                                           pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
-    const Response r = response_of(s, direction);
+    Response r = response_of(s, direction);
+    if (m.mirror <= 0.5f && max_component(r.shine) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
     out.albedo = s.texture.albedo;
     out.position = s.position;
     out.normal = s.normal;

@@ -17,6 +17,7 @@ struct ShadeScene {
     bool contacts =
         false;            // where the cache is too coarse (edges, corners, small things), light is gathered ray by ray
     bool frugal = false;  // ShotParts::frugal
+    float min_alpha = 0;  // ShotParts::min_alpha
 };
 
 // What a camera ray brings back, through clear glass from what lies behind it. The parts that chance decides are kept

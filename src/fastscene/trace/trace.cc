@@ -62,7 +62,7 @@ struct TracedRoom::Impl {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
         if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal}, eye, parts, samples, look,
+        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, eye, parts, samples, look,
                               albedo, run);
     }
 

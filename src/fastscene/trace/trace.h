@@ -47,8 +47,10 @@ struct ShotParts {
     bool radiance = false;  // `color` holds the pixel's mean radiance, undeveloped
     bool contacts =
         false;  // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
-    bool frugal = false;   // reflections that add little are traced by a few rays only (Russian roulette): for many
-                           // views that are averaged
+    bool frugal = false;  // reflections that add little are traced by a few rays only (Russian roulette): for many
+                          // views that are averaged
+    float min_alpha = 0;  // glossy surfaces, but mirrors, have at least this GGX alpha: what a coarse representation of
+                          // reflections can hold
     bool denoise = false;  // average over neighbours what chance leaves in the light (denoise.h); takes samples / 16 to
                            // samples / 2 rays
     float noise = 0.f;  // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)

@@ -147,17 +147,21 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
     const EquirectSize size = panorama.size();
     const ImageMask cuts = range_edges(panorama.range);
     const int stride = given ? owners.stride() : 1;
-    std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>((size.height + stride - 1) / stride));
+    // Only one panorama gives points to a bit of the outside, so there each of its pixels counts.
+    const auto on_grid = [stride](int i) { return i % stride == stride / 2; };
+    std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>(size.height));
     parallel_for(static_cast<std::int64_t>(rows.size()), 8, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t row = begin; row < end; ++row) {
-            const int y = std::min(size.height - 1, static_cast<int>(row) * stride + stride / 2);
-            const float angle = static_cast<float>(pixel_solid_angle(y, size)) * static_cast<float>(stride * stride);
-            for (int x = stride / 2; x < size.width; x += stride) {
+            const auto y = static_cast<int>(row);
+            for (int x = 0; x < size.width; ++x) {
+                const bool outside = !(panorama.range.at(x, y) < sky_m);
+                if (!outside && !(on_grid(x) && on_grid(y))) continue;
+                const float angle = static_cast<float>(pixel_solid_angle(y, size)) *
+                                    static_cast<float>(outside ? 1 : stride * stride);
                 const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
                 if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
                 if (given && cuts.at(x, y) & kFarSide) continue;  // two surfaces in one color; what was painted has one
                 const Surface s = surface_at(panorama, cuts, sky_m, x, y);
-                const bool outside = !(panorama.range.at(x, y) < sky_m);
                 if (given && !owners.owns(index, panorama, s, outside)) continue;
                 const float distance = length(s.point),
                             cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
@@ -219,7 +223,8 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
         }
 }
 
-// What area a pixel counts with: the outside like the room's surfaces, or a window would take half of all points.
+// What area a pixel counts with: the outside like surfaces a few times as far as the room's, as people look out from
+// across the room; by its true area a window would take nearly all points.
 std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> per_angle;
     for (const Candidate& c : candidates)
@@ -230,8 +235,9 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> areas;
     areas.reserve(candidates.size());
     constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
+    const float kOutside = getenv("OUT") ? atof(getenv("OUT")) : 6.f;
     for (const Candidate& c : candidates)
-        areas.push_back(c.outside ? c.angle * usual * (c.hidden > 0 ? kHidden * c.hidden : 1.f)
+        areas.push_back(c.outside ? c.angle * usual * kOutside * (c.hidden > 0 ? kHidden * c.hidden / kOutside : 1.f)
                                   : std::min(c.area, kMostArea * usual * c.angle));
     return areas;
 }

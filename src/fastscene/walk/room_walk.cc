@@ -43,6 +43,10 @@ Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, Equirec
     return {std::move(color), std::move(range), {}, world_from_pano};
 }
 
+// The width of the sharpest reflection that harmonics of degree 2 can hold. A sharper one differs between neighbouring
+// standpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
+const float kMinAlpha = getenv("MA") ? atof(getenv("MA")) : 0.3f;
+
 }  // namespace
 
 Json walk_through_room(const Panorama& given, const TracedRoom& room, const StandableFloor& floor,
@@ -68,6 +72,7 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     parts.contacts = parts.denoise = false;  // what is noise in one view is averaged by the splats
     parts.noise = 0;
     parts.frugal = true;
+    parts.min_alpha = kMinAlpha;
     const int width = params.width > 0 ? params.width / 2 * 2 : first.color.width;
     const Rigid pose = first.world_from_pano;
     take(std::move(first));
