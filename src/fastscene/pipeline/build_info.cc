@@ -9,7 +9,7 @@ std::string_view program_version() { return generated::kVersion; }
 std::string_view source_dir() { return generated::kSourceDir; }
 
 std::string code_version(std::string_view stage) {
-    // The rooms that a stage's result depends on besides the lower floors.
+    // The modules that a stage's result depends on besides the lower layers.
     const auto matters = [stage](std::string_view room) {
         if (room == "metrics") return stage == "scores";  // true pictures and bounds hang on what makes them
         for (const std::string_view other : {"panorama", "depth", "inpaint", "walk", "views", "splat"})

@@ -11,7 +11,7 @@ namespace fastscene {
 
 std::string_view program_version();
 std::string_view source_dir();  // where the checkout was at build time
-// Hash of the sources that the stage stands on: its own room and all lower floors.
+// Hash of the sources that the stage stands on: its own module and all lower layers.
 std::string code_version(std::string_view stage);
 // Versions and machine, for run.json, report.json and `fastscene version`.
 Json build_json();

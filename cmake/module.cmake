@@ -1,13 +1,13 @@
-# fastscene_room(name FLOOR n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
+# fastscene_module(name LAYER n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
 #
-# A room is a folder under src/fastscene/: one static library of its *.cc files and one test program of
-# its *_test.cc files, linked with nothing but the rooms and libraries named here. The link list is the
-# drawing in docs/architecture.md; tests/floors holds the includes against it.
-function(fastscene_room name)
-  cmake_parse_arguments(ROOM "" "FLOOR" "USES;LINKS;HEADERS" ${ARGN})
-  set(ROOM_KIND plain)
-  if(ROOM_HEADERS)
-    set(ROOM_KIND ${name})
+# A module is a folder under src/fastscene/: one static library of its *.cc files and one test program of its *_test.cc
+# files, linked with nothing but the modules and libraries named here. The link list is the drawing in
+# docs/architecture.md; tests/layers holds the includes against it.
+function(fastscene_module name)
+  cmake_parse_arguments(MODULE "" "LAYER" "USES;LINKS;HEADERS" ${ARGN})
+  set(kind plain)
+  if(MODULE_HEADERS)
+    set(kind ${name})
   endif()
   set(folder ${PROJECT_SOURCE_DIR}/src/fastscene/${name})
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cc)
@@ -23,13 +23,13 @@ function(fastscene_room name)
   endif()
   target_include_directories(fastscene_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
   target_compile_features(fastscene_${name} ${scope} cxx_std_20)
-  foreach(other ${ROOM_USES})
+  foreach(other ${MODULE_USES})
     target_link_libraries(fastscene_${name} ${scope} fastscene_${other})
   endforeach()
-  target_link_libraries(fastscene_${name} ${scope} ${ROOM_LINKS})
+  target_link_libraries(fastscene_${name} ${scope} ${MODULE_LINKS})
   if(sources)
     target_link_libraries(fastscene_${name} PRIVATE fastscene_warnings)
-    fastscene_precompile(fastscene_${name} ${ROOM_KIND} ${ROOM_HEADERS})
+    fastscene_precompile(fastscene_${name} ${kind} ${MODULE_HEADERS})
   endif()
 
   if(tests AND FASTSCENE_TESTS)
@@ -38,7 +38,7 @@ function(fastscene_room name)
     # Half of all sources are tests, and they run once: what is saved in compiling them is worth more than their speed.
     target_compile_options(${name}_test PRIVATE -O1)
     target_compile_definitions(${name}_test PRIVATE FASTSCENE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    fastscene_precompile(${name}_test ${ROOM_KIND}_test <gtest/gtest.h> ${ROOM_HEADERS})
+    fastscene_precompile(${name}_test ${kind}_test <gtest/gtest.h> ${MODULE_HEADERS})
     add_test(NAME ${name} COMMAND ${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
   endif()
