@@ -5,6 +5,8 @@
 # docs/architecture.md; tests/layers holds the includes against it.
 function(fastscene_module name)
   cmake_parse_arguments(MODULE "" "LAYER" "USES;LINKS;HEADERS" ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY FASTSCENE_MODULES ${name})
+  set_property(GLOBAL PROPERTY FASTSCENE_LAYER_${name} ${MODULE_LAYER})
   set(kind plain)
   if(MODULE_HEADERS)
     set(kind ${name})
