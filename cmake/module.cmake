@@ -1,7 +1,7 @@
 # fastscene_module(name LAYER n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
 #
-# A module is a folder under src/fastscene/: one static library of its *.cc files and one test program of its *_test.cc
-# files, linked with nothing but the modules and libraries named here. The link list is the drawing in
+# A module is a folder under src/fastscene/ with its subfolders: one static library of its *.cc files and one test program
+# of its *_test.cc files, linked with nothing but the modules and libraries named here. The link list is the drawing in
 # docs/architecture.md; tests/layers holds the includes against it.
 function(fastscene_module name)
   cmake_parse_arguments(MODULE "" "LAYER" "USES;LINKS;HEADERS" ${ARGN})
@@ -12,8 +12,8 @@ function(fastscene_module name)
     set(kind ${name})
   endif()
   set(folder ${PROJECT_SOURCE_DIR}/src/fastscene/${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cc)
-  file(GLOB tests CONFIGURE_DEPENDS ${folder}/*_test.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cc)
+  file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${folder}/*_test.cc)
   list(FILTER sources EXCLUDE REGEX "_test\\.cc$")
 
   if(sources)

@@ -57,7 +57,7 @@ struct PieceRequest {
     float size_factor = 1.f;                        // of the usual size, in [0.5, 2]
     std::uint64_t seed = 0;
     Vec3f size_m{};  // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
-                     // pictures, mirrors, shelves, tables, single candles (see furniture_*.cc), others scale to it
+                     // pictures, mirrors, shelves, tables, single candles (see furniture/), others scale to it
 
     // A model of the furniture pack to be used in place of our own builder (pack.h); both null: none.
     std::shared_ptr<const FurniturePack> pack{};
