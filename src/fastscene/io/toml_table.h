@@ -3,13 +3,18 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <toml++/toml.h>
 #include <vector>
 
 #include "fastscene/base/error.h"
 
 namespace fastscene {
+
+// Throws Error with file and line where the text is no TOML.
+toml::table parse_toml(std::string_view text, const std::string& file);
 
 class TomlTable {
   public:
@@ -26,6 +31,17 @@ class TomlTable {
     std::vector<double> numbers(std::string_view key) const;
     std::vector<const toml::table*> tables(std::string_view key) const;  // [[key]]
     const toml::table* table(std::string_view key) const;                // [key], or null
+
+    // The same for keys that must be there; `expected` says in the error what belongs there.
+    std::string needed_text(std::string_view key, const std::string& expected = "a text in quotes") const;
+    double needed_number(std::string_view key, double low, double high) const;
+    int needed_whole(std::string_view key, int low, int high) const;
+    bool needed_flag(std::string_view key) const;
+    const toml::table& needed_table(std::string_view key) const;
+    // The index of one of these names.
+    std::size_t needed_choice(std::string_view key, std::span<const std::string_view> names) const;
+    std::size_t choice_of(std::string_view key, const std::string& word, std::span<const std::string_view> names) const;
+
     const toml::table& raw() const { return table_; }
     const std::string& file() const { return file_; }
 

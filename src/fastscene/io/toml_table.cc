@@ -1,4 +1,4 @@
-#include "fastscene/evaluate/toml_table.h"
+#include "fastscene/io/toml_table.h"
 
 #include <fmt/ranges.h>
 
@@ -18,6 +18,14 @@ std::string meant(const std::string& word, const std::vector<std::string>& known
     const std::string guess = nearest_word(word, known);
     return guess.empty() ? fmt::format("; known: {}", fmt::join(known, ", "))
                          : fmt::format("; did you mean {}?", guess);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& e) {
+        throw Error("{}:{}: expected TOML: {}", file, static_cast<unsigned>(e.source().begin.line), e.description());
+    }
 }
 
 std::string shown(const toml::node& node) {
@@ -133,6 +141,42 @@ const toml::table* TomlTable::table(std::string_view key) const {
     if (!found) return nullptr;
     if (!found->is_table()) fail(key, fmt::format("expected [{}], found {}", key, shown(*found)));
     return found->as_table();
+}
+
+std::string TomlTable::needed_text(std::string_view key, const std::string& expected) const {
+    if (!has(key)) fail_missing(key, expected);
+    return text(key);
+}
+
+double TomlTable::needed_number(std::string_view key, double low, double high) const {
+    if (!has(key)) fail_missing(key, fmt::format("a number from {} to {}", low, high));
+    return number(key, low, low, high);
+}
+
+int TomlTable::needed_whole(std::string_view key, int low, int high) const {
+    if (!has(key)) fail_missing(key, fmt::format("a whole number from {} to {}", low, high));
+    return whole(key, low, low, high);
+}
+
+bool TomlTable::needed_flag(std::string_view key) const {
+    if (!has(key)) fail_missing(key, "true or false");
+    return flag(key, false);
+}
+
+const toml::table& TomlTable::needed_table(std::string_view key) const {
+    if (!has(key)) fail_missing(key, fmt::format("[{}]", key));
+    return *table(key);
+}
+
+std::size_t TomlTable::needed_choice(std::string_view key, std::span<const std::string_view> names) const {
+    return choice_of(key, needed_text(key, fmt::format("one of {}", fmt::join(names, ", "))), names);
+}
+
+std::size_t TomlTable::choice_of(std::string_view key, const std::string& word,
+                                 std::span<const std::string_view> names) const {
+    const auto at = std::find(names.begin(), names.end(), word);
+    if (at == names.end()) fail(key, fmt::format("expected one of {}, found \"{}\"", fmt::join(names, ", "), word));
+    return static_cast<std::size_t>(at - names.begin());
 }
 
 }  // namespace fastscene
