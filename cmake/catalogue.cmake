@@ -1,5 +1,5 @@
-# Writes the table of builders from the catalogue of things: a row [dog] in one of the files asks for build_dog(Kit&),
-# except where it says `builder = false`. Runs at configure time, again when a file of the catalogue changes.
+# Embeds the catalogue of things, and writes the table of builders from it: a row [dog] in one of the files asks for
+# build_dog(Kit&), except where it says `builder = false`. Runs at configure time, again when a file of the catalogue changes.
 function(fastscene_catalogue target folder)
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
@@ -45,5 +45,10 @@ Builder builder_of(std::string_view kind) {
 
 }  // namespace fastscene::furniture
 ")
-  target_sources(${target} PRIVATE ${out})
+  string(REPLACE ";" "|" inputs "${files}")
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/catalogue_texts.cc
+    COMMAND ${CMAKE_COMMAND} "-DINPUTS=${inputs}" -DOUTPUT=${PROJECT_BINARY_DIR}/catalogue_texts.cc
+      -DNAME=kCatalogueTexts -DCOUNT=kCatalogueCount -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
+  target_sources(${target} PRIVATE ${out} ${PROJECT_BINARY_DIR}/catalogue_texts.cc)
 endfunction()

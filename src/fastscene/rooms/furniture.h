@@ -73,13 +73,6 @@ inline constexpr float kMonitorStep = 0.59f;        // from one monitor to the n
 // Throws Error for an unknown class. Deterministic in the request.
 Piece make_piece(const PieceRequest& request);
 
-// What one sleeps in, of any form; those whose long side stands at the wall.
-bool is_bed(std::string_view klass);
-bool lies_along_wall(std::string_view klass);
-// Seats for one that are no armchairs and yet stand where those do.
-bool is_easy_chair(std::string_view klass);
-const std::vector<std::string>& easy_chairs();
-
 // Every class make_piece knows, sorted: "armchair", "bed", "bed_single", …
 const std::vector<std::string>& piece_classes();
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/scene/pose_json.h"
@@ -340,7 +341,7 @@ std::size_t misplaced(const FurnishedRoom& room) {
 bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
     constexpr int kMost = 3;  // more is for halls
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-        return is_bed(o.klass) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
+        return has_role(o.klass, Role::bed) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
                std::count_if(room.placed.begin(), room.placed.end(),
                              [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
     });
@@ -419,16 +420,14 @@ Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
     Json objects = Json::array();
     for (std::size_t i = 0; i < room.objects.size(); ++i) {
         const RoomObject& o = room.objects[i];
-        objects.push_back(
-            {{"class", o.klass},
-             {"name", o.name},
-             {"color", o.color},
-             {"visible_pixels", visible[i]},
-             {"world_from_object",
-              json_from_pose(o.world_from_object, Decimals::exact)},
-             {"size_m", vec(o.size_m)},
-             {"source", o.source},
-             {"requested", o.requested}});
+        objects.push_back({{"class", o.klass},
+                           {"name", o.name},
+                           {"color", o.color},
+                           {"visible_pixels", visible[i]},
+                           {"world_from_object", json_from_pose(o.world_from_object, Decimals::exact)},
+                           {"size_m", vec(o.size_m)},
+                           {"source", o.source},
+                           {"requested", o.requested}});
     }
     return {{"room", room.type},
             {"style", room.style},

@@ -310,22 +310,6 @@ Piece make_piece(const PieceRequest& request) {
     return std::move(kit.piece);
 }
 
-bool lies_along_wall(std::string_view klass) {
-    return is_one_of(klass, {"bunk_bed", "loft_bed", "cabin_bed", "daybed"});
-}
-bool is_bed(std::string_view klass) {
-    return lies_along_wall(klass) ||
-           is_one_of(klass, {"bed", "bed_single", "four_poster_bed", "canopy_bed", "floor_bed", "crib"});
-}
-const std::vector<std::string>& easy_chairs() {
-    static const std::vector<std::string> names{"rocking_chair",   "lounge_chair", "hanging_chair",
-                                                "butterfly_chair", "bean_bag",     "adirondack_chair"};
-    return names;
-}
-bool is_easy_chair(std::string_view klass) {
-    return std::find(easy_chairs().begin(), easy_chairs().end(), klass) != easy_chairs().end();
-}
-
 const std::vector<std::string>& piece_classes() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> out;
