@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The page of benchmarks, docs/benchmarks.md, made from docs/benchmarks.json.
 
-  tests/docs/benchmarks.py docs/benchmarks.json docs/benchmarks.md            fails when the page is not made from the file
+  tests/docs/benchmarks.py docs/benchmarks.json docs/benchmarks.md            fails when they differ
   tests/docs/benchmarks.py docs/benchmarks.json docs/benchmarks.md --write    writes the page
 
 The file: "machines", a name and a sentence for each; "sections", each with "title", "text" (paragraphs) and "tables". A
@@ -14,8 +14,8 @@ import textwrap
 
 WIDTH = 120
 PREFACE = [
-    "This page is made from `docs/benchmarks.json` by `tests/docs/benchmarks.py`. Each table has the command that makes it"
-    " and the machine that it was seen on. CPU seconds are user and system time of the whole process; the machines were"
+    "This page is made from `docs/benchmarks.json` by `tests/docs/benchmarks.py`. Each table has the command that makes"
+    " it and the machine that it was seen on. CPU seconds are user and system time of the whole process; the machines were"
     " shared with other work, so times are upper bounds. The release preset, g++ 12.2.",
 ]
 

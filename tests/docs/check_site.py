@@ -3,10 +3,12 @@
 
   tests/docs/check_site.py ROOT FOLDER      ROOT: the checkout; FOLDER: scratch, the site goes into FOLDER/site
 
-Fails when mkdocs warns, a link or an anchor leads nowhere, a line is longer than 120 columns (rows of tables and lines
-with an address cannot be broken), or a page outside docs/decisions names a commit. Exit code 77: no mkdocs here.
+Fails when mkdocs warns, a link or an anchor leads nowhere, the search misses a page, a line is longer than 120 columns
+(rows of tables and lines with an address cannot be broken), or a page outside docs/decisions names a commit. Exit code
+77: no mkdocs here.
 """
 import html.parser
+import json
 import pathlib
 import re
 import shutil
@@ -61,6 +63,15 @@ def broken_links(site):
                 yield f"{where}: {reference}: no such anchor"
 
 
+def unsearchable_pages(site):
+    with open(site / "search" / "search_index.json", encoding="utf-8") as file:
+        indexed = {entry["location"].split("#")[0] for entry in json.load(file)["docs"]}
+    for path in sorted(site.rglob("index.html")):
+        location = "".join(part + "/" for part in path.parent.relative_to(site).parts)
+        if location not in indexed:
+            yield f"{path.relative_to(site)}: the search does not find this page"
+
+
 def broken_links_of_loose_pages(root):
     for name in LOOSE_PAGES:
         for target in re.findall(r"\]\(([^)#\s]+)[^)]*\)", (root / name).read_text(encoding="utf-8")):
@@ -88,7 +99,7 @@ def main():
     has_mkdocs = shutil.which("mkdocs") is not None
     if has_mkdocs:
         shutil.rmtree(folder, ignore_errors=True)
-        faults += build(root, folder) or list(broken_links(folder))
+        faults += build(root, folder) or [*broken_links(folder), *unsearchable_pages(folder)]
     if faults:
         sys.exit("\n".join(faults))
     if not has_mkdocs:

@@ -147,7 +147,8 @@ def page_of(program):
     verbs = next(s.items for s in sections if s.heading == "Subcommands")
     _, _, options, _ = parse(help_of(program, ["make"]))
     common = [i for s in options if s.heading == "Options" for i in s.items if is_common(i[0])]
-    out.append("\n".join(paragraph(f"[{name}](#fastscene-{name}): {escaped(said)}", "- ") for name, said in verbs) + "\n")
+    overview = [paragraph(f"[{name}](#fastscene-{name}): {escaped(said)}", "- ") for name, said in verbs]
+    out.append("\n".join(overview) + "\n")
     out.append(f"## {COMMON_HEADING}\n")
     out.append("\n".join(item(*i) for i in common) + "\n")
     for name, _ in verbs:
