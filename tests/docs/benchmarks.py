@@ -15,8 +15,8 @@ import textwrap
 WIDTH = 120
 PREFACE = [
     "This page is made from `docs/benchmarks.json` by `tests/docs/benchmarks.py`. Each table has the command that makes"
-    " it and the machine that it was seen on. CPU seconds are user and system time of the whole process; the machines were"
-    " shared with other work, so times are upper bounds. The release preset, g++ 12.2.",
+    " it and the machine that it was seen on. CPU seconds are user and system time of the whole process; the machines"
+    " were shared with other work, so times are upper bounds. The release preset, g++ 12.2.",
 ]
 
 

@@ -60,7 +60,8 @@ def commands_of(text):
             words = shlex.split(line.replace("`", ""), comments=True)
         except ValueError:
             words = line.split("#")[0].split()
-        words = [inner for word in words for inner in (word.split() if "fastscene " in word else [word])]  # bash -c '…'
+        # bash -c '… fastscene …'
+        words = [inner for word in words for inner in (word.split() if "fastscene " in word else [word])]
         is_path = words[:1] in (["git"], ["cd"])
         if not is_path:
             yield from ((number, words[i + 1:]) for i, word in enumerate(words) if word in PROGRAM_NAMES)
