@@ -18,16 +18,18 @@ namespace {
 
 // In the order of Role.
 constexpr std::array<std::string_view, static_cast<std::size_t>(Role::count_)> kRoleNames{
-    "shell",          "opening",      "countable",     "unbuilt",       "bed",
-    "along_wall",     "framed_bed",   "seat",          "easy_chair",    "sofa",
-    "sits_before",    "work_seat",    "work_place",    "takes_accent",  "takes_woven_accent",
-    "lamp_above",     "small",        "hung",          "likely_above",  "too_low_below",
-    "too_tall_below", "no_top",       "blind",         "ceiling_light", "overhead",
-    "light",          "litter",       "lies_on_seats", "soft",          "room_maker",
-    "main_piece",     "focus",        "centerpiece",   "at_edges",      "movable",
-    "moves_out",      "never_plural", "heap",          "tall",          "laid",
-    "vase",           "person",       "prefers_model", "in_groups",     "beside_window",
-    "garland"};
+    "shell",          "opening",        "countable",     "unbuilt",       "bed",
+    "along_wall",     "framed_bed",     "seat",          "easy_chair",    "sofa",
+    "sits_before",    "work_seat",      "work_place",    "takes_accent",  "takes_woven_accent",
+    "lamp_above",     "small",          "hung",          "likely_above",  "too_low_below",
+    "too_tall_below", "no_top",         "blind",         "ceiling_light", "overhead",
+    "light",          "litter",         "lies_on_seats", "soft",          "room_maker",
+    "main_piece",     "focus",          "centerpiece",   "at_edges",      "movable",
+    "moves_out",      "never_plural",   "heap",          "tall",          "laid",
+    "vase",           "person",         "prefers_model", "in_groups",     "beside_window",
+    "garland",        "nothing_above",  "on_mantels",    "under_windows", "between_beds",
+    "shows_motif",    "climbed",        "may_be_round",  "pet",           "drawn_up",
+    "rug_before",     "shades_windows", "spread_out"};
 
 constexpr std::array<std::string_view, 41> kNyu40{"outside",
                                                   "wall",
@@ -76,8 +78,8 @@ constexpr std::string_view kWords = "words";  // the file about models of the pa
 int label_named(const TomlTable& table) { return static_cast<int>(table.needed_choice("nyu40", kNyu40)); }
 
 Thing read_thing(const std::string& kind, const toml::table& found, const std::string& file) {
-    static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",  "floor_m2", "style",
-                                                "room",    "models", "on_top", "stand_in", "for_child"};
+    static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",      "floor_m2", "style",    "room",
+                                                "models",  "on_top", "small_form", "stand_in", "for_child"};
     const TomlTable table(found, file, "[" + kind + "]", kKeys);
     Thing t;
     t.kind = kind;
@@ -89,6 +91,7 @@ Thing read_thing(const std::string& kind, const toml::table& found, const std::s
     t.floor_m2 = static_cast<float>(table.number("floor_m2", 0, 0, kLargestPiece));
     t.style = table.text("style");
     t.room = table.text("room");
+    t.small_form = table.text("small_form");
     t.for_child = table.text("for_child");
     t.models = table.texts("models");
     t.stand_in = table.text("stand_in");
@@ -109,6 +112,7 @@ void check_references(const std::vector<Thing>& all) {
     };
     for (const Thing& t : all) {
         must_be_built(t, "stand_in", t.stand_in);
+        must_be_built(t, "small_form", t.small_form);
         must_be_built(t, "for_child", t.for_child);
         for (const TopHabit& habit : t.on_top) must_be_built(t, "on_top", habit.thing);
         if (t.has(Role::shell) && t.built)

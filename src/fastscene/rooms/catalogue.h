@@ -57,6 +57,18 @@ enum class Role : std::uint8_t {
     in_groups,           // several of them stand on one top
     beside_window,       // takes no floor beside a window that it hangs or stands beside
     garland,             // hung along an edge
+    nothing_above,       // hangs at eye height: nothing is hung above it
+    on_mantels,          // on a mantel it hangs at the wall above
+    under_windows,       // "facing the window": it stands below
+    between_beds,        // of a pair of beds and one of these, this stands between
+    shows_motif,         // "… of a lion" is what it shows
+    climbed,             // a ladder or stairs: of a bunk they are parts
+    may_be_round,        // "a round rug": its shape
+    pet,                 // may be asleep
+    drawn_up,            // asked for before a piece, it is turned to that
+    rug_before,          // a rug for it lies before it
+    shades_windows,      // too tall to stand near a window
+    spread_out,          // lies flat where others work
     count_               // not a role
 };
 
@@ -74,6 +86,7 @@ struct Thing {
     float floor_m2 = 0.f;             // floor that a wish for one adds to the room
     std::string style;                // who names no style, but this, means that style
     std::string room;                 // who names no room, but this, means that room
+    std::string small_form;           // what stands in its place on a table or a shelf
     std::string for_child;            // what stands in its place in a child's room
     std::vector<std::string> models;  // of the furniture pack that serve for it, best first
     std::string stand_in;             // the kind of ours that is built when there is no model

@@ -141,19 +141,30 @@ TEST(Catalogue, EveryRowCanBeBuiltPlacedAndSeen) {
     for (std::size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ(faults[i], "") << kinds[i];
 }
 
+// The worked example of docs/extend/thing.md is the rocking horse that ships.
+TEST(Catalogue, TheDocsShowTheBuilderAndTheRowThatShip) {
+    const std::string page = text_of(fs::path(FASTSCENE_SOURCE_DIR) / "docs/extend/thing.md");
+    const auto block = [&](const std::string& language) {
+        const std::size_t fence = page.find("```" + language + "\n"), from = fence + language.size() + 4;
+        return fence == std::string::npos ? "no block" : page.substr(from, page.find("```", from) - from);
+    };
+    EXPECT_NE(text_of(kRooms / "furniture/toys/rocking_horse.cc").find(block("cpp")), std::string::npos);
+    EXPECT_NE(text_of(kRooms / "catalogue/toys.toml").find(block("toml")), std::string::npos);
+}
+
 // What is known of a kind stands in its row. Code that still names kinds is counted here, a file a row: the numbers may
 // only sink. Parts of the shell are not counted: walls and windows are built by name.
 const std::map<std::string, int> kStillNamed{
     {"layout.cc", 10},
     {"layout_anneal.cc", 4},
-    {"layout_asked.cc", 24},
-    {"layout_asked_places.cc", 69},
+    {"layout_asked.cc", 14},
+    {"layout_asked_places.cc", 67},
     {"layout_cost.cc", 2},
     {"layout_floor.cc", 1},
     {"layout_furnisher.cc", 24},
     {"layout_groups.cc", 208},
     {"layout_small.cc", 8},
-    {"layout_touches.cc", 153},
+    {"layout_touches.cc", 150},
     {"layout_ways.cc", 1},
     {"layout_wishes.cc", 4},
     {"pack_choice.cc", 3},
@@ -163,9 +174,9 @@ const std::map<std::string, int> kStillNamed{
     {"prompt_bind.cc", 17},
     {"prompt_globals.cc", 1},
     {"prompt_measure.cc", 4},
-    {"prompt_nouns.cc", 73},
+    {"prompt_nouns.cc", 62},
     {"prompt_quantity.cc", 28},
-    {"prompt_relate.cc", 32},
+    {"prompt_relate.cc", 20},
     {"prompt_rooms.cc", 22},
     {"prompt_themes.cc", 43},
     {"rooms.cc", 22},

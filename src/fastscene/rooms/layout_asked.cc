@@ -147,8 +147,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree", "hanging_plant"}))
-            smaller.klass = "plant_small";
+        if (const Thing* thing = find_thing(r.klass); thing && !smaller.model && !thing->small_form.empty())
+            smaller.klass = thing->small_form;
         // On a bathtub's rim they stand one by one.
         if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
@@ -216,8 +216,7 @@ std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const Pie
     const bool seat = has_role(klass, Role::sits_before);
     const bool seat_at_work = has_role(klass, Role::work_seat) && has_role(whose, Role::work_place);
     const bool pair = seat && ask.wish->count > 1;  // side by side
-    if (!pair && (has_role(klass, Role::easy_chair) || is_one_of(klass, {"armchair", "loveseat"})) &&
-        !has_role(whose, Role::bed) && !has_role(whose, Role::sofa)) {
+    if (!pair && has_role(klass, Role::drawn_up) && !has_role(whose, Role::bed) && !has_role(whose, Role::sofa)) {
         // Drawn up to the fire, turned to it.
         const Insisting insisting(l_, *ask.wish);
         if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
@@ -257,8 +256,7 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
     const Vec3f s = size(anchor);
     const std::string& whose = klass_of(anchor);
     const bool along = has_role(whose, Role::along_wall), bed = has_role(whose, Role::bed) && !along,
-               seat = has_role(whose, Role::easy_chair) ||
-                      is_one_of(whose, {"sofa", "loveseat", "armchair", "chaise_longue"});
+               seat = has_role(whose, Role::rug_before);
     if (ask.relation == "between") {
         const Placed* other = nullptr;
         for (const Placed& p : l_.placed())

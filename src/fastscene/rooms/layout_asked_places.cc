@@ -307,7 +307,7 @@ std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& 
                      l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth};
     };
     const auto ladder = l_.find("step_ladder");
-    if (is_one_of(wish.klass, {"drop_cloth", "paper_litter"})) {
+    if (has_role(wish.klass, Role::spread_out)) {
         if (ladder && wish.klass == "drop_cloth")
             if (const auto i = l_.lay(flat(at(*ladder).position), at(*ladder).yaw, r, wish)) return i;
         for (int tries = 0; tries < 16; ++tries)

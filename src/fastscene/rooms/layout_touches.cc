@@ -88,7 +88,7 @@ class Touches {
             });
             if (standing >= wanted) return;
             if (klass.empty() || is_settled(klass)) continue;
-            const bool tall = klass == "bookshelf" || klass == "cabinet" || klass == "ladder_shelf";
+            const bool tall = has_role(klass, Role::shades_windows);
             l_.against_wall(l_.request(std::string(klass)),
                             {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }

@@ -250,7 +250,7 @@ void heed_the_room(Matches& m) {
             m[i].plural = w == "carpets";  // the plural is of a rug
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
-        if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() &&
+        if (m[i].is(WordKind::object) && has_role(m[i].word->meaning, Role::may_be_round) && m[i].word->adds.empty() &&
             take_round(m, i))
             m[i].word->adds = "pattern=round";
         // Painters bring steps of their own; a library's ladder leans.
@@ -259,7 +259,7 @@ void heed_the_room(Matches& m) {
             }))
             m[i].word = Word{WordKind::object, "step_ladder"};
         // A bunk's ladder or stairs are parts of it.
-        if (is_one_of(m[i].word->meaning, {"staircase", "step_ladder", "ladder"}) && m[i].is(WordKind::object)) {
+        if (has_role(m[i].word->meaning, Role::climbed) && m[i].is(WordKind::object)) {
             const auto bunk = std::find_if(m.begin(), m.end(), [](const Match& x) {
                 return x.is(WordKind::object) && has_role(x.word->meaning, Role::framed_bed);
             });
@@ -334,8 +334,7 @@ std::string motif_of(const std::string& words) {
 // there.
 void name_likenesses(Matches& m) {
     const auto shows = [](const Match& x) {
-        return x.is(WordKind::object) && (x.word->meaning == "picture" || x.word->meaning == "photo_frame" ||
-                                          x.word->meaning == "statue" || x.word->meaning == "sculpture");
+        return x.is(WordKind::object) && has_role(x.word->meaning, Role::shows_motif);
     };
     const auto is_person = [](const Match& x) {
         return x.is(WordKind::object) && has_role(x.word->meaning, Role::person);
@@ -366,7 +365,7 @@ void name_kinds(Matches& m) {
         // "a sleeping cat", "a dog asleep on the rug": told by the words next to it.
         for (const std::size_t k : {i, i + 1}) {
             const std::size_t animal = k == i ? i + 1 : i;
-            if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"})) continue;
+            if (!m[animal].is(WordKind::object) || !has_role(m[animal].word->meaning, Role::pet)) continue;
             const std::string verb = m[k].words.substr(0, m[k].words.find(' '));
             if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled",
                                   "sleepy", "lying", "lies"}))
