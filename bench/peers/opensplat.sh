@@ -1,26 +1,24 @@
 #!/usr/bin/env bash
-# Our trainer beside OpenSplat 1.2.0 (AGPL; fetched and built beside this project, never part of it), both on one thread,
-# CPU time: cost of a step at equal N, loss and settings, and CPU seconds until OpenSplat's own held-out PSNR.
-#   bench/peers/opensplat.sh [WORK]        WORK: scratch folder; WORK/OpenSplat may hold the sources already
-# Needs libtorch-dev libopencv-dev cmake ninja-build git time. Builds on Debian 12 after one change: libtorch 1.13's
-# Optimizer::zero_grad cannot drop the gradients, so they are dropped by hand.
-# Two scenes: a room seen from within (a fifth of the splats in view, as in what this project makes) and a ring around a stage (all of
-# them in view). SCENES="room" or "stage" asks for one.
+# Our trainer beside OpenSplat 1.2.0, both on one thread: CPU time of a step at equal Gaussians, loss and settings, and
+# CPU seconds until OpenSplat's own held-out PSNR.
+#   OPENSPLAT=/path/to/opensplat bench/peers/opensplat.sh [WORK]      WORK: scratch folder, default out/opensplat
+# OPENSPLAT is a CPU build of that program. Needs GNU time and taskset.
+# Two scenes: a room seen from within (a fifth of the splats in view, as in what this project makes) and a ring around a
+# stage (all of them in view). SCENES="room" or "stage" asks for one.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
+fail() { echo "opensplat.sh: $*" >&2; exit 2; }
+program=${OPENSPLAT:-}
+[ -n "$program" ] || fail "OPENSPLAT: expected the path of the program opensplat, found nothing"
+[ -f "$program" ] && [ -x "$program" ] || fail "OPENSPLAT=$program: expected a program, found none"
+[ -x /usr/bin/time ] || fail "expected GNU time at /usr/bin/time, found none: apt-get install time"
 work=$(realpath -m "${1:-$here/out/opensplat}")
 peer=$here/build/release/bin/bench_peer fit=$here/build/release/bin/bench_fit
-commit=bd0400db58aa14c597bf2f99c4b68cdef7b6134d
+for built in "$peer" "$fit"; do
+  [ -x "$built" ] || fail "$built: expected our bench program, found none: ninja -C build/release bench_peer bench_fit"
+done
 export OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive
 mkdir -p "$work"
-
-program=$work/OpenSplat/build/opensplat
-if [ ! -x "$program" ]; then
-  [ -d "$work/OpenSplat" ] || { git clone -q https://github.com/WebODM/OpenSplat "$work/OpenSplat"; git -C "$work/OpenSplat" checkout -q $commit; }
-  sed -i 's/opt->zero_grad(true);/for (auto\& group : opt->param_groups()) for (auto\& p : group.params()) p.mutable_grad() = torch::Tensor();/' "$work/OpenSplat/model.cpp"
-  cmake -S "$work/OpenSplat" -B "$work/OpenSplat/build" -G Ninja -DGPU_RUNTIME=CPU -DCMAKE_BUILD_TYPE=Release >"$work/cmake.log"
-  nice ninja -j1 -C "$work/OpenSplat/build" >"$work/build.log"
-fi
 
 # CPU seconds of a run of OpenSplat: fixed number of Gaussians, every parameter stepped every time, degree 0 active.
 opensplat() {  # DATA STEPS OUT

@@ -35,7 +35,7 @@ TEST(Judge, TellsWhatHoldsFromPosesAlone) {
     EXPECT_FALSE(holds("plant", "above", "sofa")) << "there is none";
 }
 
-// One room a sentence; bench_relations makes more (docs/benchmarks/rooms.md).
+// One room a sentence; bench_relations makes more (docs/benchmarks.md).
 TEST(Relations, MostStandWhereTheSentenceSays) {
     std::vector<std::string> complaints;
     const auto pack = FurniturePack::open(FurniturePack::default_folder(), Assets::cc0, complaints);

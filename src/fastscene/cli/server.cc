@@ -8,6 +8,7 @@
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
 
 namespace fastscene::cli {

@@ -26,7 +26,7 @@ class DepthEstimator {
 };
 
 // The weights that come with the program, the finest first: in rooms together better than the coarser one alone, on
-// photographs than the finer, and both than a box (docs/benchmarks/depth.md).
+// photographs than the finer, and both than a box (docs/benchmarks.md).
 inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-256", "egformer-rooms"};
 
 // What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where

@@ -117,7 +117,7 @@ void MeasureSheet::show_pairs(const std::string& caption, const Labelled& truth,
 fs::path MeasureSheet::kept(const std::string& name, const Json& params,
                             const std::function<void(const fs::path&)>& make) {
     make_directories(in_.work);
-    run_stage(in_.work, name, stage_key("metrics", params, {name}, 0), run_, make);
+    run_stage(in_.work, name, stage_key("measures", params, {name}, 0), run_, make);
     return in_.work / name;
 }
 

@@ -9,7 +9,7 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/metrics/images.h"
 #include "fastscene/pipeline/hole_report.h"
-#include "fastscene/pipeline/stages.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/splat/splat.h"
 #include "fastscene/pipeline/truth.h"
 

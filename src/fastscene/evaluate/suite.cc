@@ -6,7 +6,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/columns.h"
-#include "fastscene/evaluate/toml_table.h"
+#include "fastscene/io/toml_table.h"
 #include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
@@ -352,13 +352,7 @@ const std::vector<std::string>& measure_names() {
 }
 
 Suite read_suite(std::string_view text, const std::string& name, const fs::path& file, const std::string& quality) {
-    toml::table document;
-    try {
-        document = toml::parse(text, file.string());
-    } catch (const toml::parse_error& e) {
-        throw Error("{}:{}: expected TOML: {}", file.string(), static_cast<unsigned>(e.source().begin.line),
-                    e.description());
-    }
+    const toml::table document = parse_toml(text, file.string());
     return Reader(document, name, file, quality).read();
 }
 

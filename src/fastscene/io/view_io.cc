@@ -10,6 +10,7 @@
 #include "fastscene/io/colmap.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/ply.h"
+#include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
 namespace {
@@ -61,14 +62,9 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
 Json transforms_json(const std::vector<View>& views) {
     Json frames = Json::array();
     for (const View& view : views) {
-        const Mat3f& r = view.world_from_camera.rotation;
-        const Vec3f t = view.world_from_camera.translation;
-        Json matrix = Json::array();
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Vec3f row = i == 0 ? r.row0 : i == 1 ? r.row1 : r.row2;
-            matrix.push_back({shortest(row.x), shortest(-row.y), shortest(-row.z), shortest(t[i])});
-        }
-        matrix.push_back({0, 0, 0, 1});
+        Rigid pose = view.world_from_camera;
+        for (Vec3f* row : {&pose.rotation.row0, &pose.rotation.row1, &pose.rotation.row2})
+            *row = {row->x, -row->y, -row->z};
         const Pinhole& c = view.camera;
         frames.push_back({{"file_path", "images/" + view.name},
                           {"w", c.width},
@@ -77,7 +73,7 @@ Json transforms_json(const std::vector<View>& views) {
                           {"fl_y", shortest(c.fy)},
                           {"cx", shortest(c.cx)},
                           {"cy", shortest(c.cy)},
-                          {"transform_matrix", std::move(matrix)}});
+                          {"transform_matrix", json_from_pose(pose)}});
     }
     return {{"camera_model", "OPENCV"}, {"ply_file_path", "sparse/0/points3D.ply"}, {"frames", std::move(frames)}};
 }

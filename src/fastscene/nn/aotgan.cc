@@ -50,7 +50,7 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
     use_our_threads();
     const c10::InferenceMode inference;
     const auto n = static_cast<std::int64_t>(pictures.size());
-    // Pixel by pixel in memory, a network of few channels takes less time (docs/benchmarks/inpaint.md).
+    // Pixel by pixel in memory, a network of few channels takes less time (docs/benchmarks.md).
     const at::TensorOptions by_pixels = at::TensorOptions(at::kFloat).memory_format(at::MemoryFormat::ChannelsLast);
     at::Tensor input = at::empty({n, 3, h, w}, by_pixels), mask = at::empty({n, 1, h, w}, by_pixels);
     auto in = input.accessor<float, 4>(), hole = mask.accessor<float, 4>();

@@ -13,7 +13,7 @@ struct DiffusionMemory {
     std::int64_t largest = 0;  // the largest single parameter: what low memory holds at a time
     bool tiled = false;        // the picture is decoded in tiles of 512 x 512, not in bands as wide as it is
 };
-// The most that a run holds at one time, bytes. Working memory is what was measured (docs/benchmarks/diffusion.md).
+// The most that a run holds at one time, bytes. Working memory is what was measured (docs/benchmarks.md).
 std::int64_t diffusion_memory(const DiffusionMemory& run);
 
 // The same for Stable Diffusion 1.5's sizes (860 million numbers in the denoiser), for tables. precision: float or

@@ -10,6 +10,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/dataset_parts.h"
+#include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
 namespace {
@@ -151,13 +152,6 @@ int class_of(const Room& room, std::int32_t object, Vec3f normal) {
     return nyu40_of(room.objects[static_cast<std::size_t>(object)].klass);
 }
 
-Json matrix_json(const Rigid& r) {
-    const Mat3f& m = r.rotation;
-    const Vec3f t = r.translation;
-    return Json::array({Json{m.row0.x, m.row0.y, m.row0.z, t.x}, Json{m.row1.x, m.row1.y, m.row1.z, t.y},
-                        Json{m.row2.x, m.row2.y, m.row2.z, t.z}, Json{0, 0, 0, 1}});
-}
-
 Json instances_json(const Room& room, const Image<std::int32_t>& object) {
     std::vector<int> pixels(room.objects.size(), 0);
     for (const std::int32_t i : object.pixels)
@@ -209,23 +203,24 @@ void make_picture(const Plan& plan, const TracedRoom& room, const std::string& p
                                      {"cx", camera.pinhole.cx},
                                      {"cy", camera.pinhole.cy}};
     const Look& look = room.room().look;
-    write_json(plan.file(picture, ".json"), {{"picture", picture},
-                                             {"room", picture / request.params.views},
-                                             {"prompt", prompt},
-                                             {"color", name(color_ending)},
-                                             {"range", name(".range.png")},
-                                             {"normal", name(".normal.png")},
-                                             {"class", name(".class.png")},
-                                             {"instance", name(".instance.png")},
-                                             {"camera", lens},
-                                             {"world_from_camera", matrix_json(camera.world_from_camera)},
-                                             {"look",
-                                              {{"exposure_ev", look.exposure_ev},
-                                               {"white", {look.white.x, look.white.y, look.white.z}},
-                                               {"contrast", look.contrast},
-                                               {"saturation", look.saturation}}},
-                                             {"film", clean ? Json() : to_json(film)},
-                                             {"instances", instances_json(room.room(), shot.object)}});
+    write_json(plan.file(picture, ".json"),
+               {{"picture", picture},
+                {"room", picture / request.params.views},
+                {"prompt", prompt},
+                {"color", name(color_ending)},
+                {"range", name(".range.png")},
+                {"normal", name(".normal.png")},
+                {"class", name(".class.png")},
+                {"instance", name(".instance.png")},
+                {"camera", lens},
+                {"world_from_camera", json_from_pose(camera.world_from_camera, Decimals::exact)},
+                {"look",
+                 {{"exposure_ev", look.exposure_ev},
+                  {"white", {look.white.x, look.white.y, look.white.z}},
+                  {"contrast", look.contrast},
+                  {"saturation", look.saturation}}},
+                {"film", clean ? Json() : to_json(film)},
+                {"instances", instances_json(room.room(), shot.object)}});
 }
 
 void check_request(const DatasetRequest& request) {

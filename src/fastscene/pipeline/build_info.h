@@ -1,8 +1,6 @@
-// What this program was built from: its version, its compiler, and a hash of the sources of each stage,
-// so that a cached stage is made again when the code behind it has changed.
+// What this program was built from: its version and its compiler.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "fastscene/base/json.h"
@@ -11,8 +9,6 @@ namespace fastscene {
 
 std::string_view program_version();
 std::string_view source_dir();  // where the checkout was at build time
-// Hash of the sources that the stage stands on: its own room and all lower floors.
-std::string code_version(std::string_view stage);
 // Versions and machine, for run.json, report.json and `fastscene version`.
 Json build_json();
 

@@ -1,6 +1,7 @@
 #include "fastscene/pipeline/cached_weights.h"
 
 #include "fastscene/models/cache.h"
+#include "fastscene/pipeline/resolve.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/stage_cache.h"
-#include "fastscene/pipeline/stages.h"
+#include "fastscene/pipeline/stage_splat.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -192,7 +192,7 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
 
     const Json params{{"splat", fields_json(request.splat)}, {"photos", fields_json(request.photos)}};
     const StageRecord record = run_stage(
-        folder.root, "splat", stage_key("splat", params, {identity}, run.seed), run,
+        folder.root, "splat", stage_key("capture", params, {identity}, run.seed), run,
         [&](const fs::path& out) { make_capture_splat(request, capture, folder, out, run); });
     if (record.skipped) run.note("splat: already made");
     run.check_stop();

@@ -10,7 +10,7 @@
 #include "fastscene/image/label.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
-#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/stage_code.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/style.h"
 

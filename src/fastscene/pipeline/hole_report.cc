@@ -8,7 +8,6 @@
 #include "fastscene/io/plot_svg.h"
 #include "fastscene/pipeline/pipeline.h"
 #include "fastscene/pipeline/same_room.h"
-#include "fastscene/pipeline/stages.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;

@@ -11,7 +11,7 @@
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/picture_check.h"
 #include "fastscene/pipeline/build_info.h"
-#include "fastscene/pipeline/stages.h"
+#include "fastscene/pipeline/resolve.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;

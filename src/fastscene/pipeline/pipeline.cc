@@ -13,9 +13,16 @@
 #include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/resolve.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/splat_settings.h"
 #include "fastscene/pipeline/stage_cache.h"
+#include "fastscene/pipeline/stage_depth.h"
 #include "fastscene/pipeline/stage_events.h"
+#include "fastscene/pipeline/stage_panorama.h"
+#include "fastscene/pipeline/stage_splat.h"
+#include "fastscene/pipeline/stage_views.h"
+#include "fastscene/pipeline/stage_walk.h"
 #include "fastscene/scene/walkable_json.h"
 
 namespace fastscene {

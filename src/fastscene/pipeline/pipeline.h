@@ -9,7 +9,7 @@
 #include "fastscene/base/run.h"
 #include "fastscene/pipeline/quality.h"
 #include "fastscene/pipeline/run_folder.h"
-#include "fastscene/pipeline/stages.h"
+#include "fastscene/pipeline/source.h"
 
 namespace fastscene {
 

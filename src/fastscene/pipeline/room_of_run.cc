@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fastscene/io/image_io.h"
+#include "fastscene/pipeline/resolve.h"
 #include "fastscene/pipeline/same_room.h"
 
 namespace fastscene {

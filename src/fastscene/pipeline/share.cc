@@ -13,7 +13,7 @@
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/build_info.h"
-#include "fastscene/pipeline/stages.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/scene/walkable_json.h"
 #include "fastscene/splat/splat.h"
 

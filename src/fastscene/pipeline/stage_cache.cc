@@ -10,7 +10,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
-#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/stage_code.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fastscene/base/file.h"
-#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/stage_code.h"
 #include "fastscene/pipeline/run_folder.h"
 
 namespace fastscene {

@@ -8,6 +8,8 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/pipeline.h"
 #include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/pipeline/run_files.h"
+#include "fastscene/pipeline/splat_settings.h"
 #include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {

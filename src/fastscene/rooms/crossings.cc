@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/plan.h"
 
@@ -113,15 +114,8 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     if (deepest.depth_m > tolerance) found.push_back(deepest);
 }
 
-bool is_soft(std::string_view klass) {
-    static constexpr std::array<std::string_view, 7> kSoft{"rug",        "cushion", "throw", "curtain",
-                                                           "teddy_bear", "cat",     "dog"};
-    return std::find(kSoft.begin(), kSoft.end(), klass) != kSoft.end();
-}
-
-bool is_hung(std::string_view klass) {
-    return furnishing::lights_from_above(klass) || klass == "disco_ball" || klass == "hanging_plant";
-}
+bool is_soft(std::string_view klass) { return has_role(klass, Role::soft); }
+bool is_hung(std::string_view klass) { return has_role(klass, Role::overhead); }
 
 std::vector<Body> bodies_of(const Room& room) {
     std::vector<Body> objects(room.objects.size()), shell;

@@ -57,7 +57,7 @@ struct PieceRequest {
     float size_factor = 1.f;                        // of the usual size, in [0.5, 2]
     std::uint64_t seed = 0;
     Vec3f size_m{};  // components > 0 ask for that extent; kept by rugs, curtains, kitchen_counter,
-                     // pictures, mirrors, shelves, tables, single candles (see furniture_*.cc), others scale to it
+                     // pictures, mirrors, shelves, tables, single candles (see furniture/), others scale to it
 
     // A model of the furniture pack to be used in place of our own builder (pack.h); both null: none.
     std::shared_ptr<const FurniturePack> pack{};
@@ -72,13 +72,6 @@ inline constexpr float kMonitorStep = 0.59f;        // from one monitor to the n
 
 // Throws Error for an unknown class. Deterministic in the request.
 Piece make_piece(const PieceRequest& request);
-
-// What one sleeps in, of any form; those whose long side stands at the wall.
-bool is_bed(std::string_view klass);
-bool lies_along_wall(std::string_view klass);
-// Seats for one that are no armchairs and yet stand where those do.
-bool is_easy_chair(std::string_view klass);
-const std::vector<std::string>& easy_chairs();
 
 // Every class make_piece knows, sorted: "armchair", "bed", "bed_single", …
 const std::vector<std::string>& piece_classes();

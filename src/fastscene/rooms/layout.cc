@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
 
@@ -239,11 +240,9 @@ Vec3f as_measured(const PieceRequest& usual, Vec3f said) {
 
 // What the prompt says that furniture of this kind is made of, whichever it is.
 std::string Layout::accent_of(const std::string& klass) const {
-    const bool seat = is_one_of(klass, {"sofa", "loveseat", "armchair"});
+    const bool seat = has_role(klass, Role::takes_accent);
     for (const std::string& m : spec_.accents) {
-        if (is_one_of(m, {"rattan", "wicker", "cane"}) &&
-            (seat || is_one_of(klass, {"chair", "coffee_table", "side_table"})))
-            return m;
+        if (is_one_of(m, {"rattan", "wicker", "cane"}) && has_role(klass, Role::takes_woven_accent)) return m;
         if (is_one_of(m, {"leather", "velvet"}) && seat) return m;
     }
     return {};

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <optional>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/validate.h"
 
 namespace fastscene {
@@ -154,8 +155,9 @@ class Annealer {
         if (roll < 0.65f) put(g, position + Vec3f{far * dice_.normal(), 0, far * dice_.normal()}, yaw);
         else
             put(g, position,
-                yaw + (at(g.root).piece.klass == "armchair" || is_easy_chair(at(g.root).piece.klass) ? kPi / 12
-                                                                                                     : kPi / 2) *
+                yaw + (at(g.root).piece.klass == "armchair" || has_role(at(g.root).piece.klass, Role::easy_chair)
+                           ? kPi / 12
+                           : kPi / 2) *
                           (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
         return {k};
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
@@ -102,7 +103,8 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     if (i) return i;
     if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
     else if (ask.wish->klass == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
-    else if (ask.relation == "at the foot of" && is_bed(klass_of(anchor)) && lies_on_seats(ask.wish->klass))
+    else if (ask.relation == "at the foot of" && has_role(klass_of(anchor), Role::bed) &&
+             lies_on_seats(ask.wish->klass))
         i = at_the_foot(anchor, r, *ask.wish);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
@@ -145,8 +147,8 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (!smaller.model && is_one_of(r.klass, {"plant", "plant_tree", "hanging_plant"}))
-            smaller.klass = "plant_small";
+        if (const Thing* thing = find_thing(r.klass); thing && !smaller.model && !thing->small_form.empty())
+            smaller.klass = thing->small_form;
         // On a bathtub's rim they stand one by one.
         if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
@@ -158,7 +160,7 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
 // "A blanket at the foot of the bed" lies on it there, across.
 std::optional<int> Furnisher::at_the_foot(int anchor, const PieceRequest& r, const PromptObject& wish) {
     const Placed bed = at(anchor);
-    const bool along = lies_along_wall(bed.piece.klass);
+    const bool along = has_role(bed.piece.klass, Role::along_wall);
     const float half = 0.5f * (along ? bed.piece.size_m.x : bed.piece.size_m.z);
     for (const float from_end : {0.5f, 0.62f, 0.42f, 0.75f})
         for (const float side : {1.f, -1.f}) {
@@ -211,25 +213,23 @@ std::optional<int> Furnisher::under_piece(int anchor, const Ask& ask, const Piec
 std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const PieceRequest& r) {
     const std::string& klass = ask.wish->klass;
     const std::string& whose = klass_of(anchor);
-    const bool seat = is_easy_chair(klass) ||
-                      is_one_of(klass, {"armchair", "chair", "office_chair", "stool", "bar_stool", "sofa", "loveseat"});
-    const bool seat_at_work = is_one_of(klass, {"chair", "office_chair", "stool"}) &&
-                              is_one_of(whose, {"desk", "dining_table", "piano", "dresser"});
+    const bool seat = has_role(klass, Role::sits_before);
+    const bool seat_at_work = has_role(klass, Role::work_seat) && has_role(whose, Role::work_place);
     const bool pair = seat && ask.wish->count > 1;  // side by side
-    if (!pair && (is_easy_chair(klass) || is_one_of(klass, {"armchair", "loveseat"})) && !is_bed(whose) &&
-        !is_one_of(whose, {"sofa", "loveseat"})) {
+    if (!pair && has_role(klass, Role::drawn_up) && !has_role(whose, Role::bed) && !has_role(whose, Role::sofa)) {
         // Drawn up to the fire, turned to it.
         const Insisting insisting(l_, *ask.wish);
         if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
     }
-    const float gap = seat_at_work                               ? (klass == "office_chair" ? -0.2f : 0.05f)
-                      : is_bed(whose) && !lies_along_wall(whose) ? 0.06f
-                      : klass == "coffee_table"                  ? 0.42f
-                      : seat                                     ? 0.9f
-                                                                 : 0.35f;
+    const float gap = seat_at_work ? (klass == "office_chair" ? -0.2f : 0.05f)
+                      : has_role(whose, Role::bed) && !has_role(whose, Role::along_wall) ? 0.06f
+                      : klass == "coffee_table"                                          ? 0.42f
+                      : seat                                                             ? 0.9f
+                                                                                         : 0.35f;
     const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
     for (const float g : {gap, std::max(gap, 0.05f), 0.6f, 1.f})
-        if (const auto i = l_.in_front_of(anchor, r, g, seat && !is_bed(whose), *ask.wish, aside)) return i;
+        if (const auto i = l_.in_front_of(anchor, r, g, seat && !has_role(whose, Role::bed), *ask.wish, aside))
+            return i;
     return {};
 }
 
@@ -255,8 +255,8 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
 std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequest& r) {
     const Vec3f s = size(anchor);
     const std::string& whose = klass_of(anchor);
-    const bool along = lies_along_wall(whose), bed = is_bed(whose) && !along,
-               seat = is_easy_chair(whose) || is_one_of(whose, {"sofa", "loveseat", "armchair", "chaise_longue"});
+    const bool along = has_role(whose, Role::along_wall), bed = has_role(whose, Role::bed) && !along,
+               seat = has_role(whose, Role::rug_before);
     if (ask.relation == "between") {
         const Placed* other = nullptr;
         for (const Placed& p : l_.placed())

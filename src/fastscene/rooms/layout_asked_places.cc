@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 
@@ -12,7 +13,7 @@ namespace {
 // Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of
 // it.
 bool stands_at_walls(const Piece& piece) {
-    return piece.against_wall && piece.size_m.y > (lies_along_wall(piece.klass) ? 1.f : 1.4f);
+    return piece.against_wall && piece.size_m.y > (has_role(piece.klass, Role::along_wall) ? 1.f : 1.4f);
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
         return ask.relation == "in the middle" ? l_.lay({0, 0}, 0, sized, wish) : std::nullopt;
     }
     // Lights, leaves and pennants around a window hang along its upper edge.
-    if (is_one_of(wish.klass, {"string_lights", "garland", "bunting"}) && ask.relation != "opposite")
+    if (has_role(wish.klass, Role::garland) && ask.relation != "opposite")
         for (const Opening& o : l_.plan().openings) {
             if (!is_opening_of(o, ask.at)) continue;
             PieceRequest strand = r;
@@ -159,7 +160,7 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
     if (const auto i = on_those(false)) return i;
     // A small table is brought for it.
     const std::string& whose = anchor ? klass_of(*anchor) : wish.relation_to;
-    const bool bed = is_bed(whose);
+    const bool bed = has_role(whose, Role::bed);
     const std::string klass = bed ? "nightstand" : "side_table";
     if (!wishes_.forbids(klass)) {
         const PieceRequest table = l_.request(klass);
@@ -306,7 +307,7 @@ std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& 
                      l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth};
     };
     const auto ladder = l_.find("step_ladder");
-    if (is_one_of(wish.klass, {"drop_cloth", "paper_litter"})) {
+    if (has_role(wish.klass, Role::spread_out)) {
         if (ladder && wish.klass == "drop_cloth")
             if (const auto i = l_.lay(flat(at(*ladder).position), at(*ladder).yaw, r, wish)) return i;
         for (int tries = 0; tries < 16; ++tries)

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_anneal.h"
 #include "fastscene/rooms/layout_relations.h"
 
@@ -120,11 +120,11 @@ class Costing {
     float facing() const {
         float sum = 0;
         for (const std::size_t i : floor_) {
-            if (!is_one_of(klass(i), {"sofa", "loveseat"})) continue;
+            if (!has_role(klass(i), Role::sofa)) continue;
             const Box& sofa = boxes_[i];
             float best = -1;
             for (const std::size_t k : floor_) {
-                if (!is_one_of(klass(k), {"tv_stand", "fireplace"})) continue;
+                if (!has_role(klass(k), Role::focus)) continue;
                 const Vec2f to = boxes_[k].center - sofa.center;
                 const float far = length(to), ahead = dot(to, sofa.front), side = std::abs(dot(to, sofa.right));
                 const float c = 0.5f * (1 - ahead / std::max(far, 0.1f)) +
@@ -145,15 +145,12 @@ class Costing {
         return sum;
     }
 
-    bool is_main(std::size_t i) const {
-        return (is_bed(klass(i)) && klass(i) != "crib") ||
-               is_one_of(klass(i), {"sofa", "loveseat", "tv_stand", "fireplace", "sideboard", "desk", "piano"});
-    }
+    bool is_main(std::size_t i) const { return has_role(klass(i), Role::main_piece); }
     float alignment() const {
         float sum = 0;
         for (const std::size_t i : floor_) {
             const Box& b = boxes_[i];
-            if (is_one_of(klass(i), {"dining_table", "coffee_table", "kitchen_island"}) && root_[i] == i)
+            if (has_role(klass(i), Role::centerpiece) && root_[i] == i)
                 sum += 0.3f * std::abs(std::sin(2 * placed_[i].yaw)) + 0.2f * share(length(b.center), 1.5f);
             if (!is_main(i)) continue;
             for (const WallFace& face : faces_) {
@@ -176,7 +173,7 @@ class Costing {
             const float a = 4 * b.half.x * b.half.y;
             area += a;
             center = center + b.center * a;
-            if (b.y1 > 1.3f || is_one_of(klass(i), {"tv_stand", "fireplace"}))
+            if (b.y1 > 1.3f || has_role(klass(i), Role::focus))
                 for (const Opening& o : plan_.openings) {
                     if (o.kind != Opening::Kind::window) continue;
                     const WallFace face = plan_.wall(o.wall);
@@ -187,7 +184,7 @@ class Costing {
                     if (along < 0.3f && deep < 1.f) sum += share(0.3f - along, 0.3f);
                 }
             if (is_main(i) && b.front.y > 0.9f && b.center.y < -half.y + 1.f) sum += 0.25f;
-            if (root_[i] == i && is_one_of(klass(i), {"plant", "plant_tree", "basket", "floor_lamp", "coat_rack"}))
+            if (root_[i] == i && has_role(klass(i), Role::at_edges))
                 sum += 0.15f *
                        share(std::max(half.x - std::abs(b.center.x), half.y - std::abs(b.center.y)) - 0.3f, 1.2f);
         }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene {
 namespace {
@@ -201,7 +202,7 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
         for (const float side : {0.f, 0.6f, -0.6f}) {
             const float slack = (a.piece.size_m.x - 2 * kLegs - wide) / 2;
             // Below a bed near its front, away from the ladder at its foot.
-            const bool bed = is_bed(a.piece.klass);
+            const bool bed = has_role(a.piece.klass, Role::bed);
             p.position = a.position + right_of(a.yaw) * ((bed ? side - 0.6f : side) * slack);
             if (bed) p.position += front_of(a.yaw) * std::max(0.f, (a.piece.size_m.z - deep) / 2 - kInsideBed);
             p.position.y = 0;

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::furnishing {
 
 std::string_view for_a_child(std::string_view thing) {
-    if (is_one_of(thing, {"vase", "vase_small"})) return "teddy_bear";
-    if (is_one_of(thing, {"candle", "sculpture", "bowl", "bottles"})) return "toy_blocks";
-    if (is_one_of(thing, {"tray", "magazines"})) return "book_stack";
-    return thing;
+    const Thing* row = find_thing(thing);
+    return row && !row->for_child.empty() ? std::string_view(row->for_child) : thing;
 }
 
 std::string picture_for_a_child(Layout& layout) {
@@ -54,10 +53,7 @@ void Furnisher::put(const std::string& klass, float probability, const How& how,
     const PromptObject* wish = wishes_.next(klass);
     if (!wish && (!is_furnished() || is_settled(l_.spec(), klass))) return;
     // Who left took the pictures, and the plants have died; who likes few things has half of what others have.
-    if (!wish && is_left() &&
-        is_one_of(klass, {"picture", "plant", "plant_tree", "plant_small", "vase", "candle", "bowl", "cushion", "throw",
-                          "floor_lamp", "table_lamp", "tv"}))
-        return;
+    if (!wish && is_left() && has_role(klass, Role::moves_out)) return;
     if (!wish && l_.spec().clutter == "minimal") probability *= 0.5f;
     if (!wish && !adding_) {
         if (probability > 0) later_.push_back([=, this] { put(klass, probability, how, then); });

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::furnishing {
 namespace {
@@ -41,7 +42,7 @@ void Furnisher::sleeping_place_along(const std::string& klass) {
 }
 
 void Furnisher::sleeping_place(const std::string& klass) {
-    if (lies_along_wall(klass)) return sleeping_place_along(klass);
+    if (has_role(klass, Role::along_wall)) return sleeping_place_along(klass);
     const auto found = main_at_wall(klass, {.center_pull = 1.2f, .window_pull = -0.8f});
     if (!found) return;
     const int bed = *found;
@@ -68,7 +69,7 @@ std::string Furnisher::first_asked(std::initializer_list<const char*> classes) c
 }
 
 std::string Furnisher::easy_chair() const {
-    for (const std::string& klass : easy_chairs())
+    for (const std::string& klass : kinds_with(Role::easy_chair))
         if (wishes_.has(klass)) return klass;
     return "armchair";
 }
@@ -170,7 +171,7 @@ void Furnisher::seating_group() {
         return l_.against_wall(r, {}, o);
     };
     const int chairs = wishes_.count("armchair");
-    for (const std::string& klass : easy_chairs())
+    for (const std::string& klass : kinds_with(Role::easy_chair))
         for (int i = wishes_.count(klass); i > 0; --i) put(klass, 0, chair);
     for (int i = 0; i < (chairs > 0 ? chairs : 2); ++i) put("armchair", i == 0 ? 0.8f : 0.5f, chair);
     if (!small && wishes_.has("loveseat")) wall("loveseat", 1);

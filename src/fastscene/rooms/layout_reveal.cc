@@ -5,6 +5,7 @@
 #include <set>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_sight.h"
 
@@ -14,11 +15,7 @@ namespace {
 constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is looked for
 
 // What a room keeps even when nobody asked for it.
-bool makes_the_room(std::string_view klass) {
-    return is_bed(klass) || is_one_of(klass, {"sofa", "loveseat", "dining_table", "dining_table_round", "desk",
-                                              "kitchen_counter", "fridge", "kitchen_island", "bathtub", "shower",
-                                              "toilet", "washbasin", "washing_machine", "wardrobe", "tv", "curtain"});
-}
+bool makes_the_room(std::string_view klass) { return has_role(klass, Role::room_maker); }
 
 }  // namespace
 
@@ -105,9 +102,7 @@ void Furnisher::uncover(Vec3f eye) {
         if (p.wish.klass.empty() || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
         const Sight::View view = sight.look(i, eye);
         for (std::size_t k = 0; view.share < kShown && k < view.hiders.size() && k < 2; ++k)
-            if (const int h = view.hiders[k];
-                at(h).wish.klass.empty() && is_one_of(klass_of(h), {"plant", "plant_tree", "floor_lamp", "basket",
-                                                                    "pouf", "ladder_shelf", "stool"}))
+            if (const int h = view.hiders[k]; at(h).wish.klass.empty() && has_role(klass_of(h), Role::movable))
                 hiders.insert(h);
     }
     l_.take_away({hiders.begin(), hiders.end()});

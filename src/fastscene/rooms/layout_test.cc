@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_anneal.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/validate.h"
@@ -378,7 +379,7 @@ TEST(Layout, BedsAndSeatsAskedForByNameStandAndAreSeen) {
                 if (p.piece.klass != klass) continue;
                 ++there;
                 EXPECT_GT(distance_to(footprint_of(p), flat(f.camera)), 0.05f);
-                if (!lies_along_wall(klass)) continue;
+                if (!has_role(klass, Role::along_wall)) continue;
                 // Its back is at a wall, and one can sit up in it.
                 const Vec3f back = p.position - front_of(p.yaw) * (p.piece.size_m.z / 2 + 0.2f);
                 EXPECT_LE(f.plan.wall_distance(flat(back)), 0.f);

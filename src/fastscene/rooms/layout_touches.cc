@@ -3,105 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene {
 namespace {
 
-// What stands on what: likelihood of each thing in a room of usual clutter.
-struct Habit {
-    std::string_view on, thing;
-    float probability;
-};
 // Worktops of rooms where nobody cooks.
-constexpr Habit kAtWashing[] = {{"kitchen_counter", "towel_stack", 0.9f},
-                                {"kitchen_counter", "bottles", 0.8f},
-                                {"kitchen_counter", "storage_box", 0.7f},
-                                {"kitchen_counter", "plant_small", 0.5f}};
-constexpr Habit kHabits[] = {
-    {"coffee_table", "tray", 0.45f},
-    {"coffee_table", "magazines", 0.5f},
-    {"coffee_table", "cup", 0.4f},
-    {"coffee_table", "cup", 0.3f},
-    {"coffee_table", "candle", 0.3f},
-    {"side_table", "cup", 0.5f},
-    {"side_table", "photo_frame", 0.35f},
-    {"side_table", "book_stack", 0.3f},
-    {"nightstand", "alarm_clock", 0.6f},
-    {"nightstand", "cup", 0.4f},
-    {"nightstand", "photo_frame", 0.35f},
-    {"nightstand", "book_stack", 0.4f},
-    {"dresser", "photo_frame", 0.7f},
-    {"dresser", "photo_frame", 0.5f},
-    {"dresser", "bottles", 0.4f},
-    {"dresser", "storage_box", 0.4f},
-    {"dresser", "tray", 0.3f},
-    {"dresser", "table_lamp", 0.4f},
-    {"dresser", "vase", 0.5f},
-    {"sideboard", "sculpture", 0.55f},
-    {"sideboard", "photo_frame", 0.6f},
-    {"sideboard", "photo_frame", 0.45f},
-    {"sideboard", "tray", 0.45f},
-    {"sideboard", "table_lamp", 0.4f},
-    {"sideboard", "book_stack", 0.5f},
-    {"sideboard", "bottles", 0.3f},
-    {"sideboard", "plant_small", 0.5f},
-    {"sideboard", "vase", 0.4f},
-    {"console_table", "vase", 0.6f},
-    {"console_table", "photo_frame", 0.5f},
-    {"console_table", "bowl", 0.5f},
-    {"console_table", "table_lamp", 0.5f},
-    {"cabinet", "storage_box", 0.5f},
-    {"cabinet", "vase", 0.6f},
-    {"cabinet", "sculpture", 0.4f},
-    {"bookshelf", "storage_box", 0.5f},
-    {"tv_stand", "storage_box", 0.35f},
-    {"tv_stand", "sculpture", 0.35f},
-    {"tv_stand", "plant_small", 0.4f},
-    {"desk", "cup", 0.4f},
-    {"desk", "photo_frame", 0.4f},
-    {"desk", "globe", 0.25f},
-    {"fireplace", "photo_frame", 0.6f},
-    {"fireplace", "candle", 0.7f},
-    {"fireplace", "candle", 0.5f},
-    {"fireplace", "vase", 0.5f},
-    {"fireplace", "sculpture", 0.4f},
-    {"fireplace", "clock", 0.f},
-    {"piano", "photo_frame", 0.6f},
-    {"piano", "vase", 0.4f},
-    {"kitchen_counter", "kettle", 0.8f},
-    {"kitchen_counter", "toaster", 0.65f},
-    {"kitchen_counter", "utensils", 0.8f},
-    {"kitchen_counter", "cutting_board", 0.7f},
-    {"kitchen_counter", "bottles", 0.7f},
-    {"kitchen_counter", "bowl", 0.6f},
-    {"kitchen_counter", "pot", 0.6f},
-    {"kitchen_counter", "plant_small", 0.5f},
-    {"kitchen_counter", "storage_box", 0.4f},
-    {"kitchen_island", "bowl", 0.8f},
-    {"kitchen_island", "cutting_board", 0.6f},
-    {"kitchen_island", "bottles", 0.5f},
-    {"kitchen_island", "plant_small", 0.5f},
-    {"washbasin", "toiletries", 0.9f},
-    {"washbasin", "candle", 0.3f},
-    {"washing_machine", "towel_stack", 0.7f},
-    {"washing_machine", "bottles", 0.7f},
-    {"washing_machine", "storage_box", 0.5f},
-    {"bathtub", "toiletries", 0.5f},
-    {"bench", "towel_stack", 0.25f},
-    {"washbasin", "bottles", 0.5f},
-    {"washbasin", "plant_small", 0.4f},
-    {"bench", "magazines", 0.3f},
-    {"bench", "storage_box", 0.3f},
-    {"shoe_rack", "storage_box", 0.6f},
-    {"shoe_rack", "bowl", 0.4f},
-    {"toy_box", "teddy_bear", 0.9f},
-    {"ottoman", "tray", 0.6f},
-    {"ottoman", "magazines", 0.4f},
-    {"stool", "plant_small", 0.3f},
-};
+const std::vector<TopHabit>& at_washing() {
+    static const std::vector<TopHabit> habits{
+        {"towel_stack", 0.9f}, {"bottles", 0.8f}, {"storage_box", 0.7f}, {"plant_small", 0.5f}};
+    return habits;
+}
 
 // What else a room of a type takes where its walls are bare, in order.
 struct Filling {
@@ -174,7 +88,7 @@ class Touches {
             });
             if (standing >= wanted) return;
             if (klass.empty() || is_settled(klass)) continue;
-            const bool tall = klass == "bookshelf" || klass == "cabinet" || klass == "ladder_shelf";
+            const bool tall = has_role(klass, Role::shades_windows);
             l_.against_wall(l_.request(std::string(klass)),
                             {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }
@@ -229,17 +143,19 @@ class Touches {
             int put = 0;
             // One bowl, one vase, one lamp on a top; frames and candles come in groups.
             const auto there = [&](std::string_view thing) {
-                return thing != "photo_frame" && thing != "candle" && thing != "cup" &&
+                return !has_role(thing, Role::in_groups) &&
                        std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
                            return p.on == static_cast<int>(i) && p.piece.klass == thing;
                        });
             };
             const bool damp = room() == "bathroom" || room() == "laundry";
             const bool washes = klass == "kitchen_counter" && damp;
-            for (const Habit& h : washes ? std::span<const Habit>(kAtWashing) : std::span<const Habit>(kHabits)) {
+            const Thing* top = find_thing(klass);
+            if (!top) continue;
+            for (const TopHabit& h : washes ? at_washing() : top->on_top) {
                 const std::string_view thing = room() == "kids" ? furnishing::for_a_child(h.thing) : h.thing;
-                if (h.on == klass && (damp || thing != "towel_stack") && !there(thing) &&
-                    put < 5 + static_cast<int>(4 * clutter_) && wants(thing, h.probability))
+                if ((damp || thing != "towel_stack") && !there(thing) && put < 5 + static_cast<int>(4 * clutter_) &&
+                    wants(thing, h.probability))
                     put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
             }
         }

@@ -3,90 +3,29 @@
 #include <array>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene::furnishing {
 namespace {
 
-bool is_opening(std::string_view klass) { return is_one_of(klass, {"window", "bay_window", "door", "doorway"}); }
-// Hangs where it is asked to: what stands below it is placed first.
-bool is_hung(std::string_view klass) {
-    return is_one_of(klass, {"picture",
-                             "mirror",
-                             "shelf",
-                             "picture_ledge",
-                             "clock",
-                             "wall_lamp",
-                             "neon_sign",
-                             "whiteboard",
-                             "chalkboard",
-                             "pin_board",
-                             "tapestry",
-                             "macrame",
-                             "flag",
-                             "antlers",
-                             "deer_head",
-                             "world_map",
-                             "dartboard",
-                             "chandelier",
-                             "pendant_lamp",
-                             "ceiling_lamp",
-                             "ceiling_fan",
-                             "paper_lantern",
-                             "bulb_pendant",
-                             "track_light",
-                             "disco_ball",
-                             "hanging_plant",
-                             "bunting",
-                             "garland",
-                             "christmas_stocking",
-                             "coat_hooks"});
-}
+bool is_opening(std::string_view klass) { return has_role(klass, Role::opening); }
 
 }  // namespace
 
-bool is_small(std::string_view klass) {
-    static constexpr std::array<std::string_view, 50> kSmall{
-        "monitor",    "ship_model",  "table_lamp",  "vase",          "vase_small",   "book_stack",    "bowl",
-        "candle",     "plant_small", "picture",     "mirror",        "tv",           "clock",         "rug",
-        "cushion",    "guitar",      "cat",         "alarm_clock",   "bottles",      "cup",           "cutting_board",
-        "globe",      "kettle",      "laptop",      "magazines",     "photo_frame",  "picture_ledge", "place_setting",
-        "pot",        "sculpture",   "storage_box", "teddy_bear",    "toaster",      "toiletries",    "towel_stack",
-        "toy_blocks", "tray",        "utensils",    "bouquet",       "throw",        "cactus",        "lantern",
-        "fish_bowl",  "candelabrum", "typewriter",  "record_player", "crystal_ball", "bunting",       "garland",
-        "dog"};
-    return std::find(kSmall.begin(), kSmall.end(), klass) != kSmall.end();
-}
-
-bool is_seat(std::string_view klass) {
-    return is_bed(klass) || is_easy_chair(klass) ||
-           is_one_of(klass, {"armchair", "sofa", "loveseat", "chair", "stool", "bar_stool", "office_chair", "pouf",
-                             "hammock", "chaise_longue", "throne"});
-}
-
-bool hangs_over(std::string_view klass) {
-    return is_seat(klass) || klass.ends_with("table") ||
-           is_one_of(klass, {"dining_table_round", "desk", "kitchen_island", "bathtub", "pool_table", "rug", "piano",
-                             "grand_piano"});
-}
+bool is_small(std::string_view klass) { return has_role(klass, Role::small); }
+bool is_seat(std::string_view klass) { return has_role(klass, Role::seat); }
+// Tables of the furniture pack have no row.
+bool hangs_over(std::string_view klass) { return has_role(klass, Role::lamp_above) || klass.ends_with("table"); }
 
 bool is_hung_screen(const PromptObject& wish) {
     return wish.klass == "tv" && wish.relation == "on" && wish.relation_to == "wall";
 }
 
-bool is_blind(std::string_view klass) {
-    return is_one_of(klass, {"venetian_blind", "roller_blind", "roman_blind", "shutters", "shoji"});
-}
-
-bool lights_from_above(std::string_view klass) {
-    return is_one_of(klass, {"pendant_lamp", "chandelier", "ceiling_lamp", "ceiling_fan", "paper_lantern",
-                             "bulb_pendant", "track_light"});
-}
-
-bool lies_about(std::string_view klass) {
-    return is_one_of(klass, {"clothes_heap", "paper_litter", "drop_cloth", "rubble", "pizza_boxes"});
-}
-bool lies_on_seats(std::string_view klass) { return is_one_of(klass, {"cushion", "throw", "cat", "dog"}); }
+bool is_blind(std::string_view klass) { return has_role(klass, Role::blind); }
+bool lights_from_above(std::string_view klass) { return has_role(klass, Role::ceiling_light); }
+bool lies_about(std::string_view klass) { return has_role(klass, Role::litter); }
+bool lies_on_seats(std::string_view klass) { return has_role(klass, Role::lies_on_seats); }
 
 bool Ask::at_shell() const {
     return is_one_of(relation, {"in the corner", "in the middle", "far wall", "against"}) || is_opening(at) ||
@@ -116,7 +55,7 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     for (Ask& ask : asks_) {
         if (ask.left <= 0) continue;
         const bool on_rug = ask.relation == "on" && ask.at == "rug",
-                   below_hung = ask.relation == "under" && is_hung(ask.at);
+                   below_hung = ask.relation == "under" && has_role(ask.at, Role::hung);
         Ask* other = on_rug || below_hung ? ask_for(ask.at) : nullptr;
         if (!other || other == &ask || (on_rug && is_small(ask.wish->klass))) continue;
         other->relation = on_rug ? "under" : "above";

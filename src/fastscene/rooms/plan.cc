@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
@@ -57,7 +58,7 @@ struct AtWindows {
     float beside = 0;  // metres of wall that what stands on both sides of one takes at each
 };
 bool is_small_or_hung(std::string_view klass) {
-    return furnishing::is_small(klass) || is_one_of(klass, {"wall_lamp", "shelf", "tapestry", "plant", "floor_lamp"});
+    return furnishing::is_small(klass) || has_role(klass, Role::beside_window);
 }
 AtWindows at_windows(const PromptSpec& spec) {
     AtWindows at;
@@ -66,7 +67,7 @@ AtWindows at_windows(const PromptSpec& spec) {
         at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
         at.above = at.above || o.relation == "above";
         if (o.relation == "on both sides of" && !is_small_or_hung(o.klass))
-            at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : is_bed(o.klass) ? 1.25f : 1.f);
+            at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : has_role(o.klass, Role::bed) ? 1.25f : 1.f);
         at.between = at.between || (o.relation == "between" && o.relation_and == "window");
     }
     return at;
@@ -203,40 +204,26 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
 
 // Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.
 float room_for_wishes(const PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, float>, 22> kNeeds{
-        {{"bed", 4.5f},           {"bed_single", 3.f},     {"canopy_bed", 8.f}, {"four_poster_bed", 8.f},
-         {"floor_bed", 4.5f},     {"bunk_bed", 7.f},       {"loft_bed", 7.f},   {"cabin_bed", 7.f},
-         {"daybed", 3.f},         {"chaise_longue", 2.4f}, {"sofa", 3.f},       {"loveseat", 2.4f},
-         {"armchair", 1.5f},      {"chair", 0.7f},         {"desk", 2.f},       {"dining_table", 4.f},
-         {"piano", 3.f},          {"grand_piano", 5.f},    {"wardrobe", 1.6f},  {"bookshelf", 1.f},
-         {"kitchen_island", 4.f}, {"bathtub", 2.5f}}};
     float wanted = 0;
     for (const PromptObject& o : spec.objects)
         if (!o.forbidden) wanted += 1.2f * o.size_m.x * static_cast<float>(o.count);
     for (const PromptObject& o : spec.objects)
-        for (const auto& [klass, area] : kNeeds)
-            if (o.klass == klass && !o.forbidden) wanted += area * static_cast<float>(std::min(o.count, 12));
+        if (const Thing* thing = find_thing(o.klass); thing && !o.forbidden)
+            wanted += thing->floor_m2 * static_cast<float>(std::min(o.count, 12));
     constexpr float kUsual = 9.f, kGain = 0.022f, kMost = 1.28f;
     return std::clamp(1.f + kGain * (wanted - kUsual), 1.f, kMost);
 }
 
 }  // namespace
 
-bool is_shell(std::string_view klass) {
-    static constexpr std::array<std::string_view, 17> kShell{
-        "window",   "bay_window", "skylight",  "door",           "doorway",        "wall",
-        "floor",    "ceiling",    "beams",     "sloped_ceiling", "alcove",         "wainscoting",
-        "moulding", "column",     "mezzanine", "fittings",       "recessed_lights"};
-    return std::find(kShell.begin(), kShell.end(), klass) != kShell.end();
-}
+bool is_shell(std::string_view klass) { return has_role(klass, Role::shell); }
 
 namespace {
 
 // What no room of ours has yet is said so.
 void report_unbuilt(PromptSpec& spec) {
-    static constexpr std::array<std::string_view, 1> kUnbuilt{"mezzanine"};
     for (const PromptObject& wish : spec.objects)
-        if (!wish.forbidden && std::find(kUnbuilt.begin(), kUnbuilt.end(), wish.klass) != kUnbuilt.end())
+        if (!wish.forbidden && has_role(wish.klass, Role::unbuilt))
             for (int i = 0; i < wish.count; ++i)
                 spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
 }
@@ -298,24 +285,13 @@ void apply_accents(const std::vector<std::string>& accents, Style& style) {
 
 // Some pieces are at home in one style: who names none, but a rocking chair, means no glass and chrome.
 void suggest_style(PromptSpec& spec) {
-    static constexpr std::array<std::pair<std::string_view, const char*>, 10> kAtHome{
-        {{"rocking_chair", "rustic"},
-         {"cobweb", "rustic"},
-         {"barrel", "rustic"},
-         {"gears", "industrial"},
-         {"pipes", "industrial"},
-         {"hammock", "boho"},
-         {"suit_of_armor", "classic"},
-         {"throne", "classic"},
-         {"hanging_chair", "boho"},
-         {"lounge_chair", "mid-century"}}};
     for (const PromptObject& o : spec.objects)
-        for (const auto& [klass, style] : kAtHome)
-            if (spec.style.empty() && !o.forbidden && o.klass == klass &&
-                !(klass == "cobweb" && spec.clutter == "abandoned")) {
-                spec.style = style;
-                spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
-            }
+        if (const Thing* thing = find_thing(o.klass); thing && !thing->style.empty() && spec.style.empty() &&
+                                                      !o.forbidden &&
+                                                      !(o.klass == "cobweb" && spec.clutter == "abandoned")) {
+            spec.style = thing->style;
+            spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
+        }
     if (spec.style.empty() && spec.clutter == "abandoned") {  // what was left decades ago is not of today
         spec.style = spec.room == "loft" ? "industrial" : "classic";
         spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
@@ -339,18 +315,16 @@ void paint_in(const std::string& name, bool wet, Plan& plan) {
 Plan make_plan(PromptSpec& spec, Random& dice) {
     if (spec.room.empty()) {
         // What the furniture asks for says what room it is.
-        const auto has = [&](std::initializer_list<const char*> classes) {
-            return std::any_of(classes.begin(), classes.end(), [&](const char* c) { return wish_for(spec, c); });
-        };
-        spec.room = has({"crib", "toy_box", "rocking_horse", "bed_single", "bunk_bed", "loft_bed", "cabin_bed"})
-                        ? "kids"
-                    : has({"bed", "canopy_bed", "four_poster_bed", "floor_bed", "nightstand"}) ? "bedroom"
-                    : has({"toilet", "bathtub", "shower", "vanity"})                           ? "bathroom"
-                    : has({"kitchen_counter", "kitchen_island", "fridge"})                     ? "kitchen"
-                    : has({"washing_machine"})                                                 ? "laundry"
-                    : has({"dining_table"})                                                    ? "dining"
-                    : has({"desk", "office_chair"})                                            ? "study"
-                                                                                               : "living";
+        // Where several rooms are meant, the first of these.
+        static constexpr std::array<std::string_view, 7> kTold{"kids",    "bedroom", "bathroom", "kitchen",
+                                                               "laundry", "dining",  "study"};
+        const auto told = std::find_if(kTold.begin(), kTold.end(), [&](std::string_view room) {
+            return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
+                const Thing* thing = find_thing(o.klass);
+                return thing && !o.forbidden && thing->room == room;
+            });
+        });
+        spec.room = told == kTold.end() ? "living" : *told;
         spec.assumed.push_back("room: " + room_title(spec.room));
     }
     suggest_style(spec);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
 #include "fastscene/rooms/prompt_text.h"
@@ -15,7 +16,7 @@ std::string described(const PromptObject& object) {
     const bool units = object.klass.starts_with("kitchen_");
     for (const auto& [name, value] : {std::pair{"color", &object.color},
                                       {"and", &object.color2},
-                                      {is_bed(object.klass)                    ? "bedding in color"
+                                      {has_role(object.klass, Role::bed)       ? "bedding in color"
                                        : units                                 ? "top in color"
                                        : object.holder_material == kTableCloth ? "cloth in color"
                                                                                : "vase in color",

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prints.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -76,10 +77,8 @@ bool is_brown(std::string_view material) {
     return std::find(kBrown.begin(), kBrown.end(), material) != kBrown.end();
 }
 
-bool is_lamp(std::string_view klass) {
-    return klass.ends_with("_lamp") ||
-           is_one_of(klass, {"chandelier", "string_lights", "candle", "lantern", "paper_lantern", "bulb_pendant"});
-}
+// Lamps of the furniture pack have no row.
+bool is_lamp(std::string_view klass) { return has_role(klass, Role::light) || klass.ends_with("_lamp"); }
 
 // What "dark" and "light" mean for a thing of this material.
 std::string shade_of(std::string_view word, const PromptObject& object) {
@@ -89,11 +88,8 @@ std::string shade_of(std::string_view word, const PromptObject& object) {
 }
 
 bool can_be_counted(const Match& noun) {
-    static constexpr std::array<std::string_view, 6> kCounted{"window",   "door",   "bay_window",
-                                                              "skylight", "column", "alcove"};
     if (noun.word->meaning == "kitchen_counter") return false;  // a kitchen has one run of units
-    return noun.is(WordKind::object) ||
-           std::find(kCounted.begin(), kCounted.end(), noun.word->meaning) != kCounted.end();
+    return noun.is(WordKind::object) || has_role(noun.word->meaning, Role::countable);
 }
 
 // "a stack of books", "a row of boots": where one piece is many such things.
@@ -176,7 +172,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (const UnitPart part = part_of_units(object, n, a); part != UnitPart::fronts)
             return give_part(r, at, n, part, object);
     // Flowers and their vase are one piece, whose own color is the flowers'.
-    const bool of_holder = object.klass == "bouquet" && is_one_of(n.word->meaning, {"vase", "vase_small"});
+    const bool of_holder = object.klass == "bouquet" && has_role(n.word->meaning, Role::vase);
     if (of_holder && a.is(WordKind::color)) {
         take(&PromptObject::holder_color, "vase in color");
     } else if (of_holder && a.is(WordKind::material)) {
@@ -234,9 +230,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         } else if (flowers) {
             if (!object.counted) object.count = 1;
             r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
-        } else if (is_heap(a.words) &&
-                   is_one_of(object.klass, {"book_stack", "towel_stack", "folded_clothes", "clothes_heap", "shoe_rack",
-                                            "firewood", "paper_litter"})) {
+        } else if (is_heap(a.words) && has_role(object.klass, Role::heap)) {
             if (!object.counted) object.count = 1, object.counted = true;
             r.tell(at, object.klass + " is one", object.id);
         } else if (can_be_counted(n)) {
@@ -348,7 +342,7 @@ bool is_tablecloth(const std::string& words) {
     return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"});
 }
 // Tables that a cloth is drawn for.
-bool is_laid(std::string_view klass) { return is_one_of(klass, {"dining_table", "dining_table_round"}); }
+bool is_laid(std::string_view klass) { return has_role(klass, Role::laid); }
 
 // "a yellow gingham tablecloth": its color and its print; the table below keeps its own.
 void lay_cloth(Reading& r, std::size_t cloth, std::size_t owner) {
@@ -389,7 +383,7 @@ void pass_on_cloth(Reading& r) {
                 r.m[k].noun = -1;
                 // Of a bunk the frame takes what is said of the piece; its bedding has a color of its own.
                 PromptObject& bed = r.object_of(*owner);
-                const bool framed = is_one_of(bed.klass, {"bunk_bed", "loft_bed", "cabin_bed"});
+                const bool framed = has_role(bed.klass, Role::framed_bed);
                 if (framed && r.m[k].is(WordKind::color) && bed.holder_color.empty()) {
                     r.m[k].noun = static_cast<int>(*owner);
                     bed.holder_color = r.m[k].word->meaning;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/prompt_parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::reading {
 namespace {
@@ -93,11 +94,7 @@ Extent extent_near(Reading& r, std::size_t at) {
     return Extent::any;
 }
 
-bool stands_tall(std::string_view klass) {
-    static constexpr std::array<std::string_view, 8> kTall{"plant",    "plant_tree", "floor_lamp", "bookshelf",
-                                                           "wardrobe", "statue",     "ladder",     "sculpture"};
-    return std::find(kTall.begin(), kTall.end(), klass) != kTall.end();
-}
+bool stands_tall(std::string_view klass) { return has_role(klass, Role::tall); }
 
 std::string in_metres(float value) {
     std::string text = std::to_string(std::round(value * 100) / 100);

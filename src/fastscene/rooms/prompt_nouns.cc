@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
 
@@ -56,24 +57,8 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    static constexpr std::array<std::string_view, 30> kNeverMore{"kitchen_counter", "curtain",
-                                                                 "towel_rail",      "toy_box",
-                                                                 "beams",           "wall",
-                                                                 "floor",           "ceiling",
-                                                                 "cushion_set",     "shower",
-                                                                 "wainscoting",     "moulding",
-                                                                 "string_lights",   "pipes",
-                                                                 "gears",           "hung_pans",
-                                                                 "fittings",        "venetian_blind",
-                                                                 "roller_blind",    "roman_blind",
-                                                                 "shutters",        "shoji",
-                                                                 "antlers",         "track_light",
-                                                                 "bulb_pendant",    "recessed_lights",
-                                                                 "bunting",         "christmas_stocking",
-                                                                 "coat_hooks",      "pot_rack"};
     const std::string& klass = m.word->meaning;
-    if (std::find(kNeverMore.begin(), kNeverMore.end(), klass) != kNeverMore.end() || m.is(WordKind::detail))
-        return false;
+    if (has_role(klass, Role::never_plural) || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
         const auto forms = base_forms(m.words, language);
         return !forms.empty() &&
@@ -265,7 +250,7 @@ void heed_the_room(Matches& m) {
             m[i].plural = w == "carpets";  // the plural is of a rug
             if (w == "carpets" || (k > 0 && m[k - 1].is(WordKind::count))) m[i].word = Word{WordKind::object, "rug"};
         }
-        if (m[i].is(WordKind::object) && is_one_of(m[i].word->meaning, {"rug", "mirror"}) && m[i].word->adds.empty() &&
+        if (m[i].is(WordKind::object) && has_role(m[i].word->meaning, Role::may_be_round) && m[i].word->adds.empty() &&
             take_round(m, i))
             m[i].word->adds = "pattern=round";
         // Painters bring steps of their own; a library's ladder leans.
@@ -274,9 +259,9 @@ void heed_the_room(Matches& m) {
             }))
             m[i].word = Word{WordKind::object, "step_ladder"};
         // A bunk's ladder or stairs are parts of it.
-        if (is_one_of(m[i].word->meaning, {"staircase", "step_ladder", "ladder"}) && m[i].is(WordKind::object)) {
+        if (has_role(m[i].word->meaning, Role::climbed) && m[i].is(WordKind::object)) {
             const auto bunk = std::find_if(m.begin(), m.end(), [](const Match& x) {
-                return x.is(WordKind::object) && is_one_of(x.word->meaning, {"bunk_bed", "loft_bed", "cabin_bed"});
+                return x.is(WordKind::object) && has_role(x.word->meaning, Role::framed_bed);
             });
             if (bunk != m.end()) {
                 if (m[i].word->meaning == "staircase" && !m[i].negated && bunk->word->meaning == "bunk_bed" &&
@@ -317,13 +302,14 @@ void heed_the_room(Matches& m) {
         // "a bed with a soft mattress" is one thing; alone it lies on the floor.
         if (m[i].is(WordKind::object) && is_one_of(w, {"mattress", "matratze", "matelas", "colchon", "materasso"}) &&
             std::any_of(m.begin(), m.end(), [&](const Match& x) {
-                return &x != &m[i] && x.is(WordKind::object) && x.words != w && is_bed(x.word->meaning);
+                return &x != &m[i] && x.is(WordKind::object) && x.words != w && has_role(x.word->meaning, Role::bed);
             }))
             m[i].word = Word{WordKind::detail, "part"};
         // Bedding without a bed speaks of the bed.
         if (m[i].is(WordKind::detail) && (w.starts_with("bed") || w == "duvet" || w == "sheets" || w == "comforter")) {
-            const bool bed = std::any_of(
-                m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::object) && is_bed(x.word->meaning); });
+            const bool bed = std::any_of(m.begin(), m.end(), [](const Match& x) {
+                return x.is(WordKind::object) && has_role(x.word->meaning, Role::bed);
+            });
             if (!bed) m[i].word = Word{WordKind::object, "bed", false};
         }
     }
@@ -348,12 +334,10 @@ std::string motif_of(const std::string& words) {
 // there.
 void name_likenesses(Matches& m) {
     const auto shows = [](const Match& x) {
-        return x.is(WordKind::object) && (x.word->meaning == "picture" || x.word->meaning == "photo_frame" ||
-                                          x.word->meaning == "statue" || x.word->meaning == "sculpture");
+        return x.is(WordKind::object) && has_role(x.word->meaning, Role::shows_motif);
     };
     const auto is_person = [](const Match& x) {
-        return x.is(WordKind::object) &&
-               (x.word->meaning == "person" || x.word->meaning == "man" || x.word->meaning == "woman");
+        return x.is(WordKind::object) && has_role(x.word->meaning, Role::person);
     };
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
         if (is_person(m[i]) && (m[i + 1].is(WordKind::room) || is_noun(m[i + 1])))
@@ -381,7 +365,7 @@ void name_kinds(Matches& m) {
         // "a sleeping cat", "a dog asleep on the rug": told by the words next to it.
         for (const std::size_t k : {i, i + 1}) {
             const std::size_t animal = k == i ? i + 1 : i;
-            if (!m[animal].is(WordKind::object) || !is_one_of(m[animal].word->meaning, {"cat", "dog"})) continue;
+            if (!m[animal].is(WordKind::object) || !has_role(m[animal].word->meaning, Role::pet)) continue;
             const std::string verb = m[k].words.substr(0, m[k].words.find(' '));
             if (!is_one_of(verb, {"sleeping", "asleep", "sleeps", "napping", "naps", "snoozing", "dozing", "curled",
                                   "sleepy", "lying", "lies"}))
@@ -455,8 +439,7 @@ void take_added(const Word& word, PromptObject& object) {
 
 // "tulips in a vase": the flowers that stand in the vase of match i, -1: none.
 int held_by(const Reading& r, std::size_t i) {
-    if (!r.m[i].is(WordKind::object) || !is_one_of(r.m[i].word->meaning, {"vase", "vase_small"}) || r.m[i].negated)
-        return -1;
+    if (!r.m[i].is(WordKind::object) || !has_role(r.m[i].word->meaning, Role::vase) || r.m[i].negated) return -1;
     std::size_t k = i;
     while (k > 0 && modifies(r.m[k - 1])) --k;
     if (k < 2 || !(r.m[k - 1].is_function("in") || r.m[k - 1].is_function("inside")) || !has_object(r.m[k - 2]))

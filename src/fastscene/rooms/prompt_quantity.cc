@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fastscene/rooms/prompt_parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::reading {
 namespace {
@@ -51,10 +52,7 @@ void merge_bounds(Matches& m) {
             merge(m, i, 2, number_of(m[i + 1]) + std::stoi(m[i].word->meaning));
 }
 
-bool is_people(const Match& m) {
-    static constexpr std::array<std::string_view, 3> kPeople{"person", "man", "woman"};
-    return m.is(WordKind::object) && std::find(kPeople.begin(), kPeople.end(), m.word->meaning) != kPeople.end();
-}
+bool is_people(const Match& m) { return m.is(WordKind::object) && has_role(m.word->meaning, Role::person); }
 bool is_seater(const Match& m) {
     return m.words == "seater" || m.words == "seat" || m.words == "person" || m.words == "people";
 }

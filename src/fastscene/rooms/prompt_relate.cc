@@ -3,6 +3,7 @@
 #include <array>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/prompt_parts.h"
 
@@ -50,19 +51,9 @@ bool opens_clause(const Reading& r, std::size_t at) {
 // Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp,
 // nothing stands on a picture.
 bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
-    const bool hangs = is_one_of(thing.klass,
-                                 {"picture", "mirror", "clock", "shelf", "wall_lamp", "tapestry", "tv", "picture_ledge",
-                                  "antlers", "neon_sign", "macrame", "bunting", "garland", "string_lights"}),
-               low = is_one_of(place.klass,
-                               {"stool", "bar_stool", "rug", "chair", "office_chair", "ottoman", "pouf", "armchair",
-                                "floor_lamp", "table_lamp", "basket", "plant", "coffee_table", "cushion", "throw"}),
-               flat_or_hung = is_one_of(
-                   place.klass, {"picture", "mirror", "clock", "tapestry", "wall_lamp", "pendant_lamp", "chandelier",
-                                 "curtain", "floor_lamp", "table_lamp", "plant"});
-    const bool tall = is_one_of(place.klass,
-                                {"grandfather_clock", "wardrobe", "bookshelf", "fridge", "ladder_shelf", "plant_tree",
-                                 "canopy_bed", "four_poster_bed", "christmas_tree", "coat_rack"});
-    if (relation == "above") return hangs ? !low && !tall : !is_one_of(place.klass, {"picture", "mirror", "clock"});
+    const bool hangs = has_role(thing.klass, Role::likely_above), low = has_role(place.klass, Role::too_low_below),
+               flat_or_hung = has_role(place.klass, Role::no_top), tall = has_role(place.klass, Role::too_tall_below);
+    if (relation == "above") return hangs ? !low && !tall : !has_role(place.klass, Role::nothing_above);
     if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
     if (relation == "in front of" || relation == "at the foot of")
         return thing.klass == "rug"
@@ -145,8 +136,7 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
                 return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
     // Stockings and leaves on a mantel hang at the wall above it.
-    if (placed && relation == "on" && is_one_of(object.klass, {"christmas_stocking", "garland", "bunting"}) &&
-        r.m[target].is(WordKind::object))
+    if (placed && relation == "on" && has_role(object.klass, Role::on_mantels) && r.m[target].is(WordKind::object))
         relation = "above";
     // "clothes on the floor" were dropped there, "papers" slid apart.
     if (placed && relation == "on" && r.object_of(target).klass == "floor") {
@@ -159,7 +149,7 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     if (!object.relation.empty())
         return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     // Who sits at a desk that faces the window looks out of it: there the desk stands.
-    if (placed && relation == "facing" && is_one_of(object.klass, {"desk", "dressing_table"}) &&
+    if (placed && relation == "facing" && has_role(object.klass, Role::under_windows) &&
         is_one_of(r.object_of(target).klass, {"window", "bay_window"}))
         relation = "under";
     object.relation = relation;
@@ -232,9 +222,9 @@ void relate_both_sides(Reading& r, std::size_t at) {
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1)
         object.count = 2, object.counted = true;
     // "twin beds flanking a nightstand": what is small stands between the large.
-    if (target && is_bed(r.object_of(*subject).klass) && r.object_of(*subject).relation.empty() &&
-        is_one_of(r.object_of(*target).klass, {"nightstand", "side_table", "rug", "dresser"}) &&
-        r.object_of(*target).count == 1 && r.object_of(*target).relation.empty()) {
+    if (target && has_role(r.object_of(*subject).klass, Role::bed) && r.object_of(*subject).relation.empty() &&
+        has_role(r.object_of(*target).klass, Role::between_beds) && r.object_of(*target).count == 1 &&
+        r.object_of(*target).relation.empty()) {
         PromptObject &beds = r.object_of(*subject), &small = r.object_of(*target);
         small.relation = "between", small.relation_to = small.relation_and = beds.klass;
         r.tell(at, small.klass + " between the " + beds.words, small.id);

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
 namespace {
@@ -339,7 +341,7 @@ std::size_t misplaced(const FurnishedRoom& room) {
 bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
     constexpr int kMost = 3;  // more is for halls
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-        return is_bed(o.klass) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
+        return has_role(o.klass, Role::bed) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
                std::count_if(room.placed.begin(), room.placed.end(),
                              [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
     });
@@ -418,19 +420,14 @@ Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
     Json objects = Json::array();
     for (std::size_t i = 0; i < room.objects.size(); ++i) {
         const RoomObject& o = room.objects[i];
-        const Mat3f& r = o.world_from_object.rotation;
-        const Vec3f t = o.world_from_object.translation;
-        objects.push_back(
-            {{"class", o.klass},
-             {"name", o.name},
-             {"color", o.color},
-             {"visible_pixels", visible[i]},
-             {"world_from_object",
-              Json::array({Json{r.row0.x, r.row0.y, r.row0.z, t.x}, Json{r.row1.x, r.row1.y, r.row1.z, t.y},
-                           Json{r.row2.x, r.row2.y, r.row2.z, t.z}, Json{0, 0, 0, 1}})},
-             {"size_m", vec(o.size_m)},
-             {"source", o.source},
-             {"requested", o.requested}});
+        objects.push_back({{"class", o.klass},
+                           {"name", o.name},
+                           {"color", o.color},
+                           {"visible_pixels", visible[i]},
+                           {"world_from_object", json_from_pose(o.world_from_object, Decimals::exact)},
+                           {"size_m", vec(o.size_m)},
+                           {"source", o.source},
+                           {"requested", o.requested}});
     }
     return {{"room", room.type},
             {"style", room.style},

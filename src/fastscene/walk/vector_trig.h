@@ -2,7 +2,7 @@
 // (glibc 2.35 or newer on x86-64, its variant for AVX2 where that is in use), one by one elsewhere. They differ in last
 // digits (3e-16). The official walk cuts coordinates that are whole numbers but for their last bit; its program counts
 // on another library of the same descent, whose last bits these vector functions hit far more often than scalar ones do
-// (docs/benchmarks/walk.md, "Golden outputs").
+// (docs/goldens.md, "What is not held").
 #pragma once
 
 #include <span>

@@ -1,0 +1,49 @@
+#include "fastscene/pipeline/resolve.h"
+
+#include <algorithm>
+
+namespace fastscene {
+
+std::string depth_backend(const SceneSource& source, const DepthParams& params) {
+    const bool has_room = source.has_room(), has_map = !source.range_map.empty();
+    if (params.backend == "auto" && has_room) return "exact";
+    if (params.backend == "auto" && has_map) return "image";
+    if (params.backend == "exact" && !has_room)
+        throw UsageError(
+            "--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
+            source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
+    if (params.backend == "image" && !has_map)
+        throw UsageError("--depth-backend image: expected --range FILE, found none");
+    return params.backend;
+}
+
+DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
+    if (params.backend == "image") params.backend = "auto";  // the map was the first panorama's
+    params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);  // y points down
+    return params;
+}
+
+WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
+    return resolved(params, source.has_room() && depth_backend(source, depth) == "exact");
+}
+
+bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || walk.inpainter == kLookIntoRoom; }
+
+void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& asked) {
+    const WalkParams params = walk_of(source, depth, asked);
+    if (!looks_into_room(params)) return;
+    const std::string flag = params.kind == kRoomWalk ? fmt::format("--walk {}", kRoomWalk)
+                                                      : fmt::format("--walk-inpainter {}", kLookIntoRoom);
+    const auto refuse = [&](std::string_view expected, std::string_view found) {
+        throw UsageError("{}: expected {}, found {}", flag, expected, found);
+    };
+    if (!source.has_room())
+        refuse("a prompt and the rooms' maker",
+               source.picture.empty() ? "a painted panorama, behind which there is no room"
+                                      : "the picture " + source.picture.string() + ", behind which there is no room");
+    if (const std::string backend = depth_backend(source, depth); backend != "exact")
+        refuse("the room's own range", "--depth-backend " + backend);
+    if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);
+}
+
+}  // namespace fastscene

@@ -1,0 +1,32 @@
+// What the stages leave in a run's folder, read back: panoramas with their ranges and poses.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fastscene/pipeline/run_folder.h"
+#include "fastscene/scene/panorama.h"
+
+namespace fastscene {
+
+// Panorama 0 with its range, those of --more with theirs, and the whole walk, as the files have them.
+Panorama load_first_panorama(const RunFolder& folder);
+std::vector<Panorama> load_more_panoramas(const RunFolder& folder);
+std::vector<Panorama> load_walk(const RunFolder& folder);
+// world_from_pano of every panorama of the walk, without the pictures.
+std::vector<Rigid> load_walk_poses(const RunFolder& folder);
+
+// An 8-bit picture in linear color.
+ImageColor load_color(const std::filesystem::path& path);
+
+// poses.json of a folder of panoramas.
+struct Viewpoint {
+    std::string name;  // of its files or its folder
+    Rigid world_from_pano;
+};
+std::string name_of_viewpoint(std::size_t index);  // "007"
+void save_viewpoints(const std::filesystem::path& path, const std::vector<Viewpoint>& viewpoints);
+std::vector<Viewpoint> load_viewpoints(const std::filesystem::path& path);
+
+}  // namespace fastscene

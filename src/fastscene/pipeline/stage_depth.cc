@@ -1,0 +1,112 @@
+#include "fastscene/pipeline/stage_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fastscene/base/events.h"
+#include "fastscene/base/file.h"
+#include "fastscene/depth/estimator.h"
+#include "fastscene/image/colormap.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/panorama/more_panoramas.h"
+#include "fastscene/pipeline/resolve.h"
+#include "fastscene/pipeline/run_files.h"
+#include "fastscene/walk/agreement.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+// For people: near is blue, far is red, what has no range is black. A window's far view does not stretch the colors.
+ImageRgb8 picture_of_range(const ImageF& range) {
+    std::vector<float> known;
+    for (const float r : range.pixels)
+        if (r > 0.f && std::isfinite(r)) known.push_back(r);
+    if (known.empty()) return ImageRgb8(range.width, range.height);
+    const auto at = known.begin() + static_cast<std::ptrdiff_t>(known.size() * 98 / 100);
+    std::nth_element(known.begin(), at, known.end());
+    return colored(reduced_range(range, 1024), 0.f, *at);
+}
+
+// Passes on what is said of one of several pictures, with its file's name before it.
+class SaidOfPicture : public EventSink {
+  public:
+    SaidOfPicture(const fs::path& picture, EventSink* sink) : picture_(picture.string()), sink_(sink) {}
+    void tell(const Event& event) override {
+        if (!sink_) return;
+        if (const auto* note = std::get_if<NoteEvent>(&event)) sink_->tell(NoteEvent{picture_ + ": " + note->text});
+        else if (const auto* warning = std::get_if<WarningEvent>(&event))
+            sink_->tell(WarningEvent{picture_ + ": " + warning->text});
+        else sink_->tell(event);
+    }
+
+  private:
+    std::string picture_;
+    EventSink* sink_;
+};
+
+// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was
+// assumed and found, each.
+Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder,
+                      const ImageF& first_range, const fs::path& out, const Run& run) {
+    make_directories(out);
+    const Panorama first{load_color(folder.panorama_color()), first_range, {}, {}};
+    const std::vector<Viewpoint> viewpoints = load_viewpoints(folder.more_panoramas() / "poses.json");
+    const std::vector<MorePanorama> given = read_more_panoramas(source.more);
+    Json about = Json::array();
+    for (std::size_t i = 0; i < viewpoints.size(); ++i) {
+        run.check_stop();
+        const auto& [name, pose] = viewpoints[i];
+        Panorama one{load_color(folder.more_panoramas() / (name + ".png")), {}, {}, pose};
+        Json entry{{"name", name}, {"picture", given[i].color.filename().string()}};
+        if (!given[i].range.empty()) {
+            Panorama measured = panorama_from_image(given[i].color);
+            measured.range = range_from_file(given[i].range, measured.size(), run);
+            measured.world_from_pano = given[i].world_from_pano;
+            one.range = in_first_orientation(measured, one.size()).range;
+            entry["backend"] = "image";
+        } else {
+            SaidOfPicture said(given[i].color, run.events);
+            EstimatedRange found = make_depth_estimator(depth_of_further(params, pose.translation))
+                                       ->estimate(one.color, {run.seed, &said, run.stop});
+            one.range = std::move(found.range);
+            const float scale = scale_to_agree(first, one);
+            for (float& r : one.range.pixels) r *= scale;
+            entry.update(found.assumptions);
+            entry["scaled_to_agree_by"] = scale;
+        }
+        save_exr(out / (name + ".exr"), one.range);
+        about.push_back(std::move(entry));
+    }
+    return about;
+}
+
+}  // namespace
+
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params,
+                const RunFolder& folder, const fs::path& out, const Run& run) {
+    const PictureInfo info = picture_info(folder.panorama_color());
+    const EquirectSize size{info.width, info.height};
+    const std::string backend = depth_backend(source, params);
+    EstimatedRange found{{}, {{"backend", backend}}};
+    if (backend == "exact") {
+        // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
+        PromptSpec prompt = read_prompt(source.prompt, panorama);
+        const TracedRoom room(make_room(prompt, run));
+        found.range = exact_range(room, size, run);
+        if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty())
+            save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
+    } else if (backend == "image") {
+        found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture), run), size.width);
+    } else {
+        found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
+    }
+    save_exr(out / "range.exr", found.range);
+    if (!source.more.empty())
+        found.assumptions["more"] = save_more_ranges(source, params, folder, found.range, out / "more", run);
+    save_png(out / "range.png", picture_of_range(found.range));
+    write_json(out / "about.json", found.assumptions);
+}
+
+}  // namespace fastscene

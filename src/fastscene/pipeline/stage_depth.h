@@ -1,0 +1,16 @@
+// Range as it meets the disk: of panorama 0, and of those of --more.
+#pragma once
+
+#include <filesystem>
+
+#include "fastscene/depth/depth.h"
+#include "fastscene/panorama/panorama.h"
+#include "fastscene/pipeline/run_folder.h"
+#include "fastscene/pipeline/source.h"
+
+namespace fastscene {
+
+void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params,
+                const RunFolder& folder, const std::filesystem::path& out, const Run& run);
+
+}  // namespace fastscene

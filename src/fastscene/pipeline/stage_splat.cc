@@ -1,0 +1,44 @@
+#include "fastscene/pipeline/stage_splat.h"
+
+#include "fastscene/base/file.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/io/view_io.h"
+#include "fastscene/pipeline/fit_report.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+
+void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
+    const ViewSet views = load_views(folder.views());
+    SplatParams sized = params;
+    sized.count = count_for(views.points, params);
+    if (const int fit = most_that_fit(params); params.per_m2 > 0 && fit < sized.count) {
+        run.warn(fmt::format("splat: the room wants {} Gaussians and there is memory for {}: it will look coarser",
+                             sized.count, fit));
+        sized.count = fit;
+    } else if (sized.count < params.count)
+        run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
+    else if (params.per_m2 > 0)
+        run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
+    save_fit(fit_and_keep_place(views, sized, folder, run), out);
+    forget_place(folder);
+}
+
+FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run) {
+    if (!params.checkpoint.empty()) return fit_splats(views, params, run);
+    const fs::path place = folder.splat_place();  // a folder, so that what a kill leaves half written goes with it
+    params.checkpoint = (place / "checkpoint").string();
+    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // of other settings
+    make_directories(place);
+    return fit_splats(views, params, run);
+}
+
+void forget_place(const RunFolder& folder) { fs::remove_all(folder.splat_place()); }
+
+void save_fit(const FittedSplats& fitted, const fs::path& out) {
+    save_splat_ply(out / "scene.ply", fitted.splats);
+    save_compressed_ply(out / "scene.compressed.ply", fitted.splats);
+    save_curves(out, fitted);
+}
+
+}  // namespace fastscene

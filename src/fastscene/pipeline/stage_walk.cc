@@ -1,0 +1,81 @@
+#include "fastscene/pipeline/stage_walk.h"
+
+#include <vector>
+
+#include "fastscene/base/file.h"
+#include "fastscene/depth/estimator.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/pipeline/resolve.h"
+#include "fastscene/pipeline/run_files.h"
+#include "fastscene/pipeline/same_room.h"
+#include "fastscene/scene/walkable_json.h"
+#include "fastscene/trace/standable.h"
+#include "fastscene/walk/room_walk.h"
+#include "fastscene/walk/walkable_walk.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+ImageMask mask_from_known(const Image<Known>& known, int width, int height) {
+    ImageMask mask(width, height, static_cast<std::uint8_t>(Known::original));
+    for (std::size_t i = 0; i < known.pixels.size(); ++i) mask.pixels[i] = static_cast<std::uint8_t>(known.pixels[i]);
+    return mask;
+}
+
+}  // namespace
+
+void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth,
+               const RunFolder& folder, const WalkParams& asked, std::shared_ptr<const TracedRoom> room,
+               const fs::path& out, const Run& run) {
+    check_walk(source, depth, asked);
+    const WalkParams params = walk_of(source, depth, asked);
+    if (looks_into_room(params) && !room) {
+        PromptSpec prompt = read_prompt(source.prompt, panorama);
+        room = make_traced_room(prompt, panorama, run);
+        check_same_room(*room, load_float(folder.depth_range()), folder.root);
+    }
+    WalkAdvice advice;
+    if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
+        DepthParams published = depth;  // after each of 48 steps: one look, as published
+        if (published.looks == 0) published.looks = 1;
+        advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](
+                           const ImageColor& color, const Run& r) { return estimator->estimate(color, r).range; };
+    }
+    if (params.inpainter == kLookIntoRoom) {
+        advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& mask, const Run& r) {
+            ShotParts parts = panorama_parts(panorama.trace);  // as panorama 0 was shot
+            parts.range = parts.object = false;
+            parts.mirrored_range = true;
+            parts.only = &mask;
+            Shot shot = room->panorama(world_from_pano, {mask.width, mask.height}, parts, r);
+            return RoomSight{std::move(shot.color), std::move(shot.mirrored_range)};
+        };
+    }
+    std::vector<Viewpoint> viewpoints;
+    std::vector<Invention> inventions;
+    const auto save = [&](const Panorama& seen) {
+        run.check_stop();
+        const std::string name = name_of_viewpoint(viewpoints.size());
+        inventions.push_back(invention_of(seen));
+        make_directories(out / name);
+        save_png(out / name / "color.png", srgb8_from_linear(seen.color));
+        save_exr(out / name / "range.exr", seen.range);
+        save_png(out / name / "known.png", mask_from_known(seen.known, seen.color.width, seen.color.height));
+        viewpoints.push_back({name, seen.world_from_pano});
+    };
+    const Panorama first = load_first_panorama(folder);
+    const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
+    Json about = params.kind == kRoomWalk
+                     ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
+                     : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
+    about["invented"] = to_json(inventions);
+    const bool stands = !standable_cells(floor).empty();
+    write_json(out / folder.walkable_json().filename(),
+               walkable_json(stands ? walkable_room(floor) : walkable_of(inventions, floor_below(first))));
+    save_viewpoints(out / "poses.json", viewpoints);
+    write_json(out / "about.json", about);
+}
+
+}  // namespace fastscene

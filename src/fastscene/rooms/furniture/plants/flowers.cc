@@ -1,0 +1,143 @@
+// Cut flowers, and the vases they stand in.
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/furniture/kit.h"
+#include "fastscene/rooms/furniture/kitchen/tableware.h"
+#include "fastscene/rooms/furniture/plants/foliage.h"
+
+namespace fastscene::furniture {
+namespace {
+
+// Fresh flowers in something whose mouth is at y: a loose ball of blooms over leaves.
+void flowers(Kit& k, int bloom, float mouth_y, std::string_view kind, float size) {
+    const int stem = k.material(plain("stem", {0.07f, 0.16f, 0.05f}, 0.7f)),
+              leaf = k.material(foliage(k, {0.08f, 0.19f, 0.06f}, 0.1f)),
+              middle = k.material(plain(
+                  "flower middle", kind == "sunflower" ? Vec3f{0.07f, 0.04f, 0.02f} : Vec3f{0.6f, 0.42f, 0.06f}, 0.9f));
+    constexpr int kBlooms = 13;
+    for (int i = 0; i < kBlooms; ++i) {
+        const float t = (static_cast<float>(i) + 0.5f) / kBlooms, a = 2.39996f * static_cast<float>(i),
+                    far = 0.088f * size * std::sqrt(t) * k.dice.uniform(0.85f, 1.15f);
+        const Vec3f head = around(a) * far +
+                           Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.dice.uniform()), 0};
+        k.rod(stem, {0.2f * head.x, 0.5f * mouth_y, 0.2f * head.z}, head, 0.0028f, -1, 5);
+        k.add(blade({0.4f * head.x, mouth_y, 0.4f * head.z}, around(a + 0.9f), 0.1f * size, 0.026f * size, 1.1f, 0.7f,
+                    0.8f),
+              leaf);
+        const Vec3f up = normalize(head - Vec3f{0, mouth_y - 0.12f * size, 0});
+        const float r = size * k.dice.uniform(0.026f, 0.034f);
+        if (kind == "tulip") {  // a closed cup
+            const std::array<Vec2f, 5> cup{Vec2f{0.25f * r, 0},
+                                           {0.85f * r, 0.5f * r},
+                                           {0.95f * r, 1.2f * r},
+                                           {0.7f * r, 2.f * r},
+                                           {0.3f * r, 2.3f * r}};
+            Mesh m = shapes::lathe(shapes::curve(cup, 2), 10, true);
+            shapes::turn(m, {up.z, 0, -up.x}, 40.f * std::hypot(up.x, up.z));
+            k.add(std::move(m), bloom, head);
+        } else if (kind == "daisy" || kind == "sunflower") {  // petals around a middle
+            const float reach = kind == "sunflower" ? 1.9f * r : 1.3f * r;
+            const Vec3f side = normalize(cross(up, Vec3f{0.3f, 0.1f, 1.f})), other = cross(up, side);
+            for (int p = 0; p < 12; ++p) {
+                const float b = kTau * static_cast<float>(p) / 12.f;
+                const Vec3f way = side * std::cos(b) + other * std::sin(b);
+                k.add(shapes::rod(head + way * (0.3f * reach), head + way * reach + up * 0.002f, 0.006f * size,
+                                  0.003f * size, 5),
+                      bloom);
+            }
+            k.add(shapes::ball(head + up * 0.002f, {0.5f * reach, 0.3f * reach, 0.5f * reach}, 10), middle);
+        } else {  // a full bloom: petals in two rings about a bud
+            k.add(shapes::ball(head, {0.62f * r, 0.7f * r, 0.62f * r}, 10), bloom);
+            for (int p = 0; p < 9; ++p) {
+                const float b = kTau * static_cast<float>(p) / (p < 5 ? 5.f : 4.f), out = p < 5 ? 0.72f * r : 0.45f * r;
+                k.add(shapes::ball(head + around(b) * out + Vec3f{0, p < 5 ? -0.2f * r : 0.3f * r, 0},
+                                   {0.6f * r, 0.5f * r, 0.6f * r}, 8),
+                      bloom);
+            }
+        }
+    }
+}
+
+// What a flower is usually colored.
+Vec3f color_of_flower(Kit& k, std::string_view kind) {
+    static constexpr std::array<const char*, 5> kGarden{"crimson", "dusty pink", "lemon", "white", "lavender"};
+    if (kind == "rose") return *color_named("crimson");
+    if (kind == "sunflower") return {0.75f, 0.4f, 0.02f};
+    if (kind == "daisy" || kind == "lily") return *color_named("white");
+    if (kind == "peony") return *color_named("pink");
+    if (kind == "hydrangea") return *color_named("light blue");
+    return *color_named(kGarden[static_cast<std::size_t>(k.dice.index(5))]);
+}
+
+void vase_of(Kit& k, float size, bool stems) {
+    const int body = k.main(plain("glazed vase", k.accent(), 0.25f));
+    const int kind = k.dice.index(3);
+    const std::array<std::array<Vec2f, 7>, 3> profiles{{{Vec2f{0.05f, 0},
+                                                         {0.08f, 0.04f},
+                                                         {0.1f, 0.12f},
+                                                         {0.08f, 0.2f},
+                                                         {0.04f, 0.25f},
+                                                         {0.035f, 0.28f},
+                                                         {0.045f, 0.3f}},
+                                                        {Vec2f{0.045f, 0},
+                                                         {0.055f, 0.02f},
+                                                         {0.06f, 0.1f},
+                                                         {0.065f, 0.18f},
+                                                         {0.07f, 0.24f},
+                                                         {0.065f, 0.27f},
+                                                         {0.06f, 0.28f}},
+                                                        {Vec2f{0.06f, 0},
+                                                         {0.1f, 0.03f},
+                                                         {0.12f, 0.09f},
+                                                         {0.1f, 0.15f},
+                                                         {0.05f, 0.18f},
+                                                         {0.03f, 0.22f},
+                                                         {0.04f, 0.24f}}}};
+    std::array<Vec2f, 7> p = profiles[static_cast<std::size_t>(kind)];
+    for (Vec2f& q : p) q = q * size;
+    k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
+    k.piece.mount = Mount::surface;
+    if (!stems) return;
+    // Dried stems, or fresh flowers where people like them.
+    const bool fresh = !is_one_of(k.style.name, {"japandi", "industrial", "modern"}) && k.dice.chance(0.45f);
+    if (fresh)
+        return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y,
+                       k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);
+    const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
+              plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
+    for (int i = 0; i < 7; ++i) {
+        const float a = 2.39996f * static_cast<float>(i), lean = k.dice.uniform(0.05f, 0.16f) * size,
+                    h = k.dice.uniform(0.55f, 0.75f) * size;
+        const Vec3f tip = around(a) * lean + Vec3f{0, h, 0};
+        k.rod(stalk, {0, 0.1f * size, 0}, tip, 0.002f, -1, 5);
+        Mesh m = shapes::ball({0, 0, 0}, {0.016f * size, 0.075f * size, 0.016f * size}, 10);
+        shapes::turn(m, {std::sin(a), 0, -std::cos(a)}, 18);
+        k.add(std::move(m), plume, tip);
+    }
+}
+
+}  // namespace
+
+void build_bouquet(Kit& k) {
+    const std::string_view kind = k.request.pattern;
+    const int bloom = k.main(plain("petals", color_of_flower(k, kind), 0.6f));
+    Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f)
+                                       : plain("glazed vase", k.accent(), 0.25f);
+    if (const auto asked = material_named(k.request.holder_material)) pot = *asked;
+    if (const auto asked = color_named(k.request.holder_color)) pot = tinted(pot, *asked);
+    const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f},  {0.066f, 0.09f},
+                                 {0.055f, 0.15f},  {0.045f, 0.19f}, {0.055f, 0.215f}};
+    k.add(shapes::vessel(shapes::curve(p, 3), 0.004f, 28), k.material(pot));
+    flowers(k, bloom, 0.21f, kind, 1.05f);
+    k.piece.mount = Mount::surface;
+}
+
+void build_vase(Kit& k) { vase_of(k, 1.f, true); }
+
+void build_vase_small(Kit& k) { vase_of(k, 0.7f, false); }
+
+}  // namespace fastscene::furniture

@@ -1,0 +1,28 @@
+// Picture ledge.
+#include "fastscene/rooms/furniture/kit.h"
+
+namespace fastscene::furniture {
+
+// A narrow board with frames that lean on it.
+void build_picture_ledge(Kit& k) {
+    const Vec3f s = k.wanted({1.2f, 0.f, 0.11f});
+    const int wood = k.main(k.style.wood);
+    k.board(wood, {0, 0, 0.5f * s.z}, {s.x, 0.02f, s.z}, 0.003f);
+    k.board(wood, {0, 0.02f, s.z - 0.008f}, {s.x, 0.025f, 0.014f}, 0.003f);
+    float x = -0.5f * s.x + 0.06f;
+    while (true) {
+        PieceRequest r;
+        r.klass = "picture";
+        r.style = &k.style;
+        r.seed = k.dice.next_u64();
+        const float w = k.dice.uniform(0.22f, 0.42f);
+        if (x + w > 0.5f * s.x - 0.04f) break;
+        r.size_m = {w, w * k.dice.uniform(0.9f, 1.4f), 0};
+        k.merge(make_piece(r), {x + 0.5f * w, 0.02f, 0.012f + k.dice.uniform(0.f, 0.012f)});
+        x += w + k.dice.uniform(0.02f, 0.08f);
+    }
+    k.piece.mount = Mount::wall;
+    k.piece.hang_height_m = 1.2f;
+}
+
+}  // namespace fastscene::furniture

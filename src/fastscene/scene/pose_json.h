@@ -1,0 +1,16 @@
+// A pose in JSON: the 4 x 4 matrix of a Rigid, row by row, last row 0 0 0 1.
+#pragma once
+
+#include "fastscene/base/json.h"
+#include "fastscene/math/rigid.h"
+
+namespace fastscene {
+
+// shortest: the fewest decimals that read back as the same float; exact: the float's value as a double.
+enum class Decimals { shortest, exact };
+
+Json json_from_pose(const Rigid& pose, Decimals decimals = Decimals::shortest);
+// The same floats again. Throws Json::exception where rows or numbers are missing; the last row is not read.
+Rigid pose_from_json(const Json& rows);
+
+}  // namespace fastscene
