@@ -1,8 +1,8 @@
 # fastscene_module(name LAYER n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
 #
-# A module is a folder under src/fastscene/ with its subfolders: one static library of its *.cc files and one test program
-# of its *_test.cc files, linked with nothing but the modules and libraries named here. The link list is the drawing in
-# docs/architecture.md; tests/layers holds the includes against it.
+# A module is a folder under src/fastscene/ with its subfolders: one static library of its *.cc files and one test
+# program of its *_test.cc files, linked with nothing but the modules and libraries named here. The link list is the
+# drawing in docs/architecture.md; tests/layers holds the includes against it.
 function(fastscene_module name)
   cmake_parse_arguments(MODULE "" "LAYER" "USES;LINKS;HEADERS" ${ARGN})
   set_property(GLOBAL APPEND PROPERTY FASTSCENE_MODULES ${name})
