@@ -1,5 +1,6 @@
 # Installs splat.h, rooms.h, fastscene.h and the headers that they reach, from SOURCES/fastscene to
 # DESTINATION/fastscene. What no public header includes stays private.
+cmake_minimum_required(VERSION 3.25)
 set(pending fastscene/splat.h fastscene/rooms.h fastscene/fastscene.h)
 set(seen fastscene/version.h)  # generated, and installed by itself
 while(pending)
