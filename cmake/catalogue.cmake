@@ -1,5 +1,5 @@
 # Embeds the catalogue of things, and writes the table of builders from it: a row [dog] in one of the files asks for
-# build_dog(Kit&), except where it says `builder = false`. Runs at configure time, again when a file of the catalogue changes.
+# build_dog(Kit&), except where it says `builder = false`. Runs at configure time, and again when a row changes.
 function(fastscene_catalogue target folder)
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})

@@ -1,8 +1,8 @@
 # fastscene_module(name LAYER n USES other… LINKS libraries… HEADERS precompiled besides the common ones…)
 #
-# A module is a folder under src/fastscene/ with its subfolders: one static library of its *.cc files and one test program
-# of its *_test.cc files, linked with nothing but the modules and libraries named here. The link list is the drawing in
-# docs/architecture.md; tests/layers holds the includes against it.
+# A module is a folder under src/fastscene/ with its subfolders: one static library of its *.cc files and one test
+# program of its *_test.cc files, linked with nothing but the modules and libraries named here. The link list is the
+# drawing in docs/architecture.md; tests/layers holds the includes against it.
 function(fastscene_module name)
   cmake_parse_arguments(MODULE "" "LAYER" "USES;LINKS;HEADERS" ${ARGN})
   set_property(GLOBAL APPEND PROPERTY FASTSCENE_MODULES ${name})
@@ -29,6 +29,7 @@ function(fastscene_module name)
     target_link_libraries(fastscene_${name} ${scope} fastscene_${other})
   endforeach()
   target_link_libraries(fastscene_${name} ${scope} ${MODULE_LINKS})
+  set_target_properties(fastscene_${name} PROPERTIES FASTSCENE_USES "${MODULE_USES}")
   if(sources)
     target_link_libraries(fastscene_${name} PRIVATE fastscene_warnings)
     fastscene_precompile(fastscene_${name} ${kind} ${MODULE_HEADERS})

@@ -83,6 +83,7 @@ std::vector<Include> includes() {
         const std::string extension = entry.path().extension().string();
         if (extension != ".h" && extension != ".cc") continue;
         const fs::path file = fs::relative(entry.path(), source);
+        if (!file.has_parent_path()) continue;  // the headers of the installed libraries, of no module
         std::istringstream lines(text_of(entry.path()));
         for (std::string line; std::getline(lines, line);) {
             std::smatch match;
@@ -155,6 +156,22 @@ TEST(Layers, TheBuildNamesNoModuleThatIsNotIncluded) {
     for (const auto& [name, module] : build_modules())
         for (const std::string& other : module.uses)
             EXPECT_TRUE(included[name].contains(other)) << name << " has " << other << " among its USES for nothing";
+}
+
+// splat.h, rooms.h and fastscene.h are what others include of the installed libraries.
+TEST(Layers, TheLibrariesHeadersNameHeadersThatAreThere) {
+    const std::regex form(R"re(^#include "(fastscene/[^"]+)")re");
+    int checked = 0;
+    for (const char* header : {"splat.h", "rooms.h", "fastscene.h"}) {
+        std::istringstream lines(text_of(kRoot / "src/fastscene" / header));
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch match;
+            if (!std::regex_search(line, match, form) || match[1] == "fastscene/version.h") continue;
+            EXPECT_TRUE(fs::exists(kRoot / "src" / match[1].str())) << header << " includes " << match[1];
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 30);
 }
 
 // Libraries that only some modules may include: the beginning of the include, then the modules.

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "fastscene/base/data_files.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/isa.h"
 #include "fastscene/base/memory.h"
@@ -148,7 +149,6 @@ Finding furniture() {
 }
 
 std::vector<Finding> examine() {
-    const fs::path source(source_dir());
     std::vector<Finding> all;
     all.push_back(
         {"fastscene", fmt::format("{} ({})", program_version(), build_json().at("compiler").get<std::string>()), ""});
@@ -159,8 +159,9 @@ std::vector<Finding> examine() {
     all.push_back(painting_memory());
     all.push_back(pulled_models());
     all.push_back(disk());
-    all.push_back(packages("packages to build", source / "packaging/apt.txt"));
-    all.push_back(packages("packages to test", source / "packaging/apt-test.txt"));
+    // Only a build tree has these lists: what an installed program needs, its package depends on.
+    if (const auto list = find_data("packaging/apt.txt")) all.push_back(packages("packages to build", *list));
+    if (const auto list = find_data("packaging/apt-test.txt")) all.push_back(packages("packages to test", *list));
     const auto viewer = find_viewer_dir();
     all.push_back(
         {"viewer", viewer ? viewer->string() : "missing: scenes get no viewer.html", viewer ? "" : viewer_remedy()});

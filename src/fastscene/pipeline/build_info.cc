@@ -5,7 +5,6 @@
 namespace fastscene {
 
 std::string_view program_version() { return generated::kVersion; }
-std::string_view source_dir() { return generated::kSourceDir; }
 
 Json build_json() {
     Json json;

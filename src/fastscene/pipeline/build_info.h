@@ -8,7 +8,6 @@
 namespace fastscene {
 
 std::string_view program_version();
-std::string_view source_dir();  // where the checkout was at build time
 // Versions and machine, for run.json, report.json and `fastscene version`.
 Json build_json();
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include "fastscene/base/data_files.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/image/color.h"
@@ -67,17 +68,15 @@ ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& w
 std::optional<fs::path> find_viewer_dir() {
     std::vector<fs::path> places;
     if (const char* place = std::getenv("FASTSCENE_VIEWER_DIR"); place && *place) places.emplace_back(place);
-    places.push_back(fs::path(source_dir()) / "web/node_modules/@playcanvas/supersplat-viewer/public");
+    if (const auto place = find_data("supersplat-viewer/public")) places.push_back(*place);
     for (const fs::path& place : places)
         if (fs::exists(place / "index.html") && fs::exists(place / "index.js")) return place;
     return {};
 }
 
 std::string viewer_remedy() {
-    return fmt::format(
-        "the viewer's files are missing: run `npm ci --ignore-scripts` in {}/web, or name their folder in "
-        "FASTSCENE_VIEWER_DIR",
-        source_dir());
+    return "the viewer's files are missing: run `npm ci --ignore-scripts` in the folder web/ of the sources, or name "
+           "their folder in FASTSCENE_VIEWER_DIR";
 }
 
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {

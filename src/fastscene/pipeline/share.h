@@ -19,8 +19,8 @@ Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg);
 // The splats as an 8-bit picture on black.
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera);
 
-// The folder of the viewer's page: $FASTSCENE_VIEWER_DIR, or where npm put it in the checkout. Absent when neither
-// holds one.
+// The folder of the viewer's page: $FASTSCENE_VIEWER_DIR, or supersplat-viewer/public among the data files
+// (base/data_files.h). Absent where neither holds one.
 std::optional<std::filesystem::path> find_viewer_dir();
 // How to get it, as a sentence for people.
 std::string viewer_remedy();

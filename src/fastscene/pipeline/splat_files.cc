@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "fastscene/base/data_files.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/program.h"
-#include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
 
 namespace fastscene {
@@ -23,14 +23,13 @@ struct Command {
 };
 Command splat_transform() {
     if (const auto found = find_program("splat-transform")) return {*found, {}};
-    const fs::path checkout = fs::path(source_dir()) / "web/node_modules/@playcanvas/splat-transform/bin/cli.mjs";
+    const auto script = find_data("splat-transform/bin/cli.mjs");  // a build tree has it, an installed one does not
     const auto node = find_program("node");
-    if (node && fs::exists(checkout)) return {*node, {checkout.string()}};
+    if (node && script) return {*node, {script->string()}};
     throw Error(
         "SOG is written and read by the program splat-transform, which is not here: `npm install -g "
         "@playcanvas/splat-transform` (Node 18 or later), "
-        "or `npm ci --ignore-scripts` in {}/web; or use .spz, .glb or .compressed.ply",
-        source_dir());
+        "or `npm ci --ignore-scripts` in the folder web/ of the sources; or use .spz, .glb or .compressed.ply");
 }
 
 // A folder that goes with the object.

@@ -1,0 +1,22 @@
+# Installs splat.h, rooms.h, fastscene.h and the headers that they reach, from SOURCES/fastscene to
+# DESTINATION/fastscene. What no public header includes stays private.
+cmake_minimum_required(VERSION 3.25)
+set(pending fastscene/splat.h fastscene/rooms.h fastscene/fastscene.h)
+set(seen fastscene/version.h)  # generated, and installed by itself
+while(pending)
+  list(POP_FRONT pending header)
+  if(header IN_LIST seen)
+    continue()
+  endif()
+  list(APPEND seen ${header})
+  if(NOT EXISTS ${SOURCES}/${header})
+    message(FATAL_ERROR "${header}: included by a public header, not found in ${SOURCES}")
+  endif()
+  get_filename_component(folder ${header} DIRECTORY)
+  file(INSTALL ${SOURCES}/${header} DESTINATION ${DESTINATION}/${folder})
+  file(STRINGS ${SOURCES}/${header} includes REGEX "^ *# *include *[<\"]fastscene/")
+  foreach(line ${includes})
+    string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]+)[>\"].*$" "\\1" included "${line}")
+    list(APPEND pending ${included})
+  endforeach()
+endwhile()
