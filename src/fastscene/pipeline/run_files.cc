@@ -68,6 +68,12 @@ std::vector<Rigid> load_walk_poses(const RunFolder& folder) {
     return poses;
 }
 
+Outside load_outside(const RunFolder& folder) {
+    const fs::path directory = folder.walk() / kOutsideName;
+    if (!fs::exists(directory)) return {};
+    return {load_color(directory / "color.png"), load_mask_png(directory / "seen.png")};
+}
+
 std::vector<Panorama> load_walk(const RunFolder& folder) {
     std::vector<Panorama> panoramas;
     for (const Viewpoint& viewpoint : load_viewpoints(folder.walk() / "poses.json")) {

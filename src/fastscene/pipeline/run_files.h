@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fastscene/pipeline/run_folder.h"
+#include "fastscene/scene/outside.h"
 #include "fastscene/scene/panorama.h"
 
 namespace fastscene {
@@ -13,6 +14,9 @@ namespace fastscene {
 // Panorama 0 with its range, those of --more with theirs, and the whole walk, as the files have them.
 Panorama load_first_panorama(const RunFolder& folder);
 std::vector<Panorama> load_more_panoramas(const RunFolder& folder);
+// What lies outside the windows of a known room: walk/outside/color.png, seen.png. Empty where the walk wrote none.
+inline constexpr const char* kOutsideName = "outside";
+Outside load_outside(const RunFolder& folder);
 std::vector<Panorama> load_walk(const RunFolder& folder);
 // world_from_pano of every panorama of the walk, without the pictures.
 std::vector<Rigid> load_walk_poses(const RunFolder& folder);

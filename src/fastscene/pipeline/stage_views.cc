@@ -9,7 +9,8 @@ namespace fastscene {
 namespace fs = std::filesystem;
 
 void make_views(const RunFolder& folder, const ViewsParams& params, const fs::path& out, const Run& run) {
-    const ViewSet known = project_views(load_walk(folder), params, run);
+    const Outside outside = load_outside(folder);
+    const ViewSet known = project_views(load_walk(folder), params, run, &outside);
     save_views(out, known);
     if (params.sfm == "known") return;
     // The model that the splats are trained from is COLMAP's; the known one stays beside it.

@@ -11,6 +11,7 @@
 #include "fastscene/pipeline/same_room.h"
 #include "fastscene/scene/walkable_json.h"
 #include "fastscene/trace/standable.h"
+#include "fastscene/walk/room_outside.h"
 #include "fastscene/walk/room_walk.h"
 #include "fastscene/walk/walkable_walk.h"
 
@@ -22,6 +23,14 @@ ImageMask mask_from_known(const Image<Known>& known, int width, int height) {
     ImageMask mask(width, height, static_cast<std::uint8_t>(Known::original));
     for (std::size_t i = 0; i < known.pixels.size(); ++i) mask.pixels[i] = static_cast<std::uint8_t>(known.pixels[i]);
     return mask;
+}
+
+// Nothing where nobody can look out.
+void save_outside(const fs::path& walk, const Outside& outside) {
+    if (outside.color.empty()) return;
+    make_directories(walk / kOutsideName);
+    save_png(walk / kOutsideName / "color.png", srgb8_from_linear(outside.color));
+    save_png(walk / kOutsideName / "seen.png", outside.seen);
 }
 
 }  // namespace
@@ -70,6 +79,8 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     Json about = params.kind == kRoomWalk
                      ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
                      : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
+    if (params.kind == kRoomWalk)
+        save_outside(out, outside_of_room(*room, floor, first.world_from_pano.rotation, first.size(), run));
     about["invented"] = to_json(inventions);
     const bool stands = !standable_cells(floor).empty();
     write_json(out / folder.walkable_json().filename(),

@@ -62,8 +62,8 @@ struct TracedRoom::Impl {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
         if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, eye, parts, samples, look,
-                              albedo, run);
+        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, eye, parts,
+                              samples, look, albedo, run);
     }
 
     // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
@@ -136,6 +136,18 @@ Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const
 Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
                              const Run& run) const {
     return impl_->shoot(perspective_eye(world_from_camera, camera), parts, run);
+}
+
+ImageColor TracedRoom::outside(const Mat3f& world_from_pano, EquirectSize size) const {
+    const Room& room = impl_->room;
+    ImageColor color(size.width, size.height);
+    parallel_for(size.height, 8, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < size.width; ++x)
+                color.at(x, y) = develop(
+                    room.look, outside_as_seen(room.sky, room.look, world_from_pano * direction_of_pixel(x, y, size)));
+    });
+    return color;
 }
 
 float TracedRoom::distance(Vec3f origin, Vec3f direction) const {

@@ -83,6 +83,9 @@ class TracedRoom {
     Shot perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
                      const Run& run) const;
 
+    // The outside in every direction, as a camera sees it, as if no room stood around: linear light.
+    ImageColor outside(const Mat3f& world_from_pano, EquirectSize size) const;
+
     // Distance in metres to the first surface along a ray; +inf = none. `direction` of length 1.
     float distance(Vec3f origin, Vec3f direction) const;
     // The first surface along a ray (`direction` of length 1), through clear glass: its distance in metres and its unit

@@ -140,8 +140,15 @@ class Owners {
     std::vector<Given> given_;
 };
 
+// Whether the outside is known where this pixel looks. It is not where a mirror shows it.
+bool sees(const Outside& outside, const Panorama& panorama, int x, int y) {
+    const ImageMask& seen = outside.seen;
+    const int w = panorama.color.width, h = panorama.color.height;  // both are in panorama 0's orientation
+    return seen.at(x * seen.width / w, y * seen.height / h) != 0;
+}
+
 void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const Owners& owners, float sky_m,
-             std::vector<Candidate>& out) {
+             const Outside* known, std::vector<Candidate>& out) {
     const Panorama& panorama = panoramas[index];
     const bool given = index == 0 || is_given(panorama);
     const EquirectSize size = panorama.size();
@@ -155,7 +162,7 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
             const auto y = static_cast<int>(row);
             for (int x = 0; x < size.width; ++x) {
                 const bool outside = !(panorama.range.at(x, y) < sky_m);
-                if (!outside && !(on_grid(x) && on_grid(y))) continue;
+                if (outside ? known && sees(*known, panorama, x, y) : !(on_grid(x) && on_grid(y))) continue;
                 const float angle = static_cast<float>(pixel_solid_angle(y, size)) *
                                     static_cast<float>(outside ? 1 : stride * stride);
                 const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
@@ -223,6 +230,19 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
         }
 }
 
+constexpr std::uint32_t kOutside = 0xffffffff;  // in place of a panorama's index: the point is of Outside
+
+void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
+    const EquirectSize size{outside.color.width, outside.color.height};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (!outside.seen.at(x, y)) continue;
+            const float angle = static_cast<float>(pixel_solid_angle(y, size));
+            out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, angle,
+                           angle * (0.01f + gradient_at(outside.color, x, y)), true});
+        }
+}
+
 // What area a pixel counts with: the outside like surfaces a few times as far as the room's, as people look out from
 // across the room; by its true area a window would take nearly all points.
 std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
@@ -235,9 +255,12 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> areas;
     areas.reserve(candidates.size());
     constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
-    const float kOutside = getenv("OUT") ? atof(getenv("OUT")) : 6.f;
+    constexpr float kFarther = 6.f;   // areas grow with the square of the distance: 2.5 times as far
     for (const Candidate& c : candidates)
-        areas.push_back(c.outside ? c.angle * usual * kOutside * (c.hidden > 0 ? kHidden * c.hidden / kOutside : 1.f)
+        areas.push_back(c.outside ? c.angle * usual *
+                                        (c.panorama == kOutside ? kFarther
+                                         : c.hidden > 0         ? kHidden * c.hidden
+                                                                : 1.f)
                                   : std::min(c.area, kMostArea * usual * c.angle));
     return areas;
 }
@@ -269,42 +292,48 @@ std::vector<double> shares_of(const std::vector<Candidate>& candidates, int coun
 
 }  // namespace
 
-std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run) {
+std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run,
+                                        const Outside* outside) {
     std::vector<Candidate> candidates;
+    const Outside* known = outside && !outside->color.empty() ? outside : nullptr;
     const float sky_m = sky_distance(panoramas);
     const Owners owners(panoramas, sky_m);
-    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, owners, sky_m, candidates);
+    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, owners, sky_m, known, candidates);
     if (candidates.empty()) return {};
-    const ImageColor outlook = outside_picture(panoramas[0].color, panoramas[0].range);
+    ImageColor outlook;
+    if (known) collect_outside(*known, candidates);
+    else outlook = outside_picture(panoramas[0].color, panoramas[0].range);
     if (!outlook.empty()) collect_hidden(panoramas[0], candidates);
     const std::vector<double> shares = shares_of(candidates, count);
     // One walk along the sum of shares, with one jittered draw a step: spread more evenly than free draws.
     std::vector<SurfacePoint> points;
     points.reserve(static_cast<std::size_t>(count));
     std::vector<ImageMask> cuts(panoramas.size());
+    const auto surface_of = [&](const Candidate& c, int x, int y) {
+        if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panoramas[c.panorama].range);
+        return surface_at(panoramas[c.panorama], cuts[c.panorama], sky_m, x, y);
+    };
     Random random(run.seed, "views/points");
     double sum = 0, next = static_cast<double>(random.uniform());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& c = candidates[i];
         sum += shares[i];
         while (next < sum && static_cast<int>(points.size()) < count) {
-            const Panorama& panorama = panoramas[c.panorama];
-            if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panorama.range);
-            const int x = static_cast<int>(c.pixel) % panorama.color.width,
-                      y = static_cast<int>(c.pixel) / panorama.color.width;
-            const Vec3f d = direction_of_pixel(x, y, panorama.size());
-            const Surface s = c.hidden > 0 ? Surface{d * sky_m, -d}
-                                           : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
+            const bool known_outside = c.panorama == kOutside, far = known_outside || c.hidden > 0;
+            const Panorama& panorama = panoramas[known_outside ? 0 : c.panorama];
+            const ImageColor& color = known_outside ? known->color : c.hidden > 0 ? outlook : panorama.color;
+            const int x = static_cast<int>(c.pixel) % color.width, y = static_cast<int>(c.pixel) / color.width;
+            const Vec3f d = direction_of_pixel(x, y, {color.width, color.height});
+            const Surface s = far ? Surface{d * sky_m, -d} : surface_of(c, x, y);
             SurfacePoint point;
             point.position_m = panorama.world_from_pano * s.point;
             point.normal = panorama.world_from_pano.rotation * s.normal;
-            point.color = srgb8_from_linear(c.hidden > 0 ? outlook.at(x, y) : panorama.color.at(x, y));
-            const float area = c.hidden > 0 ? c.angle * sky_m * sky_m : c.area;
-            // Views see none of what is hidden: it stays as it starts, and is opaque from the first only where discs
-            // overlap well.
+            point.color = srgb8_from_linear(color.at(x, y));
+            const float area = far ? c.angle * sky_m * sky_m : c.area;
+            // Views see little of this: it stays as it starts, and is opaque from the first only where discs overlap
+            // well.
             constexpr float kWide = 1.7f;
-            point.radius_m = (c.hidden > 0 ? kWide : 1.f) *
-                             static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
+            point.radius_m = (far ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
             points.push_back(point);
             next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
         }

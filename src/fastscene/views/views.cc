@@ -84,14 +84,15 @@ class Cuts {
 
 }  // namespace
 
-ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run) {
+ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run,
+                      const Outside* outside) {
     for (std::size_t p = 0; p < panoramas.size(); ++p)
         if (panoramas[p].range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
     ViewSet set;
     const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{}
                                                                : backdrop_points(panoramas, params.backdrop);
-    set.points = sample_points(panoramas, params.points,
-                               run);  // first: it needs all panoramas at once, cutting one after the other
+    // First: it needs all panoramas at once, cutting one after the other.
+    set.points = sample_points(panoramas, params.points, run, outside);
     set.points.insert(set.points.end(), behind.begin(), behind.end());
     const Pinhole camera = Pinhole::with_fov(params.size, params.size, params.fov_deg);
     const auto rotations = view_rotations();

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
+#include "fastscene/scene/outside.h"
 #include "fastscene/scene/panorama.h"
 #include "fastscene/scene/view.h"
 
@@ -42,6 +43,8 @@ void visit_fields(ViewsParams& p, V&& v) {
 // Cuts every panorama into overlapping views that cover the whole sphere, floor and ceiling too (14 at 90 degrees).
 // Deterministic in (panoramas, params, run.seed). Who moves the panoramas in has the memory of each back when its views
 // are cut: twenty of 4096 columns are 3 GB.
-ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run);
+// `outside`: what lies beyond the windows, where that is known (null: what the panoramas saw of it).
+ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run,
+                      const Outside* outside = nullptr);
 
 }  // namespace fastscene

@@ -45,7 +45,7 @@ Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, Equirec
 
 // The width of the sharpest reflection that harmonics of degree 2 can hold. A sharper one differs between neighbouring
 // standpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
-const float kMinAlpha = getenv("MA") ? atof(getenv("MA")) : 0.3f;
+constexpr float kMinAlpha = 0.3f;
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kEyeLow_m = 0.6f, kEyeHigh_m = 1.9f;  // a crouch, a tall adult
+constexpr float kLowestEye_m = 0.6f, kTallestEye_m = 1.9f;  // a crouch, a tall adult
 // Painted pixels are right in the mean and wrong in detail: where they are more than this share of what one sees, it
 // shows.
 constexpr double kHolds = 0.15;
@@ -36,7 +36,7 @@ std::vector<Vec2f> convex_hull(std::vector<Vec2f> points) {
 }  // namespace
 
 WalkableArea walkable_room(const StandableFloor& floor) {
-    return {outlines(floor), floor.floor_y - kEyeHigh_m, floor.floor_y - kEyeLow_m, floor.floor_y};
+    return {outlines(floor), floor.floor_y - kTallestEye_m, floor.floor_y - kLowestEye_m, floor.floor_y};
 }
 
 Invention invention_of(const Panorama& panorama) {
