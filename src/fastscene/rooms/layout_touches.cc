@@ -61,7 +61,7 @@ class Touches {
 
     // Below windows whose sill is high enough, where nothing else stands.
     void radiators() {
-        if (is_settled("radiator") || l_.plan().style.name == "mediterranean") return;
+        if (is_settled("radiator") || !l_.plan().style.radiators) return;
         for (const Opening& o : l_.plan().openings) {
             if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.dice().chance(0.6f)) continue;
             PieceRequest r = l_.request("radiator");

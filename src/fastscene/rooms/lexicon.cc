@@ -6,6 +6,7 @@
 #include "fastscene/base/check.h"
 #include "fastscene/rooms/lexicon_table.h"
 #include "fastscene/rooms/style.h"
+#include "fastscene/rooms/style_file.h"
 
 namespace fastscene {
 
@@ -110,6 +111,8 @@ const LexiconTable& lexicon_table() {
     static const LexiconTable read = [] {
         LexiconTable out;
         for (const std::string_view line : split(kLexiconText, '\n')) read_line(line, out);
+        // What a style's own file says goes before the nearest style that the lexicon knows.
+        for (const auto& [word, style] : style_words()) out.words.insert_or_assign(word, Word{WordKind::style, style});
         for (auto& [term, word] : out.words) {
             word.also_color = out.colors.contains(term);
             std::string letters = term;

@@ -293,7 +293,8 @@ void suggest_style(PromptSpec& spec) {
             spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
         }
     if (spec.style.empty() && spec.clutter == "abandoned") {  // what was left decades ago is not of today
-        spec.style = spec.room == "loft" ? "industrial" : "classic";
+        const StyleMood mood = spec.room == "loft" ? StyleMood::abandoned_loft : StyleMood::abandoned;
+        spec.style = styles_for(mood).front();
         spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
     }
 }
@@ -329,21 +330,14 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     suggest_style(spec);
     if (spec.style.empty()) {
-        // What most people like; concrete, chrome and tiles from the south only when they are asked for.
-        static const std::vector<std::string> kUsual{"modern", "scandinavian", "japandi",    "classic",
-                                                     "boho",   "rustic",       "mid-century"};
-        static const std::vector<std::string> kCozy{"scandinavian", "rustic"},
-            kForChildren{"modern", "scandinavian", "boho", "mid-century"}, kUrban{"modern", "industrial"},
-            kBright{"scandinavian", "classic", "boho", "modern"},
-            kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
-        const std::vector<std::string>& choice = spec.mood == "cozy"                              ? kCozy
-                                                 : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
-                                                 : spec.light == "neon"                           ? kUrban
-                                                 : !spec.colors.empty()                           ? kPainted
-                                                 : spec.light == "bright" || spec.weather == "sunny" ||
-                                                         spec.mood == "airy"
-                                                     ? kBright
-                                                     : kUsual;
+        const bool bright = spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy";
+        const std::vector<std::string> choice = styles_for(spec.mood == "cozy" ? StyleMood::cozy
+                                                           : spec.room == "kids" || spec.mood == "colorful"
+                                                               ? StyleMood::children
+                                                           : spec.light == "neon" ? StyleMood::neon
+                                                           : !spec.colors.empty() ? StyleMood::colored
+                                                           : bright               ? StyleMood::bright
+                                                                                  : StyleMood::usual);
         spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
@@ -391,7 +385,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.forbidden) continue;
         if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() &&
             wish.material.empty()) {
-            wish.pattern = wallpaper_of(plan.style.name);
+            wish.pattern = plan.style.wallpaper;
             spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
         }
         if (stands_before(wish)) continue;
