@@ -5,6 +5,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/rooms/lexicon_table.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/style.h"
 #include "fastscene/rooms/style_file.h"
 
@@ -164,16 +165,15 @@ std::optional<std::uint32_t> lexicon_color(std::string_view name) {
 }
 
 std::string room_title(std::string_view room) {
-    if (room == "living") return "living room";
-    if (room == "kids") return "kids' room";
-    if (room == "dining") return "dining room";
-    if (room == "laundry") return "laundry room";
+    for (const RoomType& type : all_room_types())
+        if (type.name == room) return type.title;
     return std::string(room);
 }
 
 std::vector<std::string> room_types() {
-    return {"living", "bedroom", "kids", "kitchen", "dining",  "bathroom",
-            "study",  "hallway", "loft", "laundry", "sunroom", "attic"};
+    std::vector<std::string> out;
+    for (const RoomType& type : all_room_types()) out.push_back(type.name);
+    return out;
 }
 
 std::size_t lexicon_size() { return lexicon_table().words.size() + lexicon_table().colors.size(); }

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 namespace {
@@ -28,7 +29,8 @@ void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice) {
 }
 
 void deepen_paint(const PromptSpec& spec, Plan& plan) {
-    if (!spec.colors.empty() || !spec.mood.empty() || spec.light == "bright" || spec.room != "study") return;
+    if (!spec.colors.empty() || !spec.mood.empty() || spec.light == "bright" || !room_type(spec.room).deep_paints)
+        return;
     Random dice(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.depth), "deep paint");
     const std::vector<Vec3f>& paints = plan.style.deep_paints;
     if (paints.empty() || !dice.chance(0.6f)) return;
@@ -46,11 +48,6 @@ void tile_wet_room(Plan& plan, Random& dice) {
     plan.style.floor = plan.style.wet_floor;
 }
 
-Shelves shelves_of(std::string_view room) {
-    if (room == "bathroom" || room == "laundry") return Shelves::bath;
-    return room == "kitchen" ? Shelves::kitchen : room == "kids" ? Shelves::toys : Shelves::books;
-}
-
 void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     const auto speaks_of = [&](std::string_view klass) {
         return std::any_of(spec.objects.begin(), spec.objects.end(),
@@ -61,8 +58,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     const float boards = dice.uniform(), tray = dice.uniform(), spots = dice.uniform();
     plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
     if (speaks_of("ceiling") || !spec.everything.klass.empty()) return;
-    const bool wet = spec.room == "bathroom" || spec.room == "laundry",
-               flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
+    const bool wet = room_type(spec.room).wet, flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
     const Style& style = plan.style;
     if (boards < style.ceiling_boards_probability && !wet) {
         plan.style.ceiling = style.ceiling_boards;
