@@ -14,7 +14,7 @@ namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kFolder = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene/rooms/room_types";
+const fs::path kTypesFolder = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene/rooms/room_types";
 
 std::string type_text(const fs::path& path) {
     std::ifstream in(path);
@@ -22,7 +22,7 @@ std::string type_text(const fs::path& path) {
 }
 
 std::string type_error(const std::string& from, const std::string& to) {
-    std::string text = type_text(kFolder / "living.toml");
+    std::string text = type_text(kTypesFolder / "living.toml");
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     if (at != std::string::npos) text.replace(at, from.size(), to);
@@ -36,7 +36,7 @@ std::string type_error(const std::string& from, const std::string& to) {
 
 TEST(RoomTypeFiles, EachIsAType) {
     std::set<std::string> names, known;
-    for (const auto& entry : fs::directory_iterator(kFolder))
+    for (const auto& entry : fs::directory_iterator(kTypesFolder))
         EXPECT_TRUE(names.insert(read_room_type(type_text(entry.path()), entry.path().string()).name).second);
     for (const RoomType& type : all_room_types()) known.insert(type.name);
     EXPECT_EQ(names, known);

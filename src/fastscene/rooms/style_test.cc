@@ -18,16 +18,16 @@ namespace fastscene {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRooms = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene/rooms";
+const fs::path kSources = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene/rooms";
 
-std::string text_of(const fs::path& path) {
+std::string style_text(const fs::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // The error of a file in which the first match of `pattern` is replaced.
 std::string error_with(const std::string& pattern, const std::string& replacement) {
-    const std::string text = text_of(kRooms / "styles/modern.toml");
+    const std::string text = style_text(kSources / "styles/modern.toml");
     const std::string changed = std::regex_replace(text, std::regex(pattern), replacement,
                                                    std::regex_constants::format_first_only);
     EXPECT_NE(changed, text) << pattern;
@@ -41,8 +41,8 @@ std::string error_with(const std::string& pattern, const std::string& replacemen
 
 TEST(StyleFiles, EachIsAStyle) {
     std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(kRooms / "styles")) {
-        const Style style = read_style(text_of(entry.path()), entry.path().string());
+    for (const auto& entry : fs::directory_iterator(kSources / "styles")) {
+        const Style style = read_style(style_text(entry.path()), entry.path().string());
         EXPECT_TRUE(names.insert(style.name).second) << style.name << " is the name of two files";
         EXPECT_EQ(style_named(style.name).rank, style.rank);
     }
@@ -97,7 +97,7 @@ TEST(StyleFiles, NoCodeKnowsAStyleByName) {
     const std::regex compared("style(\\.name|->name)?\\s*[!=]=\\s*\"|\"(" + names + ")\"\\s*[!=]="),
         assigned("style\\s*=\\s*\"(" + names + ")\""), in_table("\\{\\s*\"(" + names + ")\"\\s*,");
     std::size_t files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(kRooms)) {
+    for (const auto& entry : fs::recursive_directory_iterator(kSources)) {
         const std::string path = entry.path().string();
         if ((!path.ends_with(".cc") && !path.ends_with(".h")) || path.ends_with("_test.cc")) continue;
         ++files;
