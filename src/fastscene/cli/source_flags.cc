@@ -71,7 +71,7 @@ SceneSource source_of(const SourceTexts& texts, bool painted) {
     const auto picture = texts.find(kPicture);
     if (painted) return filled<PaintingSource>(texts, "--panorama diffusion360");
     if (picture != texts.end() && !picture->second.empty()) return filled<PictureSource>(texts, "--panorama FILE");
-    return filled<PromptSource>(texts, "it alone");
+    return filled<PromptSource>(texts, "alone");
 }
 
 }  // namespace fastscene::cli
