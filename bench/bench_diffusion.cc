@@ -6,7 +6,6 @@
 #include <c10/core/InferenceMode.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <map>
 #include <vector>
 
+#include "cpu_clock.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
@@ -37,11 +37,6 @@ using at::Tensor;
 using nn::HashedWeights;
 using nn::Scope;
 
-double cpu_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 double peak_gib() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;)

@@ -4,12 +4,12 @@
 //   bench_fit --plain 100 --size 512 --splat-count 200000 --splat-steps 20      (memory only: pictures without content)
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "bench/textured_room.h"
+#include "cpu_clock.h"
 #include "fastscene/base/json.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/io/view_io.h"
@@ -20,11 +20,6 @@ namespace {
 
 using namespace fastscene;
 
-double cpu_s() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 double peak_mb() {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
@@ -67,11 +62,11 @@ double frames_a_second(const Splats& splats, const std::vector<View>& views) {
     constexpr int kFrames = 60;
     double before = 0;
     for (int i = -5; i < kFrames; ++i) {
-        if (i == 0) before = cpu_s();
+        if (i == 0) before = cpu_seconds();
         const View& view = views[static_cast<std::size_t>(i + 5) % views.size()];
         engine.render(cloud, view.camera, view.world_from_camera, {}, false, view.model);
     }
-    return kFrames / (cpu_s() - before);
+    return kFrames / (cpu_seconds() - before);
 }
 
 }  // namespace
@@ -105,12 +100,12 @@ int main(int argc, char** argv) try {
     set_threads(threads);
     ViewSet set = plain ? plain_views(size, plain, params.count) : load_views(folder);
     if (holdout > 0) params.eval_every = 1000000, params.holdout = holdout;
-    const double before = cpu_s();
+    const double before = cpu_seconds();
     const FittedSplats fitted = splat::fit(set, params, tuning, Run{});
     Json out{{"views", set.views.size()},
              {"count", fitted.splats.size()},
              {"steps", fitted.steps},
-             {"cpu_s", cpu_s() - before},
+             {"cpu_s", cpu_seconds() - before},
              {"peak_mb", peak_mb()}};
     if (!fitted.evals.empty()) out["psnr"] = fitted.evals.back().psnr, out["ssim"] = fitted.evals.back().ssim;
     if (frames) out["frames_a_second"] = frames_a_second(fitted.splats, set.views);

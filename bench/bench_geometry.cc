@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstring>
-#include <ctime>
 #include <iostream>
 
+#include "cpu_clock.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/resample.h"
@@ -25,9 +25,7 @@ using Clock = std::chrono::steady_clock;
 // One thread: its own time, which what else runs here lengthens little; all threads: wall time.
 double seconds_now() {
     if (thread_count() > 1) return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    return cpu_seconds();
 }
 
 // Least seconds of `rounds`: what the machine can do when nothing else gets in the way.

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 
+#include "cpu_clock.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/image/color.h"
@@ -144,15 +145,6 @@ Json sorted_shares(const std::map<std::string, double>& errors, double all) {
     for (std::size_t i = 0; i < std::min<std::size_t>(8, most.size()); ++i)
         shares.push_back({most[i].second, std::round(most[i].first * 1000) / 1000});
     return shares;
-}
-
-double cpu_seconds() {
-    rusage use{};
-    getrusage(RUSAGE_SELF, &use);
-    const auto seconds = [](timeval t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(use.ru_utime) + seconds(use.ru_stime);
 }
 
 int run(int argc, char** argv) {

@@ -6,13 +6,13 @@
 #include <ATen/ops/mm.h>
 #include <ATen/ops/rand.h>
 #include <fmt/format.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "cpu_clock.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/image/color.h"
 #include "fastscene/inpaint/inpaint.h"
@@ -31,12 +31,6 @@
 namespace {
 
 using namespace fastscene;
-
-double cpu_s() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 
 using Method = std::function<ImageRgb8(const ImageRgb8& torn, const ImageMask& hole)>;
 
@@ -136,9 +130,9 @@ double generator_gflop(double width, double blocks, double side) {
 double seconds_of(int runs, const std::function<void()>& work) {
     double best = 1e9;
     for (int i = 0; i < runs; ++i) {
-        const double begin = cpu_s();
+        const double begin = cpu_seconds();
         work();
-        best = std::min(best, cpu_s() - begin);
+        best = std::min(best, cpu_seconds() - begin);
     }
     return best;
 }
@@ -205,9 +199,9 @@ int main(int argc, char** argv) {
                 torn.pixels[k] = {255, 255, 255}, open += 1.0 / static_cast<double>(torn.size());
         std::vector<ImageRgb8> row{torn};
         for (std::size_t m = 0; m < methods.size(); ++m) {
-            const double begin = cpu_s();
+            const double begin = cpu_seconds();
             row.push_back(methods[m].second(torn, example.hole));
-            seconds[m] += cpu_s() - begin;
+            seconds[m] += cpu_seconds() - begin;
             psnr[m] += psnr_in_holes(row.back(), example.truth, example.hole);
             edges[m] += gmsd(row.back(), example.truth);
         }

@@ -1,13 +1,13 @@
 // The half of a comparison with another trainer that is ours: writes a set of views as a COLMAP model, measures any
 // splats at the poses held out of it, and says what our training costs to get as far. Used by bench/peers/*.sh.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "bench/textured_room.h"
+#include "cpu_clock.h"
 #include "fastscene/base/json.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
@@ -17,12 +17,6 @@
 namespace {
 
 using namespace fastscene;
-
-double cpu_s() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 
 double held_out_psnr(const Splats& splats, const std::vector<View>& views) {
     double sum = 0;
@@ -86,9 +80,9 @@ int main(int argc, char** argv) try {
         params.count = count;
         for (const int n : steps) {
             params.steps = n;
-            const double before = cpu_s();
+            const double before = cpu_seconds();
             const FittedSplats fitted = fit_splats(views, params, Run{});
-            const double cost = cpu_s() - before, psnr = held_out_psnr(fitted.splats, set.held_out);
+            const double cost = cpu_seconds() - before, psnr = held_out_psnr(fitted.splats, set.held_out);
             fmt::print("{}\n", Json{{"steps", n}, {"cpu_s", cost}, {"held_out_psnr", psnr}}.dump());
             if (psnr >= target) break;
         }

@@ -1,11 +1,11 @@
 // What a room's light and its pictures cost: CPU seconds, and how far pictures of fewer rays are from the best one.
 //   bench_shots "a bedroom" --width 1024
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <fmt/format.h>
 
 #include <memory>
 
+#include "cpu_clock.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
 #include "fastscene/panorama/panorama.h"
@@ -15,12 +15,11 @@
 using namespace fastscene;
 
 namespace {
-double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 template <class F>
 auto timed(const char* what, F&& f) {
-    const double before = cpu_now();
+    const double before = cpu_seconds();
     auto result = f();
-    fmt::print("{:28} {:8.2f} CPU s\n", what, cpu_now() - before);
+    fmt::print("{:28} {:8.2f} CPU s\n", what, cpu_seconds() - before);
     return result;
 }
 }  // namespace

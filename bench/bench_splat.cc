@@ -1,6 +1,5 @@
 // What one training step costs: CPU milliseconds per step and per part, on data made in this process.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,17 +8,14 @@
 #include <vector>
 
 #include "bench/textured_room.h"
+#include "cpu_clock.h"
 #include "fastscene/base/json.h"
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/splat.h"
 
 namespace {
 
-double cpu_ms() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_nsec) * 1e-6;
-}
+double cpu_ms() { return 1e3 * cpu_seconds(); }
 double wall_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

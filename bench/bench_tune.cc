@@ -2,12 +2,12 @@
 // --where room` has kept.
 //   bench_tune out/bedroom --steps 1500 --count 250000
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "cpu_clock.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/metrics/metrics.h"
@@ -55,9 +55,9 @@ int main(int argc, char** argv) {
         if (i % kViewsAPanorama < static_cast<std::size_t>(first)) some.push_back(std::move(views.views[i]));
     views.views = std::move(some);
     params.count = count_for(views.points, params);
-    const std::clock_t before = std::clock();
+    const double before = cpu_seconds();
     Splats splats = splat::fit(views, params, tuning, run).splats;
-    const double cpu = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    const double cpu = cpu_seconds() - before;
     const TruthSet truth = load_truth_set(dir + "/metrics/kept/room");
     const Splats trained = splats;
     for (const double k : {1.0}) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "cpu_clock.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/geometry/range_edges.h"
 #include "fastscene/image/color.h"
@@ -20,15 +21,6 @@ namespace fastscene {
 namespace {
 
 constexpr int kSilhouette = 2;  // pixels beside a range edge that count as silhouette
-
-double cpu_seconds() {
-    rusage use{};
-    getrusage(RUSAGE_SELF, &use);
-    const auto seconds = [](timeval t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(use.ru_utime) + seconds(use.ru_stime);
-}
 
 Panorama albedo_panorama(const TracedRoom& room, Vec3f position, EquirectSize size, int samples, const Run& run) {
     const Rigid pose{{}, position};

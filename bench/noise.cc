@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <iostream>
 
 #include "bench/noise_pixels.h"
+#include "cpu_clock.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"
@@ -36,8 +36,6 @@ struct Flags {
     bool plain = false, list_all = false;
     TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};  // as `standard` has them
 };
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Flat triangles and matt colors: what any two renderers agree on.
 void make_plain(Room& room) {

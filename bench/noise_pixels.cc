@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 
+#include "cpu_clock.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/geometry/sphere.h"
@@ -71,7 +71,7 @@ double squared_error(Vec3f a, Vec3f b) {
 }  // namespace
 
 Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& path) {
-    const std::clock_t start = std::clock();
+    const double start = cpu_seconds();
     std::vector<Vec3f> radiances;
     fastscene::Run run;
     const ShotParts parts{.color = true,
@@ -88,9 +88,7 @@ Json trace_reference(const TracedRoom& room, const Lot& lot, const std::string& 
     }
     write_file(path,
                std::string_view(reinterpret_cast<const char*>(radiances.data()), radiances.size() * sizeof(Vec3f)));
-    return {{"pixels", lot.count},
-            {"samples", lot.samples},
-            {"cpu_s", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC}};
+    return {{"pixels", lot.count}, {"samples", lot.samples}, {"cpu_s", cpu_seconds() - start}};
 }
 
 Json compare_with_reference(const TracedRoom& room, const Shot& picture, const Lot& lot, const std::string& path,

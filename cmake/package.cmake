@@ -12,8 +12,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fastscene)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "from a sentence to a 3D indoor scene you can walk through
- Makes a furnished room from a sentence, path traces it, and trains 3D Gaussians
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Makes a furnished room from a sentence, path traces it, and trains 3D Gaussians
  that any browser shows. It also makes scenes of panoramas and photographs.")
 # What the program is linked with, as dpkg-shlibdeps finds it.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
@@ -23,8 +22,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "sweethome3d-furniture, ffmpeg, colmap
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfastscene-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "3D Gaussian splats and rooms from sentences (development files)
- Static libraries, headers and CMake files: a trainer, renderer and file formats
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Static libraries, headers and CMake files: a trainer, renderer and file formats
  for 3D Gaussian splats; a maker of furnished rooms with a path tracer; and the
  whole of fastscene.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, nlohmann-json3-dev, libtbb-dev, libpng-dev, libjpeg-dev, \

@@ -47,40 +47,74 @@ void make_and_print(const SceneRequest& request, const RunFolder& folder, const 
         run.note(fmt::format("open {} in a browser to walk through it", folder.viewer_html().string()));
 }
 
+// What the user named with --panorama, where it is no picture.
+constexpr std::string_view kPainter = "diffusion360";
+
+bool is_painted(const RequestFlags& flags) {
+    const auto named = flags.source.find("--panorama");
+    const auto backend = flags.given->find("--panorama-backend");
+    return (named != flags.source.end() && named->second == kPainter) ||
+           (backend != flags.given->end() && backend->second == kPainter);
+}
+
+bool is_enlarged(const RequestFlags& flags) {
+    const auto upscale = flags.given->find("--panorama-upscale");
+    return upscale != flags.given->end() && upscale->second != "none";
+}
+
+// Throws UsageError for flags that do not fit together.
+SceneSource starting_source(const CLI::App& verb, const RequestFlags& flags) {
+    const bool painted = is_painted(flags), larger = is_enlarged(flags);
+    const SceneSource source = source_of(flags.source, painted);
+    const auto given = [&](std::string_view flag) { return flags.source.contains(flag); };
+    const bool picture = !picture_of(source).empty();
+    if (!painted && !picture && !given("prompt"))
+        throw UsageError("{}: expected a prompt in quotes, or --panorama FILE", verb.get_name());
+    if (larger && !painted && !picture)
+        throw UsageError(
+            "--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found alone");
+    if (picture && !larger && given("--weights"))
+        throw UsageError(
+            "--weights: expected together with --panorama diffusion360, or --panorama FILE and --panorama-upscale, "
+            "found alone");
+    if (painted && prompt_of(source).find_first_not_of(" \t\r\n") == std::string::npos)
+        throw UsageError("{}: expected a prompt in quotes, found none", verb.get_name());
+    return source;
+}
+
+SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, const std::string& last_stage) {
+    SceneRequest request;
+    request.source = starting_source(verb, flags);
+    request.quality = flags.quality;
+    request.params = params_of_quality(flags.quality);
+    PanoramaParams& panorama = request.params.panorama;
+    if (const auto* painting = std::get_if<PaintingSource>(&request.source)) {
+        panorama.width = 1024;  // what the model was trained for
+        if (!painting->photo.empty()) panorama.diffusion.guidance = kGuidanceAroundPhoto;
+    }
+    apply_param_flags(request.params, *flags.given);
+    if (has_room(request.source) && panorama.backend == "image")
+        throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
+    panorama.backend = panorama_backend(request.source);
+    if (flags.strict) panorama.strict = true;
+    if (!flags.assets.empty()) panorama.assets = flags.assets;
+    request.last_stage = last_stage;
+    request.start_over = flags.force;
+    return request;
+}
+
 }  // namespace
 
 Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence,
                        const std::string& last_stage) {
     auto flags = std::make_shared<RequestFlags>();
     CLI::App* verb = app.add_subcommand(name, sentence);
-    verb->add_option("prompt", flags->prompt,
-                     "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".")
-        ->type_name("PROMPT");
     verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")
         ->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")
         ->type_name("N")
         ->capture_default_str();
-    verb->add_option("--panorama", flags->picture,
-                     "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or "
-                     "diffusion360: paint the prompt with --weights.")
-        ->type_name("FILE|diffusion360");
-    verb->add_option("--weights", flags->weights,
-                     "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ "
-                     "scheduler/; default: those of "
-                     "`models pull diffusion360`.")
-        ->type_name("DIR");
-    verb->add_option("--photo", flags->photo,
-                     "With --panorama diffusion360: a photo that is continued all around. How wide it sees: "
-                     "--panorama-photo-fov-deg.")
-        ->type_name("FILE");
-    verb->add_option(
-            "--range", flags->range_map,
-            "Range map of that picture (.exr, .pfm, .tif, 16-bit .png in millimetres); without it range is estimated.")
-        ->type_name("FILE");
-    verb->add_option("--more", flags->more,
-                     "Further panoramas of the same place with their poses, a list in JSON (docs/depth.md).")
-        ->type_name("FILE");
+    add_source_flags(*verb, flags->source);
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
     verb->add_option("--assets", flags->assets,
                      "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
@@ -90,51 +124,13 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
     add_param_flags(*verb, flags, last_stage);
 
     return {verb, [flags, last_stage, verb](const Session& session) {
-                if (flags->picture.empty() && verb->count("prompt") == 0)
-                    throw UsageError("{}: expected a prompt in quotes, or --panorama FILE", verb->get_name());
-                SceneRequest request;
-                const auto backend = flags->given->find("--panorama-backend");
-                const bool painted = flags->picture == "diffusion360" ||
-                                     (backend != flags->given->end() && backend->second == "diffusion360");
-                if (painted) flags->picture.clear();
-                const auto upscale = flags->given->find("--panorama-upscale");
-                const bool larger = upscale != flags->given->end() && upscale->second != "none";
-                if (larger && !painted && flags->picture.empty())
-                    throw UsageError(
-                        "--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found "
-                        "alone");
-                if (!painted && !larger && !flags->weights.empty())
-                    throw UsageError(
-                        "--weights: expected together with --panorama diffusion360, or --panorama FILE and "
-                        "--panorama-upscale, found alone");
-                if (!painted && !flags->photo.empty())
-                    throw UsageError(
-                        "--photo: expected together with --panorama diffusion360, found alone; a 2:1 panorama goes to "
-                        "--panorama FILE");
-                if (painted && flags->prompt.find_first_not_of(" \t\r\n") == std::string::npos)
-                    throw UsageError("{}: expected a prompt in quotes, found none", verb->get_name());
-                request.source = {flags->prompt,  flags->picture, flags->range_map,
-                                  flags->weights, flags->photo,   flags->more};
-                request.quality = flags->quality;
-                request.params = params_of_quality(flags->quality);
-                if (painted) request.params.panorama.width = 1024;  // what the model was trained for
-                if (!flags->photo.empty()) request.params.panorama.diffusion.guidance = kGuidanceAroundPhoto;
-                apply_param_flags(request.params, *flags->given);
-                if (painted) request.params.panorama.backend = "diffusion360";
-                if (flags->strict) request.params.panorama.strict = true;
-                if (!flags->assets.empty()) request.params.panorama.assets = flags->assets;
-                if (!flags->picture.empty()) request.params.panorama.backend = "image";
-                if (flags->picture.empty() && request.params.panorama.backend == "image")
-                    throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
-                request.last_stage = last_stage;
-                request.start_over = flags->force;
+                SceneRequest request = starting_request(*verb, *flags, last_stage);
                 const Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 use_cached_weights(request, run);
                 // The prompt is looked at before it becomes a folder's name.
-                if (flags->picture.empty() && !painted) read_prompt(flags->prompt, request.params.panorama);
-                const std::string title = flags->picture.empty()
-                                              ? flags->prompt
-                                              : std::filesystem::path(flags->picture).stem().string();
+                if (has_room(request.source)) read_prompt(prompt_of(request.source), request.params.panorama);
+                const std::filesystem::path picture = picture_of(request.source);
+                const std::string title = picture.empty() ? prompt_of(request.source) : picture.stem().string();
                 const RunFolder folder{flags->out.empty() ? std::filesystem::path("out") / slug_of(title)
                                                           : std::filesystem::path(flags->out)};
                 make_and_print(request, folder, run, session);

@@ -6,13 +6,15 @@
 #include <string>
 
 #include "fastscene/cli/flags.h"
+#include "fastscene/cli/source_flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/pipeline.h"
 
 namespace fastscene::cli {
 
 struct RequestFlags {
-    std::string prompt, picture, range_map, more, weights, photo, out, assets;
+    std::string out, assets;
+    SourceTexts source;
     std::string quality = "standard";
     std::string seed = "0";
     bool force = false, strict = false, has_quality = false;

@@ -7,7 +7,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
-#include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/request.h"
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
 

@@ -28,9 +28,9 @@ void train(const CaptureRequest& request, const RunFolder& folder, std::uint64_t
 
 CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) {
     CaptureRequest request;
-    request.kind = flags.nerfstudio.empty() ? "colmap" : "nerfstudio";
-    request.source = flags.nerfstudio.empty() ? flags.colmap : flags.nerfstudio;
-    request.folders = {flags.images, flags.masks, 1};
+    const bool colmap = flags.nerfstudio.empty();
+    request.source = {colmap ? "colmap" : "nerfstudio", colmap ? flags.colmap : flags.nerfstudio, flags.images,
+                      flags.masks};
     request.quality = stage.quality;
     request.splat = capture_params_of_quality(stage.quality);
     request.photos.max_size = max_size_of(stage.quality);
@@ -128,7 +128,7 @@ Verb add_splat(CLI::App& app) {
         CaptureRequest request = request_of(*flags, *stage);
         apply_fields("splat", request.splat, *stage->given);
         apply_fields("", request.photos, *flags->given);
-        fs::path source = fs::absolute(request.source).lexically_normal();
+        fs::path source = fs::absolute(request.source.source).lexically_normal();
         if (source.filename().empty()) source = source.parent_path();
         const std::string name = source.extension() == ".json" ? source.parent_path().filename().string()
                                                                : source.filename().string();

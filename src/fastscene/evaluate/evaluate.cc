@@ -142,8 +142,7 @@ class Evaluation {
         if (!job.scene->run.empty()) return cost_of_stages(folder);
         start_from_sibling(jobs_, job, options_.out);
         SceneRequest request{job.scene->source, job.variant->quality, job.variant->params, last_stage_, false};
-        if (!request.source.picture.empty()) request.params.panorama.backend = "image";
-        if (!request.source.weights.empty()) request.params.panorama.backend = "diffusion360";
+        request.params.panorama.backend = panorama_backend(request.source);
         return make_scene(request, folder, run);
     }
 
@@ -155,20 +154,16 @@ class Evaluation {
                     {"scene", job.scene->name},
                     {"seed", job.seed},
                     {"quality", job.variant->quality},
-                    {"prompt", job.scene->source.prompt},
+                    {"prompt", prompt_of(job.scene->source)},
                     {"folder", fs::relative(folder.root, options_.out).generic_string()}};
-        if (!job.scene->source.picture.empty()) record["picture"] = job.scene->source.picture.string();
+        if (const fs::path picture = picture_of(job.scene->source); !picture.empty())
+            record["picture"] = picture.string();
         try {
             if (given) record["quality"] = recorded_run(folder).request.quality;
             const Json report = make(job, folder, run);
-            const MeasureInputs inputs{&suite_,
-                                       options_.out,
-                                       options_.out / "measured" / job.place,
-                                       truth_of(job),
-                                       job.variant->bounds,
-                                       given,
-                                       options_.weights,
-                                       job.scene->source.prompt};
+            const MeasureInputs inputs{
+                &suite_, options_.out,     options_.out / "measured" / job.place, truth_of(job), job.variant->bounds,
+                given,   options_.weights, prompt_of(job.scene->source)};
             Measured measured = measure_scene(inputs, folder, run);
             measured.samples.push_back(cost_of(report));
             record.update(json_of(measured));

@@ -88,7 +88,7 @@ class SceneMeasures {
 
     void holes(const RunFolder& folder) {
         const fs::path dir = sheet_.made("holes", {}, folder, [&](const fs::path& to) {
-            save_hole_table(to, hole_table_of_run(folder.root, recorded_run(folder).request.source.has_room(), run_));
+            save_hole_table(to, hole_table_of_run(folder.root, has_room(recorded_run(folder).request.source), run_));
         });
         const Json table = read_json(dir / "hole_table.json");
         for (const Json& row : table.at("rows")) {
@@ -132,7 +132,7 @@ class SceneMeasures {
 
     // `theirs`: judged instead of the run's own splats.
     void held_out(const RunFolder& folder, const fs::path& theirs) {
-        if (!recorded_run(folder).request.source.has_room())
+        if (!has_room(recorded_run(folder).request.source))
             return sheet_.note_all("held-out", "needs a room behind the scene: a prompt, not a picture");
         const HeldOutParams& p = in_.suite->held_out;
         const Run poses_run{0, run_.events, run_.stop};

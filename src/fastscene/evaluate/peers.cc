@@ -74,8 +74,12 @@ void add_minutes(const SuitePeer& peer, const std::string& scene, Measured& meas
 Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene& other, const PeerInputs& inputs,
                const Run& run) {
     const fs::path given = other.splats.empty() ? peer.folder / scene.name : other.splats;
-    Json record{{"variant", peer.name},          {"kind", "peer"},          {"scene", scene.name}, {"seed", 0},
-                {"prompt", scene.source.prompt}, {"folder", given.string()}};
+    Json record{{"variant", peer.name},
+                {"kind", "peer"},
+                {"scene", scene.name},
+                {"seed", 0},
+                {"prompt", prompt_of(scene.source)},
+                {"folder", given.string()}};
     try {
         const fs::path work = inputs.out / "measured" / "peers" / folder_name_of(peer.name) / scene.name;
         const std::optional<OwnRun> own = inputs.own_run(scene);
@@ -85,7 +89,7 @@ Json record_of(const SuitePeer& peer, const SuiteScene& scene, const OtherScene&
                                     .work = work,
                                     .truth = own ? own->truth : fs::path(),
                                     .weights = inputs.weights,
-                                    .prompt = scene.source.prompt};
+                                    .prompt = prompt_of(scene.source)};
         const OtherScene judged{stills_alone(other, work), other.sphere, other.splats};
         const int width = inputs.suite.variants.front().params.panorama.width;
         Measured measured = measure_other(measure, judged, own ? std::optional(own->folder) : std::nullopt, width, run);

@@ -140,7 +140,7 @@ class Reader {
     // empty table.
     void check_rooms() const {
         const bool any = std::any_of(suite_.scenes.begin(), suite_.scenes.end(),
-                                     [](const SuiteScene& s) { return s.source.has_room(); });
+                                     [](const SuiteScene& s) { return has_room(s.source); });
         if (!any && suite_.measures == std::vector<std::string>{"held-out"})
             top_.fail_item("measures", 0,
                            "\"held-out\" needs a room behind a scene: expected a scene from a prompt, found only "
@@ -182,21 +182,21 @@ class Reader {
         SuiteScene scene;
         if (table.has("run")) read_run(table, scene);
         else read_source(table, scene);
-        const fs::path file = scene.run.empty() ? scene.source.picture.stem() : scene.run.filename();
-        scene.name = folder_name_of(table.text("name", file.empty() ? scene.source.prompt : file.string()));
+        const fs::path file = scene.run.empty() ? picture_of(scene.source).stem() : scene.run.filename();
+        scene.name = folder_name_of(table.text("name", file.empty() ? prompt_of(scene.source) : file.string()));
         if (!names_.insert(scene.name).second)
             table.fail("name", fmt::format("expected a name of its own, found \"{}\" twice", scene.name));
         suite_.scenes.push_back(std::move(scene));
     }
     void read_source(const TomlTable& table, SuiteScene& scene) {
-        scene.source.prompt = table.text("prompt");
-        scene.source.picture = path_of(table.text("panorama"));
-        scene.source.range_map = path_of(table.text("range"));
-        if (scene.source.picture.empty()) scene.source.weights = path_of(top_.text("diffusion360"));
-        if (scene.source.prompt.empty() && scene.source.picture.empty())
-            table.fail_missing("prompt", "a prompt, a panorama or a run");
-        if (scene.source.picture.empty() && !scene.source.range_map.empty())
-            table.fail("range", "expected together with panorama, found alone");
+        const std::string prompt = table.text("prompt");
+        const fs::path picture = path_of(table.text("panorama")), weights = path_of(top_.text("diffusion360")),
+                       range = path_of(table.text("range"));
+        if (prompt.empty() && picture.empty()) table.fail_missing("prompt", "a prompt, a panorama or a run");
+        if (picture.empty() && !range.empty()) table.fail("range", "expected together with panorama, found alone");
+        if (!picture.empty()) scene.source = PictureSource{prompt, picture, range, {}, {}};
+        else if (!weights.empty()) scene.source = PaintingSource{prompt, weights, {}};
+        else scene.source = PromptSource{prompt};
         if (table.has("variant"))
             table.fail("variant", "expected together with run, found alone: what is made is made for every row");
         for (const char* key : {"panorama", "range"})
@@ -231,7 +231,7 @@ class Reader {
         if (const std::string last = last_stage_of(suite_); !finished_stage(scene.run, last))
             table.fail("run", fmt::format("expected a run finished as far as {}, found one that is not: {}", last,
                                           scene.run.string()));
-        if (table.has("prompt")) scene.source.prompt = table.text("prompt");
+        if (table.has("prompt")) set_prompt(scene.source, table.text("prompt"));
         scene.variant = table.text("variant", row_names_.size() == 1 ? row_names_[0] : "");
         if (scene.variant.empty())
             table.fail_missing("variant",

@@ -216,7 +216,7 @@ TEST_F(SuiteFiles, ARunIsASceneAsItIs) {
     const Suite suite = read_there(kHead + "[[scene]]\nrun = \"loft/\"\n" + kScene);
     EXPECT_EQ(suite.scenes[0].name, "loft");
     EXPECT_EQ(suite.scenes[0].run, folder_ / "loft");
-    EXPECT_EQ(suite.scenes[0].source.prompt, "a loft");
+    EXPECT_EQ(prompt_of(suite.scenes[0].source), "a loft");
     EXPECT_EQ(suite.scenes[0].seeds, std::vector<std::uint64_t>{7});
     EXPECT_EQ(suite.scenes[0].variant, "ours");
     const std::string rows = "[[variant]]\nname = \"A\"\n[[variant]]\nname = \"B\"\n";

@@ -1,6 +1,7 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,15 +67,37 @@ std::optional<std::string> color_layer(const std::vector<std::string>& names) {
     return {};
 }
 
-[[noreturn]] void refuse(const fs::path& path, const std::exception& e) {
-    throw Error("{}: expected an OpenEXR picture, found: {}", path.string(), e.what());
+[[noreturn]] void refuse(const std::string& where, const std::exception& e) {
+    throw Error("{}: expected an OpenEXR picture, found: {}", where, e.what());
 }
+
+// A file that is in memory already.
+class MemoryStream : public Imf::IStream {
+    using Position = decltype(std::declval<Imf::IStream&>().tellg());  // OpenEXR's own 64 bits
+
+  public:
+    MemoryStream(std::string_view bytes, const std::string& where) : Imf::IStream(where.c_str()), bytes_(bytes) {}
+    bool read(char out[], int count) override {
+        const auto size = static_cast<std::size_t>(count);
+        if (at_ > bytes_.size() || size > bytes_.size() - at_) throw std::runtime_error("the file ends too early");
+        std::memcpy(out, bytes_.data() + at_, size);
+        at_ += size;
+        return at_ < bytes_.size();
+    }
+    Position tellg() override { return at_; }
+    void seekg(Position at) override { at_ = static_cast<std::size_t>(at); }
+
+  private:
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
 
 }  // namespace
 
-PictureInfo exr_info(const fs::path& path) {
+PictureInfo exr_info(std::string_view bytes, const std::string& where) {
     try {
-        const Imf::InputFile file(path.c_str());
+        MemoryStream stream(bytes, where);
+        const Imf::InputFile file(stream);
         const Imath::Box2i box = file.header().dataWindow();
         // A broken window may span more than an int.
         const auto side = [](int low, int high) {
@@ -81,15 +105,17 @@ PictureInfo exr_info(const fs::path& path) {
         };
         return {side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
     } catch (const std::exception& e) {
-        refuse(path, e);
+        refuse(where, e);
     }
 }
 
 namespace {
 
 // One channel after the other into floats; `stride` of them a pixel.
-void read_channels(const fs::path& path, const std::vector<std::string>& wanted, float* pixels, std::size_t stride) {
-    Imf::InputFile file(path.c_str());
+void read_channels(std::string_view bytes, const std::string& where, const std::vector<std::string>& wanted,
+                   float* pixels, std::size_t stride) {
+    MemoryStream stream(bytes, where);
+    Imf::InputFile file(stream);
     const Imath::Box2i box = file.header().dataWindow();
     Imf::FrameBuffer frame;
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -98,24 +124,25 @@ void read_channels(const fs::path& path, const std::vector<std::string>& wanted,
     file.readPixels(box.min.y, box.max.y);
 }
 
-PictureInfo checked_info(const fs::path& path) {
-    const PictureInfo info = exr_info(path);
+PictureInfo checked_info(std::string_view bytes, const std::string& where) {
+    const PictureInfo info = exr_info(bytes, where);
     if (!plausible_size(info.width, info.height))
-        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", path.string(), kMaxPictureSide,
+        throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", where, kMaxPictureSide,
                     info.width, info.height);
     return info;
 }
 
-std::vector<std::string> channel_names(const fs::path& path) {
-    return names_of(Imf::InputFile(path.c_str()).header().channels());
+std::vector<std::string> channel_names(std::string_view bytes, const std::string& where) {
+    MemoryStream stream(bytes, where);
+    return names_of(Imf::InputFile(stream).header().channels());
 }
 
-std::string single_channel(const fs::path& path) {
-    const std::vector<std::string> names = channel_names(path);
-    if (names.empty()) throw Error("{}: expected a channel of floats, found none", path.string());
+std::string single_channel(std::string_view bytes, const std::string& where) {
+    const std::vector<std::string> names = channel_names(bytes, where);
+    if (names.empty()) throw Error("{}: expected a channel of floats, found none", where);
     const std::string channel = range_channel(names);
     if (channel.empty())
-        throw Error("{}: expected a channel Z, depth, Y or R, found {}", path.string(), fmt::join(names, ", "));
+        throw Error("{}: expected a channel Z, depth, Y or R, found {}", where, fmt::join(names, ", "));
     return channel;
 }
 
@@ -144,52 +171,53 @@ std::vector<std::string> colors_beside(const std::vector<std::string>& names, co
     return {};
 }
 
-[[noreturn]] void refuse_colors(const fs::path& path, const std::string& found) {
+[[noreturn]] void refuse_colors(std::string_view bytes, const std::string& where, const std::string& found) {
     throw Error(
         "{}: expected a map of one number a pixel (a channel Z, depth or Y, or gray as equal R, G and B), found a "
         "color picture: channels {}{}",
-        path.string(), fmt::join(channel_names(path), ", "), found);
+        where, fmt::join(channel_names(bytes, where), ", "), found);
 }
 
 }  // namespace
 
-ImageF load_exr(const fs::path& path) {
-    const PictureInfo info = checked_info(path);
+ImageF decode_exr(std::string_view bytes, const std::string& where) {
+    const PictureInfo info = checked_info(bytes, where);
     try {
         ImageF image(info.width, info.height);
-        const std::string channel = single_channel(path);
-        const std::vector<std::string> colors = colors_beside(channel_names(path), channel);
+        const std::string channel = single_channel(bytes, where);
+        const std::vector<std::string> colors = colors_beside(channel_names(bytes, where), channel);
         if (colors.empty()) {
-            read_channels(path, {channel}, image.pixels.data(), 1);
+            read_channels(bytes, where, {channel}, image.pixels.data(), 1);
             return image;
         }
-        if (last_part(channel) == "Y") refuse_colors(path, "");
+        if (last_part(channel) == "Y") refuse_colors(bytes, where, "");
         ImageColor color(info.width, info.height);
-        read_channels(path, colors, &color.pixels.data()->x, 3);
+        read_channels(bytes, where, colors, &color.pixels.data()->x, 3);
         for (int y = 0; y < color.height; ++y)
             for (int x = 0; x < color.width; ++x) {
                 const Vec3f& c = color.at(x, y);
                 if (!is_gray(c))
-                    refuse_colors(path, fmt::format(", with {} {} {} at column {}, row {}", c.x, c.y, c.z, x, y));
+                    refuse_colors(bytes, where,
+                                  fmt::format(", with {} {} {} at column {}, row {}", c.x, c.y, c.z, x, y));
                 image.at(x, y) = c.x;
             }
         return image;
     } catch (const Error&) {
         throw;
     } catch (const std::exception& e) {
-        refuse(path, e);
+        refuse(where, e);
     }
 }
 
-ImageColor load_exr_color(const fs::path& path) {
-    const PictureInfo info = checked_info(path);
+ImageColor decode_exr_color(std::string_view bytes, const std::string& where) {
+    const PictureInfo info = checked_info(bytes, where);
     try {
-        const auto layer = color_layer(channel_names(path));
+        const auto layer = color_layer(channel_names(bytes, where));
         ImageColor image(info.width, info.height);
         static_assert(sizeof(Vec3f) == 3 * sizeof(float));
-        read_channels(path,
+        read_channels(bytes, where,
                       layer ? std::vector<std::string>{*layer + "R", *layer + "G", *layer + "B"}
-                            : std::vector<std::string>{single_channel(path)},
+                            : std::vector<std::string>{single_channel(bytes, where)},
                       &image.pixels.data()->x, 3);
         if (!layer)
             for (Vec3f& c : image.pixels) c = {c.x, c.x, c.x};
@@ -197,7 +225,7 @@ ImageColor load_exr_color(const fs::path& path) {
     } catch (const Error&) {
         throw;
     } catch (const std::exception& e) {
-        refuse(path, e);
+        refuse(where, e);
     }
 }
 

@@ -20,7 +20,8 @@ inline bool plausible_size(std::int64_t width, std::int64_t height) {
 
 PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_png_rgb8(std::string_view bytes, const std::string& where);
-ImageMask load_png_alpha(const std::filesystem::path& path);
+// Empty where the file knows no alpha.
+ImageMask png_alpha(std::string_view bytes, const std::string& where);
 ImageF load_png_float(const std::filesystem::path& path, float unit);
 
 PictureInfo jpeg_info(const std::filesystem::path& path, std::string_view bytes);
@@ -37,13 +38,13 @@ ImageMask tiff_alpha(std::string_view bytes, const std::string& where);
 ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float unit);
 ImageColor decode_tiff_light(std::string_view bytes, const std::string& where);
 
-PictureInfo exr_info(const std::filesystem::path& path);
-ImageF load_exr(const std::filesystem::path& path);
-ImageColor load_exr_color(const std::filesystem::path& path);
+PictureInfo exr_info(std::string_view bytes, const std::string& where);
+ImageF decode_exr(std::string_view bytes, const std::string& where);
+ImageColor decode_exr_color(std::string_view bytes, const std::string& where);
 
 PictureInfo pfm_info(const std::filesystem::path& path, std::string_view bytes);
-ImageF load_pfm(const std::filesystem::path& path);
-ImageColor load_pfm_color(const std::filesystem::path& path);
+ImageF decode_pfm(const std::filesystem::path& path, std::string_view bytes);
+ImageColor decode_pfm_color(const std::filesystem::path& path, std::string_view bytes);
 
 PictureInfo radiance_info(const std::filesystem::path& path, std::string_view bytes);
 ImageColor decode_radiance(const std::filesystem::path& path, std::string_view bytes);

@@ -69,7 +69,7 @@ PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format)
         case Format::jpeg: return jpeg_info(path, bytes);
         case Format::webp: return webp_info(path, bytes);
         case Format::tiff: return tiff_info(path, bytes);
-        case Format::exr: return exr_info(path);
+        case Format::exr: return exr_info(bytes, path.string());
         case Format::pfm: return pfm_info(path, bytes);
         case Format::radiance: return radiance_info(path, bytes);
     }
@@ -85,10 +85,11 @@ bool has_picture_ending(const fs::path& path) {
     return std::find(kPictureEndings.begin(), kPictureEndings.end(), ending) != kPictureEndings.end();
 }
 
-PictureInfo picture_info(const fs::path& path) {
-    const std::string bytes = read_file(path);
-    const Format format = format_of(path, bytes);
-    PictureInfo info = info_of(path, bytes, format);
+PictureInfo picture_info(const fs::path& path) { return picture_info(read_file(path), path.string()); }
+
+PictureInfo picture_info(std::string_view bytes, const std::string& where) {
+    const Format format = format_of(where, bytes);
+    PictureInfo info = info_of(where, bytes, format);
     if (format == Format::tiff) return info;
     info.orientation = exif_orientation(bytes);
     info.light = format == Format::exr || format == Format::pfm || format == Format::radiance;
@@ -110,25 +111,26 @@ ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where) {
 
 ImageRgb8 load_rgb8(const fs::path& path) { return decode_rgb8(read_file(path), path.string()); }
 
-ImageColor load_light(const fs::path& path) {
-    const std::string bytes = read_file(path);
-    switch (format_of(path, bytes)) {
-        case Format::exr: return load_exr_color(path);
-        case Format::pfm: return load_pfm_color(path);
-        case Format::radiance: return decode_radiance(path, bytes);
-        case Format::tiff: return decode_tiff_light(bytes, path.string());
+ImageColor load_light(const fs::path& path) { return decode_light(read_file(path), path.string()); }
+
+ImageColor decode_light(std::string_view bytes, const std::string& where) {
+    switch (format_of(where, bytes)) {
+        case Format::exr: return decode_exr_color(bytes, where);
+        case Format::pfm: return decode_pfm_color(where, bytes);
+        case Format::radiance: return decode_radiance(where, bytes);
+        case Format::tiff: return decode_tiff_light(bytes, where);
         default:
-            throw Error("{}: expected a picture of floats (OpenEXR, Radiance, PFM or TIFF), found 8 or 16 bits",
-                        path.string());
+            throw Error("{}: expected a picture of floats (OpenEXR, Radiance, PFM or TIFF), found 8 or 16 bits", where);
     }
 }
 
-ImageMask load_alpha(const fs::path& path) {
-    const std::string bytes = read_file(path);
-    const Format format = format_of(path, bytes);
-    ImageMask alpha = format == Format::png    ? load_png_alpha(path)
-                      : format == Format::webp ? webp_alpha(bytes, path.string())
-                      : format == Format::tiff ? tiff_alpha(bytes, path.string())
+ImageMask load_alpha(const fs::path& path) { return decode_alpha(read_file(path), path.string()); }
+
+ImageMask decode_alpha(std::string_view bytes, const std::string& where) {
+    const Format format = format_of(where, bytes);
+    ImageMask alpha = format == Format::png    ? png_alpha(bytes, where)
+                      : format == Format::webp ? webp_alpha(bytes, where)
+                      : format == Format::tiff ? tiff_alpha(bytes, where)
                                                : ImageMask{};
     const bool opaque = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a == 255; });
     return opaque ? ImageMask{} : alpha;
@@ -149,8 +151,8 @@ ImageF load_float(const fs::path& path, float unit) {
     const std::string bytes = read_file(path);
     switch (format_of(path, bytes)) {
         case Format::png: return load_png_float(path, unit);
-        case Format::exr: return load_exr(path);
-        case Format::pfm: return load_pfm(path);
+        case Format::exr: return decode_exr(bytes, path.string());
+        case Format::pfm: return decode_pfm(path, bytes);
         case Format::tiff: return decode_tiff_float(bytes, path.string(), unit);
         default:
             throw Error(

@@ -28,13 +28,16 @@ PictureInfo picture_info(const std::filesystem::path& path);
 // 8-bit color from .png, .webp, .tif (any depth, gray and alpha too: alpha over black) or .jpg; truncated files throw
 // Error.
 ImageRgb8 load_rgb8(const std::filesystem::path& path);
-// The same from memory; `where` names the picture in errors.
-ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
 // Linear light in any unit from .hdr (Radiance), .exr (channels R G B, else the one of a map in all three), .pfm or
 // .tif of floats. Negative values, NaN and infinity are for the caller to judge.
 ImageColor load_light(const std::filesystem::path& path);
 // How opaque each pixel is, 255 = fully; empty where every pixel is, or the format knows no alpha.
 ImageMask load_alpha(const std::filesystem::path& path);
+// The same from a file's bytes; `where` names the picture in errors.
+PictureInfo picture_info(std::string_view bytes, const std::string& where);
+ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
+ImageColor decode_light(std::string_view bytes, const std::string& where);
+ImageMask decode_alpha(std::string_view bytes, const std::string& where);
 void save_png(const std::filesystem::path& path, const ImageRgb8& image);
 void save_png(const std::filesystem::path& path, const ImageMask& image);  // 8-bit gray
 ImageMask load_mask_png(const std::filesystem::path& path);                // 8-bit gray

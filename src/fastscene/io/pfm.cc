@@ -75,8 +75,7 @@ PfmHeader checked_header(const fs::path& path, std::string_view bytes) {
 
 }  // namespace
 
-ImageF load_pfm(const fs::path& path) {
-    const std::string bytes = read_file(path);
+ImageF decode_pfm(const fs::path& path, std::string_view bytes) {
     const PfmHeader header = checked_header(path, bytes);
     if (header.color) throw Error("{}: expected a gray float map (\"Pf\"), found color (\"PF\")", path.string());
     check_length(path, bytes, header, 1);
@@ -85,8 +84,7 @@ ImageF load_pfm(const fs::path& path) {
     return image;
 }
 
-ImageColor load_pfm_color(const fs::path& path) {
-    const std::string bytes = read_file(path);
+ImageColor decode_pfm_color(const fs::path& path, std::string_view bytes) {
     const PfmHeader header = checked_header(path, bytes);
     check_length(path, bytes, header, header.color ? 3 : 1);
     ImageColor image(header.width, header.height);

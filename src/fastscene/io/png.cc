@@ -171,9 +171,14 @@ ImageMask load_mask_png(const fs::path& path) {
     return image;
 }
 
-ImageMask load_png_alpha(const fs::path& path) {
+ImageMask png_alpha(std::string_view bytes, const std::string& where) {
+    constexpr std::size_t kTypeAt = 25;  // in the chunk IHDR
+    const bool has_alpha = bytes.size() > kTypeAt &&
+                           (static_cast<unsigned char>(bytes[kTypeAt]) & PNG_COLOR_MASK_ALPHA ||
+                            bytes.find("tRNS") != std::string_view::npos);
+    if (!has_alpha) return {};
     int width = 0, height = 0;
-    const std::vector<png_byte> pixels = decoded(path, Wanted::rgba8, width, height);
+    const std::vector<png_byte> pixels = decoded(std::string(bytes), where, Wanted::rgba8, width, height);
     ImageMask image(width, height);
     for (std::size_t i = 0; i < image.size(); ++i) image.pixels[i] = pixels[4 * i + 3];
     return image;

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "fastscene/base/file.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/orientation.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/panorama/picture_file.h"
 #include "fastscene/trace/film.h"
 
 namespace fastscene {
@@ -42,21 +44,52 @@ ImageColor developed(ImageColor light, const std::filesystem::path& path) {
 
 }  // namespace
 
-EquirectSize panorama_size(const std::filesystem::path& picture) {
-    const PictureInfo info = picture_info(picture);
+namespace {
+
+EquirectSize size_in(const std::filesystem::path& picture, const PictureInfo& info) {
     const EquirectSize size = lies_on_its_side(info.orientation) ? EquirectSize{info.height, info.width}
                                                                  : EquirectSize{info.width, info.height};
     check_panorama_size(picture, size);
     return size;
 }
 
+std::vector<std::string> remarks_on(const PictureInfo& info, const ImageMask& alpha) {
+    if (info.light) return {"light in floats, not a finished picture: exposed automatically"};
+    std::vector<std::string> remarks;
+    if (info.orientation != 1) remarks.push_back(fmt::format("EXIF orientation {}: turned upright", info.orientation));
+    const auto clear = std::count_if(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a < 128; });
+    if (clear > 0)
+        remarks.push_back(fmt::format("{:.1f} % of it can be seen through: black was put behind",
+                                      100. * static_cast<double>(clear) / static_cast<double>(alpha.size())));
+    return remarks;
+}
+
+}  // namespace
+
+EquirectSize PictureFile::size() const {
+    return light.empty() ? EquirectSize{rgb.width, rgb.height} : EquirectSize{light.width, light.height};
+}
+
+ImageColor PictureFile::color() const& { return light.empty() ? linear_from_srgb8(rgb) : light; }
+ImageColor PictureFile::color() && { return light.empty() ? linear_from_srgb8(rgb) : std::move(light); }
+
+PictureFile picture_file_from(std::string_view bytes, const std::filesystem::path& file) {
+    const std::string where = file.string();
+    const PictureInfo info = picture_info(bytes, where);
+    size_in(file, info);  // before decoding: a huge picture is refused cheaply
+    PictureFile picture;
+    picture.remarks = remarks_on(info, info.light ? ImageMask{} : decode_alpha(bytes, where));
+    if (info.light) picture.light = developed(decode_light(bytes, where), file);
+    else picture.rgb = upright(decode_rgb8(bytes, where), info.orientation);
+    check_panorama_size(file, picture.size());
+    return picture;
+}
+
+EquirectSize panorama_size(const std::filesystem::path& picture) { return size_in(picture, picture_info(picture)); }
+
 Panorama panorama_from_image(const std::filesystem::path& picture) {
-    panorama_size(picture);  // before decoding: a huge picture is refused cheaply
-    const PictureInfo info = picture_info(picture);
     Panorama panorama;
-    panorama.color = info.light ? developed(load_light(picture), picture)
-                                : linear_from_srgb8(upright(load_rgb8(picture), info.orientation));
-    check_panorama_size(picture, panorama.size());
+    panorama.color = picture_file_from(read_file(picture), picture).color();
     return panorama;
 }
 

@@ -8,10 +8,14 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
-#include "fastscene/panorama/picture_check.h"
+#include "fastscene/panorama/picture_file.h"
 
 namespace fastscene {
 namespace {
+
+std::vector<std::string> remarks_on(const std::filesystem::path& file) {
+    return picture_file_from(read_file(file), file).remarks;
+}
 
 namespace fs = std::filesystem;
 
@@ -148,8 +152,8 @@ TEST(ImagePanorama, IsTurnedUprightAsExifSays) {
     ASSERT_EQ(panorama.color.width, 128);
     EXPECT_GT(panorama.color.at(100, 30).x, 0.9f);
     EXPECT_LT(panorama.color.at(20, 30).x, 0.05f);
-    ASSERT_EQ(remarks_on_file(temporary("side.jpg")).size(), 1u);
-    expect_in(remarks_on_file(temporary("side.jpg"))[0], "EXIF orientation 6");
+    ASSERT_EQ(remarks_on(temporary("side.jpg")).size(), 1u);
+    expect_in(remarks_on(temporary("side.jpg"))[0], "EXIF orientation 6");
     // As it lies it is no panorama.
     write_file(temporary("lies.jpg"), jpeg);
     expect_in(complaint([] { panorama_from_image(temporary("lies.jpg")); }), "found 64 x 128");
@@ -175,7 +179,7 @@ TEST(ImagePanorama, LightIsExposedWhateverItsUnit) {
         EXPECT_TRUE(luminance(wall) > 0.25f && luminance(wall) < 0.5f) << unit;
         EXPECT_GT(wall.x, wall.z);  // the white stays
         EXPECT_GT(luminance(color.at(65, 32)), 0.9f);
-        expect_in(remarks_on_file(temporary("probe.pfm")).at(0), "exposed");
+        expect_in(remarks_on(temporary("probe.pfm")).at(0), "exposed");
     }
     save_pfm(temporary("dark.pfm"), ImageF(128, 64, 0.f));
     expect_in(complaint([] { panorama_from_image(temporary("dark.pfm")); }), "found none");
@@ -186,7 +190,7 @@ TEST(ImagePanorama, GrayDeepAndSeeThroughPictures) {
     EXPECT_NEAR(srgb8_from_linear(panorama_from_image(temporary("deep.png")).color.at(5, 5)).g, 0x80, 1);
     save_png(temporary("gray.png"), ImageMask(128, 64, 90));
     EXPECT_EQ(srgb8_from_linear(panorama_from_image(temporary("gray.png")).color.at(5, 5)), (Rgb8{90, 90, 90}));
-    EXPECT_TRUE(remarks_on_file(temporary("gray.png")).empty());
+    EXPECT_TRUE(remarks_on(temporary("gray.png")).empty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/geometry/resample.h"
+#include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -57,8 +58,8 @@ class ListEntry {
         const Json& rows = json_["world_from_pano"];
         if (!rows.is_array() || (rows.size() != 3 && rows.size() != 4))
             fail("world_from_pano with 3 or 4 rows of 4", rows.dump());
-        const auto a = numbers(rows[0], 4), b = numbers(rows[1], 4), c = numbers(rows[2], 4);
-        return {{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}}, {a[3], b[3], c[3]}};
+        for (std::size_t i = 0; i < 3; ++i) numbers(rows[i], 4);
+        return pose_from_json(rows);
     }
     Rigid from_place() const {
         const auto p = numbers(json_["position"], 3);
@@ -108,13 +109,18 @@ Panorama in_first_orientation(const Panorama& panorama, EquirectSize size) {
     const SpherePicture from = equirect_picture(panorama.size(), turn), to = equirect_picture(size);
     out.color = ResamplePlan(from, to, Filter::area).apply(panorama.color);
     if (panorama.range.empty()) return out;
-    out.range = ImageF(size.width, size.height);
-    const EquirectSize source{panorama.range.width, panorama.range.height};
+    out.range = range_in_first_orientation(panorama.range, turn, size);
+    return out;
+}
+
+ImageF range_in_first_orientation(const ImageF& range, const Mat3f& turn, EquirectSize size) {
+    ImageF out(size.width, size.height);
+    const EquirectSize source{range.width, range.height};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Vec2f at = pixel_of_direction(transpose(turn) * direction_of_pixel(x, y, size), source);
-            out.range.at(x, y) = panorama.range.at(wrap_column(static_cast<int>(at.x), source.width),
-                                                   std::min(static_cast<int>(at.y), source.height - 1));
+            out.at(x, y) = range.at(wrap_column(static_cast<int>(at.x), source.width),
+                                    std::min(static_cast<int>(at.y), source.height - 1));
         }
     return out;
 }

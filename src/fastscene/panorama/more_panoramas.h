@@ -22,5 +22,7 @@ std::vector<MorePanorama> read_more_panoramas(const std::filesystem::path& list)
 // As it is seen from the same place in the first panorama's orientation, at `size`: color averaged over areas, range
 // picked.
 Panorama in_first_orientation(const Panorama& panorama, EquirectSize size);
+// Of a range map alone. `turn`: world_from_pano's.
+ImageF range_in_first_orientation(const ImageF& range, const Mat3f& turn, EquirectSize size);
 
 }  // namespace fastscene

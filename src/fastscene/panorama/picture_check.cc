@@ -7,7 +7,6 @@
 
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
-#include "fastscene/io/image_io.h"
 
 namespace fastscene {
 namespace {
@@ -133,20 +132,6 @@ std::vector<std::string> doubts_about_panorama(const ImageColor& color) {
     if (has_nadir_disc(image))
         doubts.push_back("a disc straight below (a tripod or a logo?): it will be taken for the floor's texture");
     return doubts;
-}
-
-std::vector<std::string> remarks_on_file(const std::filesystem::path& picture) {
-    std::vector<std::string> remarks;
-    const PictureInfo info = picture_info(picture);
-    if (info.light) remarks.emplace_back("light in floats, not a finished picture: exposed automatically");
-    if (info.light) return remarks;
-    if (info.orientation != 1) remarks.push_back(fmt::format("EXIF orientation {}: turned upright", info.orientation));
-    const ImageMask alpha = load_alpha(picture);
-    const auto clear = std::count_if(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a < 128; });
-    if (clear > 0)
-        remarks.push_back(fmt::format("{:.1f} % of it can be seen through: black was put behind",
-                                      100. * static_cast<double>(clear) / static_cast<double>(alpha.size())));
-    return remarks;
 }
 
 }  // namespace fastscene

@@ -1,7 +1,6 @@
 // Is this picture what it says it is? A panorama from outside is looked at before minutes are spent on it.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,5 @@ namespace fastscene {
 // sides that do not meet, poles that are not one color, black borders, a tripod or logo under the camera, no light at
 // all.
 std::vector<std::string> doubts_about_panorama(const ImageColor& color);
-// What was done with a picture's file to make a panorama of it: turned as EXIF says, its light exposed, see-through
-// parts made black.
-std::vector<std::string> remarks_on_file(const std::filesystem::path& picture);
 
 }  // namespace fastscene

@@ -16,27 +16,29 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
         return UsageError("{}: expected {}, or the model in the cache (fastscene models pull {}), found neither", what,
                           flag, model);
     };
-    SceneSource& source = request.source;
-    PanoramaParams& panorama = request.params.panorama;
-    if (panorama.backend == "diffusion360" && source.weights.empty()) {
-        const char* model = source.photo.empty() ? "diffusion360" : "diffusion360-photo";
-        take(model, cached_model(model), source.weights);
-        if (source.weights.empty())
+    const PanoramaParams& panorama = request.params.panorama;
+    if (auto* painting = std::get_if<PaintingSource>(&request.source); painting && painting->weights.empty()) {
+        const char* model = painting->photo.empty() ? "diffusion360" : "diffusion360-photo";
+        take(model, cached_model(model), painting->weights);
+        if (painting->weights.empty())
             throw asked_for("--panorama diffusion360",
-                            source.photo.empty() ? "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/"
-                                                 : "--weights DIR with sr-base/ and sd-i2p/",
+                            painting->photo.empty()
+                                ? "--weights DIR with unet/ vae/ text_encoder/ tokenizer/ scheduler/"
+                                : "--weights DIR with sr-base/ and sd-i2p/",
                             model);
     }
-    if (!source.picture.empty() && panorama.diffusion.upscale != "none" && source.weights.empty()) {
-        take("diffusion360", cached_model("diffusion360-upscale"), source.weights);
-        if (source.weights.empty())
+    auto* picture = std::get_if<PictureSource>(&request.source);
+    if (picture && panorama.diffusion.upscale != "none" && picture->weights.empty()) {
+        take("diffusion360", cached_model("diffusion360-upscale"), picture->weights);
+        if (picture->weights.empty())
             throw asked_for("--panorama-upscale", "--weights DIR with sr-base/ and sr-control/",
                             "diffusion360-upscale");
     }
+    const SceneSource& source = request.source;
     if (request.last_stage == "panorama") return;
     DepthParams& depth = request.params.depth;
-    const bool estimated = depth.backend == "egformer" || (depth.backend == "auto" && source.range_map.empty() &&
-                                                           (!source.picture.empty() || !source.weights.empty()));
+    const bool estimated = depth.backend == "egformer" ||
+                           (depth.backend == "auto" && !has_room(source) && range_map_of(source).empty());
     if (estimated && depth.weights.empty())
         take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
     if (request.last_stage == "depth") return;

@@ -1,7 +1,7 @@
 // Weights that nobody named but `models pull` has brought: with them the flags that name weights may be left out.
 #pragma once
 
-#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/request.h"
 
 namespace fastscene {
 

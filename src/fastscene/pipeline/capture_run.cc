@@ -8,9 +8,12 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/io/capture_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/source_json.h"
 #include "fastscene/pipeline/stage_cache.h"
 #include "fastscene/pipeline/stage_splat.h"
 
@@ -19,15 +22,15 @@ namespace fs = std::filesystem;
 namespace {
 
 Capture load_capture(const CaptureRequest& request) {
-    CaptureFolders folders = request.folders;
-    folders.downscale = request.photos.downscale;
-    return request.kind == "colmap" ? load_colmap_capture(request.source, folders)
-                                    : load_nerfstudio_capture(request.source, folders);
+    const CaptureSource& source = request.source;
+    const CaptureFolders folders{source.images, source.masks, request.photos.downscale};
+    return source.kind == "colmap" ? load_colmap_capture(source.source, folders)
+                                   : load_nerfstudio_capture(source.source, folders);
 }
 
 // Masks that fit no picture are a mistake that would show only in the result.
 void check_masks(const CaptureRequest& request, const Capture& capture, const Run& run) {
-    const std::string folder = request.folders.masks.string();
+    const std::string folder = request.source.masks.string();
     if (folder.empty()) return;
     if (!fs::is_directory(folder)) throw Error("--masks {}: expected a folder, found none", folder);
     const auto without = std::count_if(capture.photos.begin(), capture.photos.end(),
@@ -70,44 +73,24 @@ std::string identity_of(const Capture& capture) {
 }
 
 Json run_json_of(const CaptureRequest& request, const std::string& identity, std::uint64_t seed) {
-    return {{"prompt", ""},
-            {"capture",
-             {{"kind", request.kind},
-              {"source", fs::absolute(request.source).lexically_normal().string()},
-              {"images", request.folders.images.empty() ? "" : fs::absolute(request.folders.images).string()},
-              {"masks", request.folders.masks.empty() ? "" : fs::absolute(request.folders.masks).string()},
-              {"photos", fields_json(request.photos)}}},
-            {"identity", identity},
-            {"seed", seed},
-            {"quality", request.quality},
-            {"params", {{"splat", fields_json(request.splat)}}},
-            {"versions", build_json()}};
+    Json json = json_of_source(request.source);
+    json["capture"]["photos"] = fields_json(request.photos);
+    json["identity"] = identity;
+    json["seed"] = seed;
+    json["quality"] = request.quality;
+    json["params"] = {{"splat", fields_json(request.splat)}};
+    json["versions"] = build_json();
+    return json;
 }
 
 void claim(const RunFolder& folder, const Json& wanted, bool start_over) {
-    if (start_over)
-        for (const std::string& name : RunFolder::owned()) fs::remove_all(folder.root / name);
-    if (fs::exists(folder.run_json())) {
-        const Json recorded = read_json(folder.run_json());
-        const auto source = [](const Json& run) {
-            return run.contains("capture") ? run.at("capture").value("source", "")
-                                           : "\"" + run.value("prompt", "") + "\"";
-        };
-        if (source(recorded) != source(wanted))
-            throw UsageError(
-                "{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or "
-                "--force to throw that run away",
-                folder.root.string(), source(wanted), source(recorded));
-    } else {
-        for (const std::string& name : RunFolder::owned())
-            if (fs::exists(folder.root / name))
-                throw UsageError(
-                    "{}: expected a new folder or a run, found {} but no run.json; choose another folder with -o, or "
-                    "--force to replace what is "
-                    "there",
-                    folder.root.string(), name);
-    }
-    write_json(folder.run_json(), wanted);
+    const auto called = [](const Json& run) {
+        return run.contains("capture") ? run.at("capture").value("source", "") : "\"" + run.value("prompt", "") + "\"";
+    };
+    const auto clash = [&](const Json& recorded) {
+        return called(recorded) == called(wanted) ? std::nullopt : std::optional(called(recorded));
+    };
+    claim_folder(folder, wanted, start_over, clash, called(wanted));
 }
 
 // The least turn that brings `up` to the world's up (-y).
@@ -178,6 +161,10 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     forget_place(folder);
 }
 
+std::string name_of(const fs::path& source) {
+    return (source.filename().empty() ? source.parent_path() : source).filename().string();
+}
+
 }  // namespace
 
 Json train_capture(const CaptureRequest& request, const RunFolder& folder, const Run& run) {
@@ -196,11 +183,8 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
         [&](const fs::path& out) { make_capture_splat(request, capture, folder, out, run); });
     if (record.skipped) run.note("splat: already made");
     run.check_stop();
-    share_capture(folder,
-                  request.source.filename().empty() ? request.source.parent_path().filename().string()
-                                                    : request.source.filename().string(),
-                  run);
-    Json report{{"capture", fs::absolute(request.source).lexically_normal().string()},
+    share_capture(folder, name_of(request.source.source), run);
+    Json report{{"capture", fs::absolute(request.source.source).lexically_normal().string()},
                 {"photographs", capture.photos.size()},
                 {"points", capture.points.size()},
                 {"seed", run.seed},
@@ -229,10 +213,7 @@ std::optional<RecordedCapture> recorded_capture(const RunFolder& folder) {
     try {
         RecordedCapture out;
         const Json& capture = json.at("capture");
-        out.request.kind = capture.at("kind");
-        out.request.source = capture.at("source").get<std::string>();
-        out.request.folders.images = capture.at("images").get<std::string>();
-        out.request.folders.masks = capture.at("masks").get<std::string>();
+        out.request.source = std::get<CaptureSource>(source_from_json(json));
         out.request.quality = json.at("quality");
         out.seed = json.at("seed");
         fields_from_json(capture.at("photos"), out.request.photos);

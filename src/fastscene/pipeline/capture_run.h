@@ -2,22 +2,20 @@
 // its own.
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "fastscene/base/json.h"
 #include "fastscene/base/run.h"
-#include "fastscene/io/capture_io.h"
 #include "fastscene/pipeline/run_folder.h"
+#include "fastscene/pipeline/source.h"
 #include "fastscene/splat/splat.h"
 #include "fastscene/views/photos.h"
 
 namespace fastscene {
 
 struct CaptureRequest {
-    std::string kind = "colmap";   // or "nerfstudio"
-    std::filesystem::path source;  // the folder, or transforms.json
-    CaptureFolders folders;
+    CaptureSource source;
     std::string quality = "standard";
     PhotosParams photos;
     SplatParams splat;

@@ -6,7 +6,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/plot_svg.h"
-#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/request.h"
 #include "fastscene/pipeline/same_room.h"
 
 namespace fastscene {
@@ -23,11 +23,11 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
     const ImageF range = load_float(folder.depth_range());
     if (!truth) return hole_table(range, run);
     const SceneSource& source = recorded.request.source;
-    if (!source.has_room())
+    if (!has_room(source))
         throw UsageError(
             "--truth: expected a scene from a prompt: behind the picture of {} there is no room to compare with",
             run_dir.string());
-    PromptSpec prompt = read_prompt(source.prompt, recorded.request.params.panorama);
+    PromptSpec prompt = read_prompt(prompt_of(source), recorded.request.params.panorama);
     const TracedRoom room(make_room(prompt, {recorded.seed, run.events, run.stop}));
     check_same_room(room, range, run_dir);
     return hole_table(range, run, [&](Vec3f from, Vec3f direction) { return room.distance(from, direction); });

@@ -12,9 +12,10 @@
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
-#include "fastscene/pipeline/identity.h"
+#include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/resolve.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/pipeline/source_check.h"
 #include "fastscene/pipeline/splat_settings.h"
 #include "fastscene/pipeline/stage_cache.h"
 #include "fastscene/pipeline/stage_depth.h"
@@ -35,11 +36,11 @@ class Stream {
     Stream(const RunFolder& folder, const SceneRequest& request, const std::string& identity, const Run& run)
         : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity} {
         // Another furniture pack furnishes another room.
-        if (request.source.picture.empty())
+        if (!std::holds_alternative<PictureSource>(request.source))
             if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
         const std::string& to = request.params.panorama.diffusion.upscale;
-        if (!request.source.weights.empty() && to != "none")
-            inputs_.push_back(enlarger_identity(request.source.weights, to));
+        if (const fs::path weights = weights_of(request.source); !weights.empty() && to != "none")
+            inputs_.push_back(enlarger_identity(weights, to));
     }
 
     // `make` writes the stage's files into the directory it is given.
@@ -66,8 +67,8 @@ class Stream {
 Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& request, const RunFolder& folder,
                const Run& run) {
     Json report;
-    report["prompt"] = request.source.prompt;
-    if (!request.source.picture.empty()) report["picture"] = request.source.picture.string();
+    report["prompt"] = prompt_of(request.source);
+    if (const fs::path picture = picture_of(request.source); !picture.empty()) report["picture"] = picture.string();
     report["seed"] = run.seed;
     report["quality"] = request.quality;
     report["versions"] = build_json();
@@ -128,33 +129,47 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
         check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
 }
 
+void claim(const RunFolder& folder, const SceneRequest& request, const Json& wanted) {
+    const auto clash = [&](const Json& recorded) -> std::optional<std::string> {
+        if (recorded.value("identity", "") == wanted.at("identity") &&
+            recorded.value("seed", std::uint64_t{0}) == wanted.at("seed"))
+            return {};
+        return describe(recorded, wanted);
+    };
+    const Json recorded = fs::exists(folder.run_json()) ? read_json(folder.run_json()) : Json::object();
+    claim_folder(folder, wanted, request.start_over, clash, describe(wanted, recorded));
+}
+
 }  // namespace
 
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
     check_params(request.params);
-    const auto gone = request.start_over ? std::nullopt : gone_source(folder, request.source);
+    SourceFiles files;
+    const auto gone = request.start_over ? std::nullopt : gone_source(folder, request.source, files);
     if (gone) {
         depth_backend(request.source, request.params.depth);
         run.note(fmt::format("{} is gone: the run goes on from what was made of it", gone->file.string()));
     } else {
-        check_source(request.source, request.params, request.last_stage, run);
+        check_source(request.source, request.params, request.last_stage, files, run);
     }
     check_later_stages(request, folder);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
-    claim_folder(folder, request, run.seed, gone);
+    const Json wanted = json_of_request(request, run.seed, files, gone);
+    claim(folder, request, wanted);
+    files.drop_bytes();
 
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
-    Stream stream(folder, request, gone ? gone->record.at("identity").get<std::string>() : identity_of(request.source),
-                  run);
+    Stream stream(folder, request, wanted.at("identity").get<std::string>(), run);
     std::shared_ptr<const TracedRoom> room;  // kept for a walk that looks into it again
     stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
-        auto made = make_panorama(source, params.panorama, out, r);
+        auto made = make_panorama(source, params.panorama, files, out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
+    files.drop_pictures();
     stream.stage("depth", fields_json(params.depth), [&](const fs::path& out, const Run& r) {
-        make_depth(source, params.panorama, params.depth, folder, out, r);
+        make_depth(source, params.panorama, params.depth, files, folder, out, r);
     });
     stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) {
         make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r);

@@ -5,13 +5,13 @@
 namespace fastscene {
 
 std::string depth_backend(const SceneSource& source, const DepthParams& params) {
-    const bool has_room = source.has_room(), has_map = !source.range_map.empty();
-    if (params.backend == "auto" && has_room) return "exact";
+    const bool known = has_room(source), has_map = !range_map_of(source).empty();
+    if (params.backend == "auto" && known) return "exact";
     if (params.backend == "auto" && has_map) return "image";
-    if (params.backend == "exact" && !has_room)
+    if (params.backend == "exact" && !known)
         throw UsageError(
             "--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
-            source.picture.empty() ? "a painted panorama" : "the picture " + source.picture.string());
+            what_is_behind(source));
     if (params.backend == "image" && !has_map)
         throw UsageError("--depth-backend image: expected --range FILE, found none");
     return params.backend;
@@ -24,7 +24,7 @@ DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
 }
 
 WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
-    return resolved(params, source.has_room() && depth_backend(source, depth) == "exact");
+    return resolved(params, has_room(source) && depth_backend(source, depth) == "exact");
 }
 
 bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || walk.inpainter == kLookIntoRoom; }
@@ -37,10 +37,8 @@ void check_walk(const SceneSource& source, const DepthParams& depth, const WalkP
     const auto refuse = [&](std::string_view expected, std::string_view found) {
         throw UsageError("{}: expected {}, found {}", flag, expected, found);
     };
-    if (!source.has_room())
-        refuse("a prompt and the rooms' maker",
-               source.picture.empty() ? "a painted panorama, behind which there is no room"
-                                      : "the picture " + source.picture.string() + ", behind which there is no room");
+    if (!has_room(source))
+        refuse("a prompt and the rooms' maker", what_is_behind(source) + ", behind which there is no room");
     if (const std::string backend = depth_backend(source, depth); backend != "exact")
         refuse("the room's own range", "--depth-backend " + backend);
     if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);

@@ -17,11 +17,11 @@ PanoramaParams panorama_of_run(const RecordedRun& recorded, int least_cell_sampl
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run) {
     const SceneRequest& request = recorded.request;
-    if (!request.source.has_room())
+    if (!has_room(request.source))
         throw UsageError("{}: expected a scene from a prompt, found one of a picture: no room is known behind it",
                          folder.root.string());
     const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
-    PromptSpec prompt = read_prompt(request.source.prompt, panorama);
+    PromptSpec prompt = read_prompt(prompt_of(request.source), panorama);
     auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
     // An estimated range says nothing of the room.
     if (depth_backend(request.source, request.params.depth) == "exact")

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/request.h"
 
 namespace fastscene {
 

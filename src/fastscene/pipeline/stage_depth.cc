@@ -48,12 +48,12 @@ class SaidOfPicture : public EventSink {
 
 // The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was
 // assumed and found, each.
-Json save_more_ranges(const SceneSource& source, const DepthParams& params, const RunFolder& folder,
+Json save_more_ranges(const fs::path& list, const DepthParams& params, SourceFiles& files, const RunFolder& folder,
                       const ImageF& first_range, const fs::path& out, const Run& run) {
     make_directories(out);
     const Panorama first{load_color(folder.panorama_color()), first_range, {}, {}};
     const std::vector<Viewpoint> viewpoints = load_viewpoints(folder.more_panoramas() / "poses.json");
-    const std::vector<MorePanorama> given = read_more_panoramas(source.more);
+    const std::vector<MorePanorama> given = read_more_panoramas(list);
     Json about = Json::array();
     for (std::size_t i = 0; i < viewpoints.size(); ++i) {
         run.check_stop();
@@ -61,10 +61,8 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
         Panorama one{load_color(folder.more_panoramas() / (name + ".png")), {}, {}, pose};
         Json entry{{"name", name}, {"picture", given[i].color.filename().string()}};
         if (!given[i].range.empty()) {
-            Panorama measured = panorama_from_image(given[i].color);
-            measured.range = range_from_file(given[i].range, measured.size(), run);
-            measured.world_from_pano = given[i].world_from_pano;
-            one.range = in_first_orientation(measured, one.size()).range;
+            one.range = range_in_first_orientation(range_from_file(given[i].range, files.size(given[i].color), run),
+                                                   given[i].world_from_pano.rotation, one.size());
             entry["backend"] = "image";
         } else {
             SaidOfPicture said(given[i].color, run.events);
@@ -85,26 +83,27 @@ Json save_more_ranges(const SceneSource& source, const DepthParams& params, cons
 }  // namespace
 
 void make_depth(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& params,
-                const RunFolder& folder, const fs::path& out, const Run& run) {
+                SourceFiles& files, const RunFolder& folder, const fs::path& out, const Run& run) {
     const PictureInfo info = picture_info(folder.panorama_color());
     const EquirectSize size{info.width, info.height};
     const std::string backend = depth_backend(source, params);
     EstimatedRange found{{}, {{"backend", backend}}};
     if (backend == "exact") {
         // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
-        PromptSpec prompt = read_prompt(source.prompt, panorama);
+        PromptSpec prompt = read_prompt(prompt_of(source), panorama);
         const TracedRoom room(make_room(prompt, run));
         found.range = exact_range(room, size, run);
         if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty())
             save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
     } else if (backend == "image") {
-        found.range = reduced_range(range_from_file(source.range_map, panorama_size(source.picture), run), size.width);
+        found.range = reduced_range(range_from_file(range_map_of(source), files.size(picture_of(source)), run),
+                                    size.width);
     } else {
         found = make_depth_estimator(params)->estimate(load_color(folder.panorama_color()), run);
     }
     save_exr(out / "range.exr", found.range);
-    if (!source.more.empty())
-        found.assumptions["more"] = save_more_ranges(source, params, folder, found.range, out / "more", run);
+    if (const fs::path list = more_of(source); !list.empty())
+        found.assumptions["more"] = save_more_ranges(list, params, files, folder, found.range, out / "more", run);
     save_png(out / "range.png", picture_of_range(found.range));
     write_json(out / "about.json", found.assumptions);
 }

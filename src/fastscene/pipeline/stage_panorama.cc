@@ -14,12 +14,14 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-void save_more_panoramas(const fs::path& list, EquirectSize size, const fs::path& out, const Run& run) {
+void save_more_panoramas(const fs::path& list, EquirectSize size, SourceFiles& files, const fs::path& out,
+                         const Run& run) {
     make_directories(out);
     std::vector<Viewpoint> viewpoints;
     for (const MorePanorama& more : read_more_panoramas(list)) {
         run.check_stop();
-        Panorama one = panorama_from_image(more.color);
+        Panorama one;
+        one.color = files.take(more.color).color();
         one.world_from_pano = more.world_from_pano;
         one = in_first_orientation(one, size);
         viewpoints.push_back({name_of_viewpoint(viewpoints.size() + 1), one.world_from_pano});
@@ -28,45 +30,69 @@ void save_more_panoramas(const fs::path& list, EquirectSize size, const fs::path
     save_viewpoints(out / "poses.json", viewpoints);
 }
 
+// What a source's panorama comes with.
+struct Made {
+    ImageColor color;
+    Json prompt, room = {{"objects", Json::array()}};
+    std::shared_ptr<const TracedRoom> traced;
+};
+struct Making {
+    const PanoramaParams& params;
+    SourceFiles& files;
+    fs::path run_folder;
+    const Run& run;
+    PaintingMemory memory() const { return {RunFolder{run_folder}.painting(), code_version("panorama")}; }
+};
+
+Made made_from(const PromptSource& source, const Making& with) {
+    RoomPanorama made = panorama_from_prompt(source.prompt, with.params, with.run);
+    return {std::move(made.panorama.color), to_json(made.prompt), room_json(made.room->room(), made.object_of_pixel),
+            std::move(made.room)};
+}
+
+Made made_from(const PaintingSource& source, const Making& with) {
+    const fs::path look = with.run_folder / "painting.png";  // people may look while it is painted
+    const auto shown = [&](const ImageRgb8& preview) {
+        if (!fs::exists(look)) with.run.note(fmt::format("a first look: {}", look.string()));
+        save_png(look, preview);
+    };
+    Made made;
+    made.color = linear_from_srgb8(panorama_by_diffusion360(source, with.params, with.run, shown, with.memory()));
+    fs::remove(look);
+    made.prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
+    if (!source.photo.empty()) made.prompt["photo"] = source.photo.filename().string();
+    return made;
+}
+
+Made made_from(const PictureSource& source, const Making& with) {
+    Panorama panorama;
+    panorama.color = with.files.take(source.picture).color();
+    Made made;
+    made.color = reduced_panorama(panorama, with.params.width).color;
+    if (!source.weights.empty() && with.params.diffusion.upscale != "none")
+        made.color = linear_from_srgb8(enlarged_by_diffusion360(
+            srgb8_from_linear(made.color), {source.prompt, source.weights, {}}, with.params, with.run, with.memory()));
+    made.prompt = {{"text", source.prompt}, {"picture", source.picture.filename().string()}};
+    return made;
+}
+
+Made made_from(const CaptureSource&, const Making&) {
+    FASTSCENE_CHECK(!"photographs have no panorama");
+    return {};
+}
+
 }  // namespace
 
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                const fs::path& out, const Run& run) {
-    std::shared_ptr<const TracedRoom> traced;
-    Json prompt, room;
-    Panorama panorama;
-    const PaintingSource painting{source.prompt, source.weights, source.photo};
-    const PaintingMemory memory{RunFolder{out.parent_path()}.painting(), code_version("panorama")};
-    if (source.is_painted()) {
-        const fs::path look = out.parent_path() / "painting.png";  // people may look while it is painted
-        const auto shown = [&](const ImageRgb8& preview) {
-            if (!fs::exists(look)) run.note(fmt::format("a first look: {}", look.string()));
-            save_png(look, preview);
-        };
-        panorama.color = linear_from_srgb8(panorama_by_diffusion360(painting, params, run, shown, memory));
-        fs::remove(look);
-        prompt = {{"text", source.prompt}, {"made_by", "diffusion360"}};
-        if (!source.photo.empty()) prompt["photo"] = source.photo.filename().string();
-        room = {{"objects", Json::array()}};
-    } else if (source.picture.empty()) {
-        RoomPanorama made = panorama_from_prompt(source.prompt, params, run);
-        panorama = std::move(made.panorama);
-        prompt = to_json(made.prompt);
-        room = room_json(made.room->room(), made.object_of_pixel);
-        traced = std::move(made.room);
-    } else {
-        panorama = reduced_panorama(panorama_from_image(source.picture), params.width);
-        if (!source.weights.empty() && params.diffusion.upscale != "none")
-            panorama.color = linear_from_srgb8(
-                enlarged_by_diffusion360(srgb8_from_linear(panorama.color), painting, params, run, memory));
-        prompt = {{"text", source.prompt}, {"picture", source.picture.filename().string()}};
-        room = {{"objects", Json::array()}};
-    }
-    save_png(out / "color.png", srgb8_from_linear(panorama.color));
-    if (!source.more.empty()) save_more_panoramas(source.more, panorama.size(), out / "more", run);
-    write_json(out / "prompt.json", prompt);
-    write_json(out / "room.json", room);
-    return traced;
+                                                SourceFiles& files, const fs::path& out, const Run& run) {
+    const Making with{params, files, out.parent_path(), run};
+    Made made = std::visit([&](const auto& one) { return made_from(one, with); }, source);
+    save_png(out / "color.png", srgb8_from_linear(made.color));
+    if (const fs::path list = more_of(source); !list.empty())
+        save_more_panoramas(list, {made.color.width, made.color.height}, files, out / "more", run);
+    write_json(out / "prompt.json", made.prompt);
+    write_json(out / "room.json", made.room);
+    return made.traced;
 }
 
 }  // namespace fastscene

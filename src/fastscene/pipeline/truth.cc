@@ -6,7 +6,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
-#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/request.h"
 #include "fastscene/pipeline/room_of_run.h"
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/splat_settings.h"
@@ -51,7 +51,7 @@ struct RunTruth::Impl {
         asked.bounds = false;
         if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;  // does not count
         const Json what{
-            {"truth", fields_json(asked)}, {"prompt", recorded.request.source.prompt}, {"room", recorded.seed}};
+            {"truth", fields_json(asked)}, {"prompt", prompt_of(recorded.request.source)}, {"room", recorded.seed}};
         const std::string key = stage_key("metrics", what, {result}, run.seed);
         const std::string name = params.where == "room" ? "room" : fmt::format("radius-{}", params.radius_m);
         make_directories(kept);
@@ -66,7 +66,7 @@ struct RunTruth::Impl {
 RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path kept, const Run& run) {
     const RunFolder folder{run_dir};
     const RecordedRun recorded = recorded_run(folder);
-    if (!recorded.request.source.has_room())
+    if (!has_room(recorded.request.source))
         throw UsageError(
             "{}: expected a scene from a prompt: behind a picture there is no room to compare with; `splat DIR "
             "--splat-eval-every N` "

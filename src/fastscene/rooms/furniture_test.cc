@@ -421,7 +421,7 @@ TEST(Style, ColorsAreRealAlbedos) {
     // Mahogany is brown: what is raised to soot's brightness keeps its hue.
     const Vec3f mahogany = *color_named("mahogany");
     EXPECT_GT(mahogany.x, 4 * mahogany.z);
-    EXPECT_EQ(styles().size(), 10u);
+    EXPECT_GE(styles().size(), 10u);
     for (const std::string& s : styles()) EXPECT_EQ(style_named(s).palette.size(), 6u);
 }
 

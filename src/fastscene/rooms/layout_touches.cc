@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/catalogue.h"
 
 namespace fastscene {
@@ -17,29 +18,9 @@ const std::vector<TopHabit>& at_washing() {
     return habits;
 }
 
-// What else a room of a type takes where its walls are bare, in order.
-struct Filling {
-    std::string_view room;
-    std::array<std::string_view, 8> pieces;
-};
-constexpr Filling kFillings[] = {
-    {"living", {"bookshelf", "console_table", "plant_tree", "cabinet", "ladder_shelf", "pouf", "bench", "basket"}},
-    {"bedroom", {"dresser", "bench", "plant_tree", "ladder_shelf", "console_table", "pouf", "basket", "cabinet"}},
-    {"kids", {"bookshelf", "toy_box", "play_table", "dresser", "bean_bag", "basket", "rocking_horse", "pouf"}},
-    {"kitchen", {"cabinet", "sideboard", "plant", "console_table", "ladder_shelf", "basket", "bench", "stool"}},
-    {"dining", {"cabinet", "console_table", "plant_tree", "bookshelf", "bench", "ladder_shelf", "plant", "basket"}},
-    {"bathroom", {"cabinet", "plant", "bench", "towel_rail", "basket", "plant_tree", "", ""}},
-    {"study", {"bookshelf", "cabinet", "console_table", "plant_tree", "ladder_shelf", "bookshelf", "pouf", "basket"}},
-    {"hallway", {"console_table", "bench", "cabinet", "plant", "stool", "basket", "bookshelf", ""}},
-    {"loft", {"bookshelf", "console_table", "plant_tree", "cabinet", "bookshelf", "bench", "ladder_shelf", "pouf"}},
-    {"laundry", {"cabinet", "ladder_shelf", "towel_rail", "bench", "basket", "stool", "plant", ""}},
-    {"sunroom", {"plant_tree", "plant", "stool", "basket", "plant_tree", "pouf", "bench", "plant"}},
-    {"attic", {"dresser", "bookshelf", "bench", "pouf", "plant", "basket", "console_table", "toy_box"}},
-};
-
 class Touches {
   public:
-    Touches(Layout& layout, float clutter) : l_(layout), clutter_(clutter) {}
+    Touches(Layout& layout, float clutter) : l_(layout), type_(room_type(layout.spec().room)), clutter_(clutter) {}
 
     void run() {
         radiators();
@@ -56,12 +37,11 @@ class Touches {
     bool wants(std::string_view klass, float probability) {
         return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass);
     }
-    const std::string& room() const { return l_.spec().room; }
     bool is_sparse() const { return is_one_of(l_.spec().clutter, {"bare", "minimal"}); }
 
     // Below windows whose sill is high enough, where nothing else stands.
     void radiators() {
-        if (is_settled("radiator") || l_.plan().style.name == "mediterranean") return;
+        if (is_settled("radiator") || !l_.plan().style.radiators) return;
         for (const Opening& o : l_.plan().openings) {
             if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.dice().chance(0.6f)) continue;
             PieceRequest r = l_.request("radiator");
@@ -74,36 +54,30 @@ class Touches {
     // Rooms larger than their groups get more: about one piece on the floor for every two square metres, with clutter
     // more.
     void fill_floor() {
-        const Filling* filling = nullptr;
-        for (const Filling& f : kFillings)
-            if (f.room == room()) filling = &f;
-        if (!filling) return;
         const float area = l_.plan().width * l_.plan().depth;
-        const float usual = room() == "living" ? 0.43f : 0.36f;  // sofas leave more floor free than beds and tables
+        const float usual = type_.pieces_per_m2;
         const int wanted = static_cast<int>(area * (is_sparse() ? 0.5f * usual : usual + 0.24f * clutter_));
-        for (const std::string_view klass : filling->pieces) {
+        for (const std::string& klass : type_.pieces) {
             const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) {
                 return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor &&
                        p.piece.klass != "curtain";
             });
             if (standing >= wanted) return;
-            if (klass.empty() || is_settled(klass)) continue;
+            if (is_settled(klass)) continue;
             const bool tall = has_role(klass, Role::shades_windows);
-            l_.against_wall(l_.request(std::string(klass)),
+            l_.against_wall(l_.request(klass),
                             {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }
     }
 
     void walls() {
-        const bool wet = room() == "bathroom" || room() == "laundry";
+        const bool wet = type_.wet;
         if (!wet && wants("picture_ledge", 0.4f)) l_.on_wall(l_.request("picture_ledge"), {});
         for (int i = 0; i < 2; ++i)
-            if (!wet && wants("shelf", room() == "kitchen" ? 0.7f : 0.35f)) l_.on_wall(l_.request("shelf"), {});
-        if (!wet && wants("mirror", room() == "hallway" || room() == "bedroom" ? 0.6f : 0.25f) &&
-            l_.count("mirror") == 0)
+            if (!wet && wants("shelf", type_.wall_shelf_probability)) l_.on_wall(l_.request("shelf"), {});
+        if (!wet && wants("mirror", type_.mirror_probability) && l_.count("mirror") == 0)
             l_.on_wall(l_.request("mirror"), {});
-        if (wants("clock", room() == "kitchen" || room() == "hallway" ? 0.6f : 0.2f) && l_.count("clock") == 0)
-            l_.on_wall(l_.request("clock"), {});
+        if (wants("clock", type_.clock_probability) && l_.count("clock") == 0) l_.on_wall(l_.request("clock"), {});
         // What is still bare gets pictures, with the size of the gap in mind.
         const float around = 2 * (l_.plan().width + l_.plan().depth);
         const int wanted = static_cast<int>(around * (is_sparse() ? 0.05f : wet ? 0.1f : 0.16f + 0.16f * clutter_));
@@ -112,7 +86,7 @@ class Touches {
             PieceRequest r = l_.request("picture");
             const float w = l_.dice().uniform(0.35f, 0.95f);
             r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
-            if (room() == "kids") r.pattern = furnishing::picture_for_a_child(l_);
+            if (type_.for_children) r.pattern = furnishing::picture_for_a_child(l_);
             if (!l_.on_wall(r, {})) return;
         }
     }
@@ -148,12 +122,12 @@ class Touches {
                            return p.on == static_cast<int>(i) && p.piece.klass == thing;
                        });
             };
-            const bool damp = room() == "bathroom" || room() == "laundry";
+            const bool damp = type_.wet;
             const bool washes = klass == "kitchen_counter" && damp;
             const Thing* top = find_thing(klass);
             if (!top) continue;
             for (const TopHabit& h : washes ? at_washing() : top->on_top) {
-                const std::string_view thing = room() == "kids" ? furnishing::for_a_child(h.thing) : h.thing;
+                const std::string_view thing = type_.for_children ? furnishing::for_a_child(h.thing) : h.thing;
                 if ((damp || thing != "towel_stack") && !there(thing) && put < 5 + static_cast<int>(4 * clutter_) &&
                     wants(thing, h.probability))
                     put += l_.on_top(static_cast<int>(i), l_.request(std::string(thing))).has_value();
@@ -163,15 +137,7 @@ class Touches {
 
     // One to four things at a window: herbs in a kitchen, soap in a bathroom, plants and books elsewhere.
     void sills() {
-        static constexpr std::array<std::string_view, 6> kDry{"plant_small", "vase_small",  "photo_frame",
-                                                              "book_stack",  "plant_small", "candle"},
-            kWet{"plant_small", "toiletries", "candle", "bottles", "plant_small", "towel_stack"},
-            kCooking{"plant_small", "plant_small", "bottles", "vase_small", "plant_small", "cup"},
-            kPlaying{"teddy_bear", "toy_blocks", "book_stack", "plant_small", "toy_blocks", "photo_frame"};
-        const auto& things = room() == "kids"                              ? kPlaying
-                             : room() == "kitchen"                         ? kCooking
-                             : room() == "bathroom" || room() == "laundry" ? kWet
-                                                                           : kDry;
+        const std::vector<std::string>& things = type_.sills;
         for (int window = 0; window < static_cast<int>(l_.plan().openings.size()); ++window) {
             const Opening& o = l_.plan().openings[static_cast<std::size_t>(window)];
             if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_)))
@@ -180,14 +146,14 @@ class Touches {
             const int most = std::clamp(static_cast<int>((o.u1 - o.u0) / 0.5f), 1, 4),
                       first = l_.dice().index(static_cast<int>(things.size()));
             for (int i = 0; i < most; ++i) {
-                const std::string klass(things[static_cast<std::size_t>(first + i) % things.size()]);
+                const std::string& klass = things[static_cast<std::size_t>(first + i) % things.size()];
                 if (wants(klass, 0.75f)) l_.on_sill(l_.request(klass), window);
             }
         }
     }
 
     void toys() {
-        if (room() != "kids") return;
+        if (!type_.for_children) return;
         const auto rug = l_.find("rug");
         const Vec2f at = rug ? flat(l_.placed()[static_cast<std::size_t>(*rug)].position) : Vec2f{0, 0};
         for (const char* klass : {"toy_blocks", "teddy_bear", "toy_blocks", "book_stack"})
@@ -195,6 +161,7 @@ class Touches {
     }
 
     Layout& l_;
+    const RoomType& type_;
     float clutter_;
 };
 

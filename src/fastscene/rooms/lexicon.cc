@@ -5,7 +5,9 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/rooms/lexicon_table.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/style.h"
+#include "fastscene/rooms/style_file.h"
 
 namespace fastscene {
 
@@ -110,6 +112,8 @@ const LexiconTable& lexicon_table() {
     static const LexiconTable read = [] {
         LexiconTable out;
         for (const std::string_view line : split(kLexiconText, '\n')) read_line(line, out);
+        // What a style's own file says goes before the nearest style that the lexicon knows.
+        for (const auto& [word, style] : style_words()) out.words.insert_or_assign(word, Word{WordKind::style, style});
         for (auto& [term, word] : out.words) {
             word.also_color = out.colors.contains(term);
             std::string letters = term;
@@ -161,16 +165,15 @@ std::optional<std::uint32_t> lexicon_color(std::string_view name) {
 }
 
 std::string room_title(std::string_view room) {
-    if (room == "living") return "living room";
-    if (room == "kids") return "kids' room";
-    if (room == "dining") return "dining room";
-    if (room == "laundry") return "laundry room";
+    for (const RoomType& type : all_room_types())
+        if (type.name == room) return type.title;
     return std::string(room);
 }
 
 std::vector<std::string> room_types() {
-    return {"living", "bedroom", "kids", "kitchen", "dining",  "bathroom",
-            "study",  "hallway", "loft", "laundry", "sunroom", "attic"};
+    std::vector<std::string> out;
+    for (const RoomType& type : all_room_types()) out.push_back(type.name);
+    return out;
 }
 
 std::size_t lexicon_size() { return lexicon_table().words.size() + lexicon_table().colors.size(); }

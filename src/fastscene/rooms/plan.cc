@@ -10,24 +10,13 @@
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/prints.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 namespace {
 
 constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f, kNarrowest = 1.9f;
 constexpr float kThreshold = 0.05f, kLintel = 0.14f;  // below and above a window from floor to ceiling
-
-struct Proportions {
-    const char* room;
-    float width_low, width_high, depth_low, depth_high;
-};
-// Usual inside sizes in metres.
-constexpr Proportions kProportions[] = {
-    {"living", 4.4f, 5.6f, 4.8f, 6.2f},  {"bedroom", 3.8f, 4.6f, 4.0f, 5.0f}, {"kids", 3.4f, 4.2f, 3.8f, 4.6f},
-    {"kitchen", 3.6f, 4.6f, 4.0f, 5.2f}, {"dining", 3.8f, 4.8f, 4.4f, 5.6f},  {"bathroom", 2.5f, 3.1f, 3.0f, 3.7f},
-    {"study", 3.6f, 4.4f, 4.0f, 5.0f},   {"hallway", 2.4f, 3.0f, 5.0f, 6.4f}, {"loft", 5.4f, 6.6f, 6.0f, 7.2f},
-    {"laundry", 2.4f, 3.0f, 3.0f, 3.6f}, {"sunroom", 3.6f, 4.6f, 3.8f, 4.8f}, {"attic", 4.0f, 5.0f, 4.6f, 5.6f},
-};
 
 // Words such as "oak" and "walnut" are woods before they are colors.
 void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> palette) {
@@ -293,7 +282,8 @@ void suggest_style(PromptSpec& spec) {
             spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
         }
     if (spec.style.empty() && spec.clutter == "abandoned") {  // what was left decades ago is not of today
-        spec.style = spec.room == "loft" ? "industrial" : "classic";
+        const StyleMood mood = spec.room == "loft" ? StyleMood::abandoned_loft : StyleMood::abandoned;
+        spec.style = styles_for(mood).front();
         spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
     }
 }
@@ -329,34 +319,25 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     suggest_style(spec);
     if (spec.style.empty()) {
-        // What most people like; concrete, chrome and tiles from the south only when they are asked for.
-        static const std::vector<std::string> kUsual{"modern", "scandinavian", "japandi",    "classic",
-                                                     "boho",   "rustic",       "mid-century"};
-        static const std::vector<std::string> kCozy{"scandinavian", "rustic"},
-            kForChildren{"modern", "scandinavian", "boho", "mid-century"}, kUrban{"modern", "industrial"},
-            kBright{"scandinavian", "classic", "boho", "modern"},
-            kPainted{"scandinavian", "classic", "boho", "mid-century", "modern", "art deco"};
-        const std::vector<std::string>& choice = spec.mood == "cozy"                              ? kCozy
-                                                 : spec.room == "kids" || spec.mood == "colorful" ? kForChildren
-                                                 : spec.light == "neon"                           ? kUrban
-                                                 : !spec.colors.empty()                           ? kPainted
-                                                 : spec.light == "bright" || spec.weather == "sunny" ||
-                                                         spec.mood == "airy"
-                                                     ? kBright
-                                                     : kUsual;
+        const bool bright = spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy";
+        const std::vector<std::string> choice = styles_for(
+            spec.mood == "cozy"                                            ? StyleMood::cozy
+            : room_type(spec.room).for_children || spec.mood == "colorful" ? StyleMood::children
+            : spec.light == "neon"                                         ? StyleMood::neon
+            : !spec.colors.empty()                                         ? StyleMood::colored
+            : bright                                                       ? StyleMood::bright
+                                                                           : StyleMood::usual);
         spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
     Plan plan;
     plan.style = style_named(spec.style);
-    const Proportions* size = &kProportions[0];
-    for (const Proportions& p : kProportions)
-        if (spec.room == p.room) size = &p;
+    const RoomType& type = room_type(spec.room);
     const float factor = spec.size == "large"   ? std::max(1.18f, room_for_wishes(spec))
                          : spec.size == "small" ? 0.88f
                                                 : room_for_wishes(spec);
-    plan.width = dice.uniform(size->width_low, size->width_high) * factor;
-    plan.depth = dice.uniform(size->depth_low, size->depth_high) * factor;
+    plan.width = dice.uniform(type.width_low_m, type.width_high_m) * factor;
+    plan.depth = dice.uniform(type.depth_low_m, type.depth_high_m) * factor;
     if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
     plan.height = is_loft(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
@@ -370,14 +351,14 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     plan.accent = spec.room != "hallway" && dice.chance(0.6f);
 
     // Children and cheerful people paint a wall in a color they love.
-    if (spec.room == "kids" || spec.mood == "colorful") {
+    if (type.for_children || spec.mood == "colorful") {
         plan.accent = true;
         plan.style.accent_wall = plan.style.wall;
         plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(
             plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
     }
 
-    const bool wet = spec.room == "bathroom" || spec.room == "laundry";
+    const bool wet = type.wet;
     choose_paint(spec, plan, dice);
     deepen_paint(spec, plan);
     if (wet) tile_wet_room(plan, dice);
@@ -391,7 +372,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (wish.forbidden) continue;
         if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() &&
             wish.material.empty()) {
-            wish.pattern = wallpaper_of(plan.style.name);
+            wish.pattern = plan.style.wallpaper;
             spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
         }
         if (stands_before(wish)) continue;
@@ -428,7 +409,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         print_on(plan.style.accent_wall, "peeling", PrintGround::paper, {}, {});
         plan.accent = true;
     }
-    plan.style.shelves = shelves_of(spec.room);
+    plan.style.shelves = type.shelves;
     report_unbuilt(spec);
     shape_plan(spec, plan, dice);
     tell_measures(spec, plan);

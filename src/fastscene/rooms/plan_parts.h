@@ -20,8 +20,6 @@ inline const PromptObject* wish_for(const PromptSpec& spec, std::string_view kla
 void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice);
 // Deep colors for studies and libraries of some styles.
 void deepen_paint(const PromptSpec& spec, Plan& plan);
-// What stands on the shelves of a room of this type.
-Shelves shelves_of(std::string_view room);
 // Tiles for a bathroom or laundry, as the style has them.
 void tile_wet_room(Plan& plan, Random& dice);
 

@@ -6,6 +6,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 namespace {
@@ -14,25 +15,6 @@ namespace {
 bool decide(const PromptSpec& spec, std::string_view klass, float probability, Random& dice) {
     const bool drawn = dice.chance(probability);
     return !wish_for(spec, klass, true) && (wish_for(spec, klass) || drawn);
-}
-
-// How often rooms of a type have a feature.
-struct Habits {
-    const char* room;
-    float breast, corner, bay, alcove, doorway;
-};
-constexpr Habits kShapeHabits[] = {
-    {"living", 0.28f, 0.2f, 0.14f, 0.12f, 0.5f}, {"bedroom", 0.1f, 0.2f, 0.18f, 0.22f, 0.15f},
-    {"kids", 0.1f, 0.25f, 0.2f, 0.2f, 0.f},      {"kitchen", 0.f, 0.2f, 0.f, 0.f, 0.5f},
-    {"dining", 0.3f, 0.15f, 0.25f, 0.1f, 0.55f}, {"bathroom", 0.f, 0.1f, 0.f, 0.1f, 0.f},
-    {"study", 0.3f, 0.15f, 0.2f, 0.15f, 0.25f},  {"hallway", 0.f, 0.f, 0.f, 0.4f, 0.85f},
-    {"loft", 0.f, 0.2f, 0.f, 0.f, 0.3f},         {"laundry", 0.f, 0.1f, 0.f, 0.1f, 0.15f},
-    {"sunroom", 0.f, 0.f, 0.f, 0.f, 0.6f},       {"attic", 0.f, 0.f, 0.f, 0.f, 0.f},
-};
-const Habits& habits_of(const std::string& room) {
-    for (const Habits& h : kShapeHabits)
-        if (room == h.room) return h;
-    return kShapeHabits[0];
 }
 
 void add_breast(Plan& plan, Random& dice) {
@@ -107,13 +89,7 @@ void tell_next_room(PromptSpec& spec, const std::string& what) {
 }
 
 std::string next_type(const std::string& room, Random& dice) {
-    const bool second = dice.chance(0.5f);
-    if (room == "living") return second ? "dining" : "study";
-    if (room == "dining" || room == "kitchen") return second ? "living" : "hallway";
-    if (room == "bedroom") return second ? "study" : "hallway";
-    if (room == "loft") return "bedroom";
-    if (room == "laundry") return "hallway";
-    return room == "hallway" ? (second ? "living" : "dining") : "living";
+    return room_type(room).next_rooms[dice.chance(0.5f) ? 0 : 1];
 }
 
 // A wall without openings takes a doorway; behind it lies a whole room of the same house.
@@ -122,7 +98,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
     // Who speaks of windows means those of this room, and who wants no door wants none.
     const bool windows = wants_corners(spec) || wish_for(spec, "window") || wish_for(spec, "window", true) ||
                          wish_for(spec, "door", true);
-    const float probability = windows ? 0.f : habits_of(spec.room).doorway;
+    const float probability = windows ? 0.f : room_type(spec.room).doorway_probability;
     const bool beyond = !spec.next_room.empty();
     if (!decide(spec, "doorway", probability, dice) && !beyond) return;
     if (wish) report(spec, *wish, wish->count - 1, "a room has one");
@@ -151,7 +127,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         auto next = std::make_shared<NextRoom>();
         next->type = next_type(spec.room, dice);
         if (beyond) next->type = spec.next_room;
-        const bool wet = next->type == "bathroom" || next->type == "laundry";
+        const bool wet = room_type(next->type).wet;
         Plan& p = next->plan;
         p.style = plan.style;
         p.joined = true;
@@ -164,7 +140,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
         p.recessed_lights = plan.recessed_lights;
         p.neon = plan.neon;
         p.neon_color = plan.neon_color;
-        p.style.shelves = shelves_of(next->type);
+        p.style.shelves = room_type(next->type).shelves;
         if (wet) tile_wet_room(p, dice);
         // Its place along our wall: the doorway inside it, itself within the wall's length.
         const float middle = (o.u0 + o.u1) / 2, reach = p.width / 2 - wide / 2 - 0.3f;
@@ -202,7 +178,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
 void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     for (const PromptObject& wish : spec.objects)
         if (!wish.forbidden && is_shell(wish.klass)) plan.asked_parts.push_back(wish);
-    const Habits& habit = habits_of(spec.room);
+    const RoomType& type = room_type(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
     const bool lit_from_above = slopes_for_skylight(spec);
     const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) &&
@@ -229,13 +205,14 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
             roll = 2.f;
         // A bay's panes are square: who asks for arches or portholes has none by chance.
         if (wish_for(spec, "bay_window", true) || shape_of(wish_for(spec, "window")) != Opening::Shape::square)
-            roll = std::max(roll, habit.breast + habit.corner + habit.bay);
+            roll = std::max(roll, type.breast_probability + type.corner_probability + type.bay_probability);
         const float recess = dice.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, dice.uniform(2.3f, 2.8f)),
                     niche = dice.uniform(0.45f, 0.55f);
-        if (roll < habit.breast) add_breast(plan, dice);
-        else if ((roll -= habit.breast) < habit.corner) add_corner(plan, dice);
-        else if ((roll -= habit.corner) < habit.bay || asked_bay) add_recess(plan, wide, recess), plan.bay = true;
-        else if ((roll -= habit.bay) < habit.alcove || asked_alcove)
+        if (roll < type.breast_probability) add_breast(plan, dice);
+        else if ((roll -= type.breast_probability) < type.corner_probability) add_corner(plan, dice);
+        else if ((roll -= type.corner_probability) < type.bay_probability || asked_bay)
+            add_recess(plan, wide, recess), plan.bay = true;
+        else if ((roll -= type.bay_probability) < type.alcove_probability || asked_alcove)
             add_recess(plan, std::min(wide, plan.width - 0.9f), niche);
         if (asked_bay && asked_alcove)
             report(spec, *wish_for(spec, "alcove"), wish_for(spec, "alcove")->count, "the bay takes its place");

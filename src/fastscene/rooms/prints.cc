@@ -64,21 +64,6 @@ bool is_paper(Pattern pattern) {
 
 bool is_print(std::string_view name) { return print_named(name) != nullptr; }
 
-std::string_view wallpaper_of(std::string_view style) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOf{{{"classic", "damask"},
-                                                                                        {"art deco", "lattice"},
-                                                                                        {"rustic", "floral"},
-                                                                                        {"boho", "paisley"},
-                                                                                        {"mid-century", "geometric"},
-                                                                                        {"scandinavian", "dots"},
-                                                                                        {"japandi", "herringbone"},
-                                                                                        {"modern", "lattice"},
-                                                                                        {"industrial", "herringbone"},
-                                                                                        {"mediterranean", "lattice"}}};
-    const auto at = std::find_if(kOf.begin(), kOf.end(), [&](const auto& one) { return one.first == style; });
-    return at == kOf.end() ? "striped" : at->second;
-}
-
 void print_on(Material& m, std::string_view name, PrintGround ground, std::optional<Vec3f> second,
               std::span<const Vec3f> palette) {
     const Print* print = print_named(name);

@@ -21,7 +21,4 @@ bool is_print(std::string_view name);
 void print_on(Material& m, std::string_view name, PrintGround ground, std::optional<Vec3f> second,
               std::span<const Vec3f> palette);
 
-// The pattern of a wallpaper of which nothing else was said, by style.
-std::string_view wallpaper_of(std::string_view style);
-
 }  // namespace fastscene

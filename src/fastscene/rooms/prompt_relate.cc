@@ -165,7 +165,7 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         object.klass = "pot_rack";
     // "A paper lantern on the nightstand" is a lamp with such a shade.
     if (object.klass == "paper_lantern" && relation == "on" && at_piece)
-        object.klass = "table_lamp", object.style = "japandi";
+        object.klass = "table_lamp", object.style = style_with_lamp(LampFamily::paper);
     std::string to;
     constexpr int kCorners = 4;
     if (says_every_corner(r.m[at]))

@@ -68,25 +68,20 @@ void assume_time(PromptSpec& spec, std::uint64_t seed) {
 }
 
 // What the windows show, when the prompt does not say it: it goes with the style.
-Sky::View outlook_of(PromptSpec& spec, const std::string& style, Random& dice) {
-    static constexpr std::array<std::pair<const char*, Sky::View>, 5> kViews{{{"garden", Sky::View::garden},
-                                                                              {"city", Sky::View::city},
-                                                                              {"sea", Sky::View::sea},
-                                                                              {"mountains", Sky::View::mountains},
-                                                                              {"forest", Sky::View::forest}}};
+Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& dice) {
     const float draw = dice.uniform();
     if (spec.outlook.empty()) {
-        const bool urban = style == "industrial" || style == "modern" || style == "art deco" || spec.room == "loft";
-        const char* wild = style == "mediterranean"                        ? "sea"
-                           : style == "rustic"                             ? "mountains"
-                           : style == "scandinavian" || style == "japandi" ? "forest"
-                                                                           : "city";
-        spec.outlook = urban ? (draw < 0.75f ? "city" : "garden") : draw < 0.45f ? wild : "garden";
+        // Lofts are in towns.
+        constexpr float kCityBelowLofts = 0.75f;
+        const bool loft = spec.room == "loft";
+        const Sky::View view = loft ? Sky::View::city : style.outlook;
+        const float probability = loft ? kCityBelowLofts : style.outlook_probability;
+        spec.outlook = kNamesOf<Sky::View>[static_cast<std::size_t>(draw < probability ? view : Sky::View::garden)];
         spec.assumed.push_back("outlook: " + spec.outlook);
     }
-    for (const auto& [name, view] : kViews)
-        if (spec.outlook == name) return view;
-    return Sky::View::garden;
+    const auto& names = kNamesOf<Sky::View>;
+    const auto at = std::find(names.begin(), names.end(), spec.outlook);
+    return at == names.end() ? Sky::View::garden : static_cast<Sky::View>(at - names.begin());
 }
 
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the
@@ -110,7 +105,7 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.22f : 0.13f;
     sky.sun_limit = 3.5f;
     if (light->time != Sky::Time::night && light->time != Sky::Time::dusk) sky.ground_least = 0.55f;
-    sky.view = outlook_of(spec, plan.style.name, dice);
+    sky.view = outlook_of(spec, plan.style, dice);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
         const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 *

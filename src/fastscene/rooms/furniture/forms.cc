@@ -31,13 +31,6 @@ int woven_main(Kit& k) {
     return cane;
 }
 
-int form_for(Kit& k, std::initializer_list<StyleForms> table, int usual) {
-    const int pick = k.dice.index(16);
-    for (const StyleForms& row : table)
-        if (k.style.name == row.style) return pick < 9 ? row.first : row.second;
-    return usual;
-}
-
 int accent_cloth(Kit& k) {
     Material m = tinted(k.style.fabric2, k.accent());
     const int kind = k.dice.index(4);

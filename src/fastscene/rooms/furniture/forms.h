@@ -1,19 +1,15 @@
 // Silhouettes and cloth that pieces of several kinds share.
 #pragma once
 
-#include <initializer_list>
-#include <string_view>
-
 #include "fastscene/rooms/furniture/kit.h"
 
 namespace fastscene::furniture {
 
-// The two forms that rooms of a style have of a piece: the first a little more often.
-struct StyleForms {
-    std::string_view style;
-    int first, second;
-};
-int form_for(Kit& k, std::initializer_list<StyleForms> table, int usual);
+// One of the two forms that rooms of a style have of a piece: the first a little more often.
+template <class Form>
+Form form_for(Kit& k, const TwoForms<Form>& forms) {
+    return k.dice.index(16) < 9 ? forms.first : forms.second;
+}
 
 void feet(Kit& k, int wood, float width, float depth, float high, float lean = 0.02f);
 

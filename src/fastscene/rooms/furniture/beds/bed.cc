@@ -29,10 +29,9 @@ Mesh tied_back(Vec3f at, Vec3f along, Vec3f across, float wide, float y0, float 
 
 // A post: of metal, turned, or square.
 void bed_post(Kit& k, int mat, Vec3f foot, float top) {
-    const LegType type = k.style.legs;
-    if (type == LegType::metal_frame || k.style.name == "art deco")
-        return k.board(mat, foot, {0.036f, top, 0.036f}, 0.004f);
-    if (type != LegType::turned && type != LegType::square) return k.board(mat, foot, {0.055f, top, 0.055f}, 0.01f);
+    const PostForm form = k.style.bed_posts;
+    if (form == PostForm::metal) return k.board(mat, foot, {0.036f, top, 0.036f}, 0.004f);
+    if (form == PostForm::square) return k.board(mat, foot, {0.055f, top, 0.055f}, 0.01f);
     k.board(mat, foot, {0.085f, 0.56f, 0.085f}, 0.01f);
     const float r = 0.036f;
     const std::array<Vec2f, 13> p{Vec2f{r, 0.56f},         {1.1f * r, 0.575f},     {0.7f * r, 0.6f},
@@ -46,8 +45,7 @@ void bed_post(Kit& k, int mat, Vec3f foot, float top) {
 // Posts with rails between their heads, a headboard and a low foot; `draped`: a roof of cloth, and cloth tied to the
 // posts.
 void four_posts(Kit& k, Posts over, float width, float length, int duvet) {
-    const bool metal = k.style.legs == LegType::metal_frame || k.style.name == "art deco",
-               turned = !metal && (k.style.legs == LegType::turned || k.style.legs == LegType::square),
+    const bool metal = k.style.bed_posts == PostForm::metal, turned = k.style.bed_posts == PostForm::turned,
                rich = k.style.mouldings == Mouldings::rich;
     const int frame = k.material(metal ? k.style.metal : k.style.wood);
     // Outside of what hangs from the mattress.
@@ -127,19 +125,7 @@ void four_posts(Kit& k, Posts over, float width, float length, int duvet) {
 
 void bed_of(Kit& k, float width, Posts over) {
     const float length = 2.0f, base_y = 0.3f;
-    enum { panels, tufted, slats, board, low, iron, posts };
-    const auto form = static_cast<BedForm>(form_for(k,
-                                                    {{"modern", panels, low},
-                                                     {"scandinavian", board, slats},
-                                                     {"japandi", low, board},
-                                                     {"industrial", iron, panels},
-                                                     {"classic", tufted, posts},
-                                                     {"boho", posts, board},
-                                                     {"rustic", slats, iron},
-                                                     {"mid-century", board, low},
-                                                     {"mediterranean", iron, posts},
-                                                     {"art deco", panels, tufted}},
-                                                    board));
+    const BedForm form = form_for(k, k.style.forms.bed);
     const bool cloth_head = form == BedForm::panels || form == BedForm::tufted;
     Material quilt = tinted(k.style.fabric, lerp(k.style.fabric.color_a, {0.75f, 0.72f, 0.66f}, 0.55f));
     quilt.name = "duvet";

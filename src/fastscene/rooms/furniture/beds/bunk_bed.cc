@@ -13,8 +13,6 @@
 namespace fastscene::furniture {
 namespace {
 
-enum BunkForm { bunk_boards, bunk_bars, bunk_pipes };  // flat boards; turned posts and upright bars; steel tube
-
 constexpr float kBunkLong = 2.0f, kBunkWide = 0.94f;  // between the middles of the posts
 
 constexpr float kMattress = 0.14f;  // thick
@@ -47,26 +45,14 @@ bool is_metal(const std::string& material) {
 }
 
 BunkForm bunk_form(Kit& k) {
-    const auto form = static_cast<BunkForm>(form_for(k,
-                                                     {{"modern", bunk_boards, bunk_pipes},
-                                                      {"scandinavian", bunk_boards, bunk_boards},
-                                                      {"japandi", bunk_boards, bunk_boards},
-                                                      {"industrial", bunk_pipes, bunk_boards},
-                                                      {"classic", bunk_bars, bunk_bars},
-                                                      {"boho", bunk_bars, bunk_boards},
-                                                      {"rustic", bunk_bars, bunk_boards},
-                                                      {"mid-century", bunk_boards, bunk_bars},
-                                                      {"mediterranean", bunk_bars, bunk_pipes},
-                                                      {"art deco", bunk_boards, bunk_pipes}},
-                                                     bunk_boards));
-    if (is_metal(k.request.material)) return bunk_pipes;
-    return form == bunk_pipes && !k.request.material.empty() ? bunk_boards : form;
+    const BunkForm form = form_for(k, k.style.forms.bunk);
+    if (is_metal(k.request.material)) return BunkForm::pipes;
+    return form == BunkForm::pipes && !k.request.material.empty() ? BunkForm::boards : form;
 }
 
 Bunk::Bunk(Kit& kit) : k(kit), form(bunk_form(kit)) {
-    const bool light = k.style.name == "modern" || k.style.name == "scandinavian";
-    Material wood = form == bunk_pipes ? k.style.metal : k.style.name == "modern" ? k.style.wood2 : k.style.wood;
-    if (light && form != bunk_pipes && k.dice.chance(0.45f)) wood = *material_named("lacquer");
+    Material wood = form == BunkForm::pipes ? k.style.metal : k.style.of(k.style.made_of.bunk);
+    if (k.style.lacquered_play && form != BunkForm::pipes && k.dice.chance(0.45f)) wood = *material_named("lacquer");
     frame = k.main(std::move(wood), false);  // what was said to be striped is the bedding
     linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f}));
 }
@@ -90,9 +76,9 @@ void Bunk::posts(float top) {
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) {
             const Vec3f foot{sx * hx, 0, sz * hz}, head = foot + Vec3f{0, top, 0};
-            if (form == bunk_boards) {
+            if (form == BunkForm::boards) {
                 k.board(frame, foot, {0.062f, top, 0.062f}, 0.008f);
-            } else if (form == bunk_bars) {
+            } else if (form == BunkForm::bars) {
                 k.board(frame, foot, {0.075f, top - 0.04f, 0.075f}, 0.012f);
                 k.add(shapes::ball(head - Vec3f{0, 0.012f, 0}, {0.042f, 0.042f, 0.042f}, 18), frame);
             } else {
@@ -106,7 +92,7 @@ void Bunk::posts(float top) {
 void Bunk::fence(Vec3f a, Vec3f b, float high) {
     const Vec3f d = b - a, up{0, 1, 0};
     const float far = length(d);
-    if (form == bunk_boards) {
+    if (form == BunkForm::boards) {
         const int boards = std::max(1, static_cast<int>(high / 0.13f));
         const float step = high / static_cast<float>(boards), wide = std::min(0.095f, step - 0.04f);
         for (int i = 0; i < boards; ++i)
@@ -114,8 +100,8 @@ void Bunk::fence(Vec3f a, Vec3f b, float high) {
                  wide, 0.022f);
         return;
     }
-    const int bars = std::max(2, static_cast<int>(far / (form == bunk_pipes ? 0.15f : 0.13f)));
-    if (form == bunk_bars) {
+    const int bars = std::max(2, static_cast<int>(far / (form == BunkForm::pipes ? 0.15f : 0.13f)));
+    if (form == BunkForm::bars) {
         beam(a + up * (high - 0.06f), b + up * (high - 0.06f), 0.06f, 0.034f);
         beam(a, b, 0.035f, 0.028f);
     } else {
@@ -124,7 +110,7 @@ void Bunk::fence(Vec3f a, Vec3f b, float high) {
     }
     for (int i = 1; i < bars; ++i) {
         const Vec3f at = a + d * (static_cast<float>(i) / static_cast<float>(bars));
-        if (form == bunk_bars)
+        if (form == BunkForm::bars)
             k.board(frame, at + up * 0.02f,
                     d.x * d.x > d.z * d.z ? Vec3f{0.05f, high - 0.06f, 0.018f} : Vec3f{0.018f, high - 0.06f, 0.05f},
                     0.004f);
@@ -134,8 +120,9 @@ void Bunk::fence(Vec3f a, Vec3f b, float high) {
 
 // The rails between the posts and what the mattress lies on; `base` is its upper side.
 void Bunk::deck(float base, bool slats) {
-    const float high = form == bunk_pipes ? 0.05f : 0.15f, low = base - (form == bunk_pipes ? 0.045f : 0.075f),
-                thick = form == bunk_pipes ? 0.03f : 0.03f;
+    const float high = form == BunkForm::pipes ? 0.05f : 0.15f,
+                low = base - (form == BunkForm::pipes ? 0.045f : 0.075f),
+                thick = form == BunkForm::pipes ? 0.03f : 0.03f;
     for (const float s : {-1.f, 1.f}) {
         beam({-hx, low, s * hz}, {hx, low, s * hz}, high, thick);
         beam({s * hx, low, -hz}, {s * hx, low, hz}, high, thick);
@@ -188,13 +175,13 @@ void Bunk::ladder(float base, float lean) {
     const float right = hx - 0.05f, left = right - kLadderWide, high = base + kMattress + 0.26f, z = hz + 0.034f;
     const auto at = [&](float x, float y) { return Vec3f{x, y, z + lean * (1.f - y / high)}; };
     for (const float x : {left, right}) {
-        if (form == bunk_pipes) k.rod(frame, at(x, 0.f), at(x, high), 0.016f, -1, 12);
+        if (form == BunkForm::pipes) k.rod(frame, at(x, 0.f), at(x, high), 0.016f, -1, 12);
         else plank(at(x, 0.003f), at(x, high), 0.03f, 0.055f);
     }
     const int rungs = std::max(2, static_cast<int>(std::lround(base / 0.24f)));
     for (int i = 1; i <= rungs; ++i) {
         const float y = (base - 0.03f) * static_cast<float>(i) / static_cast<float>(rungs);
-        if (form == bunk_pipes) k.rod(frame, at(left, y), at(right, y), 0.013f, -1, 12);
+        if (form == BunkForm::pipes) k.rod(frame, at(left, y), at(right, y), 0.013f, -1, 12);
         else k.board(frame, at(0.5f * (left + right), y - 0.012f), {kLadderWide, 0.024f, 0.065f}, 0.005f);
     }
 }
@@ -210,7 +197,7 @@ void Bunk::guard(float base, bool gate_at_feet) {
     fence({-hx, from, hz}, {gate, from, hz}, high);
     fence({-hx, from, -hz}, {hx, from, -hz}, high);
     for (const float s : {-1.f, 1.f}) fence({s * hx, from, -hz + inset}, {s * hx, from, hz - inset}, high);
-    if (form == bunk_pipes) k.rod(frame, {gate, base, hz}, {gate, from + high, hz}, 0.015f, -1, 12);
+    if (form == BunkForm::pipes) k.rod(frame, {gate, base, hz}, {gate, from + high, hz}, 0.015f, -1, 12);
     else k.board(frame, {gate, base - 0.07f, hz}, {0.045f, high + 0.16f, 0.045f}, 0.006f);
 }
 
@@ -219,9 +206,7 @@ void Bunk::stairs(float base) {
     constexpr int kSteps = 4;
     constexpr float kStairWide = 0.44f;
     const float x0 = hx + 0.036f, x1 = x0 + kStairWide, run = kBunkWide / kSteps, rise = (base - 0.02f) / kSteps;
-    const int box = form == bunk_pipes
-                        ? k.material(k.style.name == "industrial" ? k.style.wood : *material_named("lacquer"))
-                        : frame,
+    const int box = form == BunkForm::pipes ? k.material(k.style.of(k.style.made_of.bunk_boxes)) : frame,
               knob = k.material(k.style.metal);
     for (int i = 0; i < kSteps; ++i) {
         const float front = hz - run * static_cast<float>(i), back = -hz, top = rise * static_cast<float>(i + 1),
@@ -235,12 +220,12 @@ void Bunk::stairs(float base) {
     const auto at = [&](float z) { return rise * ((hz - z) / run + 1.f) + 0.52f; };
     for (const float z : {hz - 0.03f, -hz + 0.03f}) {
         const float foot = z > 0 ? rise - 0.01f : base - 0.03f;
-        if (form == bunk_pipes)
+        if (form == BunkForm::pipes)
             k.rod(frame, {x1 - 0.02f, foot, z}, {x1 - 0.02f, std::min(at(z), base + 0.46f), z}, 0.016f, -1, 12);
         else k.board(frame, {x1 - 0.022f, foot, z}, {0.04f, std::min(at(z), base + 0.46f) - foot, 0.04f}, 0.006f);
     }
     const float end = std::min(at(-hz + 0.03f), base + 0.46f);
-    if (form == bunk_pipes)
+    if (form == BunkForm::pipes)
         k.rod(frame, {x1 - 0.02f, at(hz - 0.03f), hz - 0.03f}, {x1 - 0.02f, end, -hz + 0.03f}, 0.015f, -1, 12);
     else
         plank({x1 - 0.022f, at(hz - 0.03f) - 0.02f, hz - 0.03f}, {x1 - 0.022f, end - 0.02f, -hz + 0.03f}, 0.042f,
@@ -297,10 +282,11 @@ void build_loft_bed(Kit& k) {
     bunk.posts(kBase + 0.46f);
     bunk.deck(kBase, true);
     // What keeps the posts upright: boards at the back and the sides, out of a desk's way.
-    bunk.beam({-bunk.hx, 0.3f, -bunk.hz}, {bunk.hx, 0.3f, -bunk.hz}, bunk.form == bunk_pipes ? 0.03f : 0.09f, 0.024f);
+    bunk.beam({-bunk.hx, 0.3f, -bunk.hz}, {bunk.hx, 0.3f, -bunk.hz}, bunk.form == BunkForm::pipes ? 0.03f : 0.09f,
+              0.024f);
     for (const float s : {-1.f, 1.f})
-        bunk.beam({s * bunk.hx, 0.3f, -bunk.hz}, {s * bunk.hx, 0.3f, bunk.hz}, bunk.form == bunk_pipes ? 0.03f : 0.09f,
-                  0.024f);
+        bunk.beam({s * bunk.hx, 0.3f, -bunk.hz}, {s * bunk.hx, 0.3f, bunk.hz},
+                  bunk.form == BunkForm::pipes ? 0.03f : 0.09f, 0.024f);
     bunk.guard(kBase);
     bunk.made_bed(kBase, bunk.duvet(0));
     bunk.ladder(kBase, 0.05f);  // steep: a chair stands before it
@@ -313,9 +299,7 @@ void build_cabin_bed(Kit& k) {
     Bunk bunk(k);
     bunk.posts(kBase + 0.44f);
     bunk.deck(kBase, false);
-    const int frame = bunk.form == bunk_pipes
-                          ? k.material(k.style.name == "industrial" ? k.style.wood : *material_named("lacquer"))
-                          : bunk.frame,
+    const int frame = bunk.form == BunkForm::pipes ? k.material(k.style.of(k.style.made_of.bunk_boxes)) : bunk.frame,
               metal = k.material(k.style.metal);
     const float low = 0.05f, high = kBase - 0.09f, x0 = -bunk.hx + 0.04f, x1 = bunk.hx - 0.04f, split = 0.42f,
                 drawers = -0.28f, depth = kBunkWide - 0.1f, back = -0.5f * depth, face = 0.5f * depth;

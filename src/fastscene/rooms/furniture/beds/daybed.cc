@@ -12,19 +12,8 @@ namespace fastscene::furniture {
 
 // A sofa to sleep on: its long side at the wall, a back and two ends of one height.
 void build_daybed(Kit& k) {
-    enum { boards, iron, padded };
-    int form = form_for(k,
-                        {{"modern", padded, boards},
-                         {"scandinavian", boards, iron},
-                         {"japandi", boards, boards},
-                         {"industrial", iron, boards},
-                         {"classic", padded, iron},
-                         {"boho", boards, iron},
-                         {"rustic", boards, iron},
-                         {"mid-century", boards, padded},
-                         {"mediterranean", iron, boards},
-                         {"art deco", padded, padded}},
-                        boards);
+    using enum DaybedForm;
+    DaybedForm form = form_for(k, k.style.forms.daybed);
     if (k.request.material == "iron" || k.request.material == "metal" || k.request.material == "wrought iron")
         form = iron;
     const float long_side = 2.04f, deep = 0.98f, hx = 0.5f * long_side, hz = 0.5f * deep,

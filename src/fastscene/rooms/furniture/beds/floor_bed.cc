@@ -7,19 +7,8 @@ namespace fastscene::furniture {
 
 // Bedding on the floor: a futon on mats of straw, a mattress on pallets, or on nothing.
 void build_floor_bed(Kit& k) {
-    enum { bare, mats, pallets };
-    const int form = form_for(k,
-                              {{"modern", bare, pallets},
-                               {"scandinavian", bare, pallets},
-                               {"japandi", mats, mats},
-                               {"industrial", pallets, pallets},
-                               {"classic", bare, bare},
-                               {"boho", pallets, bare},
-                               {"rustic", pallets, pallets},
-                               {"mid-century", mats, bare},
-                               {"mediterranean", bare, pallets},
-                               {"art deco", bare, mats}},
-                              bare);
+    using enum FloorBedForm;
+    const FloorBedForm form = form_for(k, k.style.forms.floor_bed);
     const float width = 1.42f, length = 1.98f,
                 base = form == mats      ? 0.035f
                        : form == pallets ? 0.13f

@@ -5,7 +5,6 @@
 
 namespace fastscene::furniture {
 
-enum class BedForm { panels, tufted, slats, board, low, iron, posts };
 void headboard(Kit& k, BedForm form, float width, float length, int wood, int head);
 
 }  // namespace fastscene::furniture

@@ -9,7 +9,7 @@ namespace fastscene::furniture {
 
 // Sheets that slid apart, some balled up.
 void build_paper_litter(Kit& k) {
-    const bool old = k.style.name == "rustic" || k.style.name == "classic";
+    const bool old = k.style.yellowed_paper;
     const int paper = k.main(plain("paper", old ? Vec3f{0.58f, 0.5f, 0.36f} : Vec3f{0.72f, 0.71f, 0.67f}, 0.95f)),
               ink = k.material(plain("ink", {0.12f, 0.12f, 0.13f}, 0.95f));
     const int sheets = 9 + k.dice.index(4);

@@ -8,7 +8,7 @@ void build_step_ladder(Kit& k) {
     const float high = 1.55f, half = 0.21f, front = 0.42f, back = -0.42f;
     Material wood = *material_named("pine");
     wood.color_a = wood.color_a * 0.85f;
-    const bool metal = k.style.name == "modern" || k.style.name == "industrial";
+    const bool metal = k.style.aluminium_ladders;
     const int rail = k.main(metal ? plain("aluminium", {0.52f, 0.53f, 0.54f}, 0.35f) : wood),
               cap = k.material(plain("ladder cap", metal ? Vec3f{0.6f, 0.12f, 0.04f} : wood.color_a, 0.5f)),
               cord = k.material(plain("cord", {0.5f, 0.44f, 0.33f}, 0.9f)),

@@ -11,13 +11,11 @@ namespace fastscene::furniture {
 // plain as the style has it.
 void build_grandfather_clock(Kit& k) {
     const Vec3f s = k.wanted({0.5f, 2.02f, 0.28f});
-    const int wood = k.main(k.style.mouldings == Mouldings::rich || k.style.name == "rustic" ? k.style.wood2
-                                                                                             : k.style.wood),
-              brass = k.material(*material_named("brass")),
+    const int wood = k.main(k.style.of(k.style.made_of.clock_case)), brass = k.material(*material_named("brass")),
               face = k.material(plain("dial", {0.72f, 0.68f, 0.57f}, 0.5f)),
               dark = k.material(plain("clock hands", {0.035f, 0.035f, 0.035f}, 0.5f)),
               shade = k.material(plain("clock case", {0.06f, 0.04f, 0.028f}, 0.8f)), pane = k.material(glass());
-    const bool formal = k.style.mouldings != Mouldings::none || k.style.name == "rustic" || k.style.name == "boho";
+    const bool formal = k.style.formal_clocks;
     const float h = s.y, w = s.x, d = s.z, plinth = 0.19f * h, hood = 0.72f * h, top = 0.945f * h, trunk = 0.76f * w,
                 deep = 0.8f * d;
     const auto moulding = [&](float y, float width, float depth, float high) {

@@ -31,18 +31,11 @@ Material part_in(Material usual, const std::string& material, const std::string&
 
 Material worktop(const Kit& k) { return part_in(usual_worktop(k), k.request.holder_material, k.request.holder_color); }
 
+// Of wood, or in one of the paints that kitchens of the style have: not every accent of a room suits a wall of doors.
 Material kitchen_front(const Kit& k) {
-    if (k.style.mouldings == Mouldings::none) return k.style.wood;
-    // What kitchens of the style are painted; not every accent of a room suits a whole wall of doors.
-    static constexpr std::array<std::pair<std::string_view, std::array<const char*, 2>>, 4> kPaints{
-        {{"scandinavian", {"light sage", "off white"}},
-         {"classic", {"dusty navy", "ivory"}},
-         {"rustic", {"sage", "cream"}},
-         {"art deco", {"bottle green", "navy"}}}};
+    if (k.style.kitchen_paints.empty()) return k.style.wood;
     const bool second = (k.request.seed & 4) != 0;
-    for (const auto& [style, colors] : kPaints)
-        if (k.style.name == style) return plain("painted fronts", *color_named(colors[second ? 1 : 0]), 0.4f);
-    return plain("painted fronts", lerp(k.style.palette[0], {0.55f, 0.54f, 0.5f}, 0.45f), 0.4f);
+    return plain("painted fronts", k.style.kitchen_paints[second ? 1 : 0], 0.4f);
 }
 
 void tap(Kit& k, int chrome, Vec3f at, float h) {

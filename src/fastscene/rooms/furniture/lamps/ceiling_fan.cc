@@ -9,17 +9,12 @@
 
 namespace fastscene::furniture {
 
-// Blades about a motor on a short rod, an opal glass below it. Slim blades of three where rooms are sober, five of wood
-// elsewhere, leaves of cane in the south.
+// Blades about a motor on a short rod, an opal glass below it: three slim ones, five boards or five leaves.
 void build_ceiling_fan(Kit& k) {
-    const bool cane = k.style.lamp == LampFamily::paper || k.style.name == "mediterranean",
-               slim = k.style.name == "modern" || k.style.name == "japandi" || k.style.name == "industrial";
+    const bool leaves = k.style.fan_blades == FanForm::leaves, slim = k.style.fan_blades == FanForm::slim;
     const float reach = 0.62f * k.request.size_factor;
     k.sized = true;
-    Material wood = cane && !slim                  ? *material_named("rattan")
-                    : k.style.name == "industrial" ? k.style.metal
-                                                   : k.style.wood;
-    const int blade = k.main(wood), metal = k.material(k.style.metal);
+    const int blade = k.main(k.style.of(k.style.made_of.fan_blades)), metal = k.material(k.style.metal);
     const float hub = -0.27f;  // the blades' height
     const std::array<Vec2f, 4> rose{Vec2f{0.02f, -0.065f}, {0.045f, -0.055f}, {0.07f, -0.015f}, {0.07f, 0.f}};
     k.add(shapes::lathe(shapes::curve(rose, 3), 32), metal);
@@ -33,9 +28,9 @@ void build_ceiling_fan(Kit& k) {
         // Pitched, rounded at its end; a leaf is widest in its middle.
         Mesh m = shapes::slab(6, 20, 0.007f, [&](float u, float v) {
             const float end = v > 0.9f ? std::sqrt(std::max(0.f, 1.f - 100.f * (v - 0.9f) * (v - 0.9f))) : 1.f;
-            const float leaf = cane && !slim ? 0.075f + 0.13f * std::sin(kPi * std::min(1.f, 0.08f + 0.92f * v))
-                               : slim        ? std::lerp(0.15f, 0.1f, v)
-                                             : std::lerp(0.115f, 0.145f, v);
+            const float leaf = leaves ? 0.075f + 0.13f * std::sin(kPi * std::min(1.f, 0.08f + 0.92f * v))
+                               : slim ? std::lerp(0.15f, 0.1f, v)
+                                      : std::lerp(0.115f, 0.145f, v);
             const float across = (0.5f - u) * leaf * std::max(end, 0.02f);
             return Vec3f{across, 0.2f * across, from + (reach - from) * v};
         });

@@ -35,8 +35,7 @@ void arc_lamp(Kit& k) {
 }  // namespace
 
 void build_floor_lamp(Kit& k) {
-    if (form_for(k, {{"modern", 1, 0}, {"mid-century", 0, 1}, {"art deco", 0, 1}, {"industrial", 0, 1}}, 0) == 1)
-        return arc_lamp(k);
+    if (form_for(k, k.style.forms.floor_lamp) == FloorLampForm::arc) return arc_lamp(k);
     const int metal = lamp_metal(k);
     if (k.style.legs == LegType::tapered || k.style.legs == LegType::splayed) {
         const int wood = k.material(k.style.wood);

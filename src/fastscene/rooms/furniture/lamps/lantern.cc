@@ -12,10 +12,7 @@ void build_lantern(Kit& k) {
     const float size = k.request.size_factor, half = 0.085f * size,
                 high = (k.request.size_m.y > 0 ? k.request.size_m.y : 0.36f * size), body = 0.66f * high;
     k.sized = true;
-    const int metal = k.main(is_one_of(k.style.name, {"scandinavian", "mediterranean"})
-                                 ? plain("lantern paint", {0.7f, 0.69f, 0.66f}, 0.5f)
-                                 : k.style.metal),
-              pane = k.material(glass());
+    const int metal = k.main(k.style.of(k.style.made_of.lantern)), pane = k.material(glass());
     k.board(metal, {0, 0, 0}, {2.25f * half, 0.016f, 2.25f * half}, 0.003f);
     k.board(metal, {0, 0.016f, 0}, {2 * half, 0.012f, 2 * half}, 0.003f);
     for (const float sx : {-1.f, 1.f})

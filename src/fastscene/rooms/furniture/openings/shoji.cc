@@ -10,7 +10,7 @@ namespace fastscene::furniture {
 // Sliding panels of paper on a lattice, one before the other where they meet.
 void build_shoji(Kit& k) {
     const Vec3f s = k.wanted(kUsualWindow);
-    const int wood = k.main(k.style.name == "japandi" ? k.style.wood : *material_named("oak"));
+    const int wood = k.main(k.style.of(k.style.made_of.shoji));
     Material rice = plain("shoji paper", {0.72f, 0.7f, 0.65f}, 0.95f);
     rice.transmission = 0.6f;
     rice.specular = 0.02f;

@@ -12,11 +12,7 @@ namespace fastscene::furniture {
 // Panels of louvres on hinges, shut, their louvres open.
 void build_shutters(Kit& k) {
     const Vec3f s = k.wanted(kUsualWindow);
-    Material paint = plain("shutter paint", {0.74f, 0.73f, 0.7f}, 0.4f);
-    if (is_one_of(k.style.name, {"japandi", "boho", "rustic", "mid-century"})) paint = k.style.wood;
-    if (k.style.name == "industrial") paint = plain("shutter paint", {0.08f, 0.085f, 0.09f}, 0.5f);
-    if (k.style.name == "mediterranean") paint = plain("shutter paint", k.style.palette[0], 0.55f);
-    const int wood = k.main(paint), metal = k.material(k.style.metal);
+    const int wood = k.main(k.style.of(k.style.made_of.shutters)), metal = k.material(k.style.metal);
     const int panels = std::max(2, 2 * static_cast<int>(std::lround(s.x / 1.1f)));
     const float each = s.x / static_cast<float>(panels), stile = std::min(0.052f, 0.15f * each), rail = 0.075f,
                 mid = 0.03f, thick = 0.028f;

@@ -6,24 +6,16 @@
 #include "fastscene/rooms/furniture/openings/blind_parts.h"
 
 namespace fastscene::furniture {
-namespace {
-
-// Painted where the style's wood is painted or dark, of wood where rooms are of wood.
-Material slat_material(const Kit& k) {
-    if (is_one_of(k.style.name, {"japandi", "boho", "rustic", "mid-century"})) return k.style.wood;
-    if (k.style.name == "industrial") return steel();
-    return plain("blind", {0.74f, 0.73f, 0.7f}, 0.4f);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // Slats on ladder cords between a head rail and a bottom rail, tilted so that light falls in and one sees out between
 // them.
 void build_venetian_blind(Kit& k) {
     const Vec3f s = k.wanted(kUsualWindow);
-    const bool wooden = slat_material(k).pattern == Pattern::wood || k.request.material == "wood" ||
-                        k.request.material == "bamboo";
-    const int slat = k.main(slat_material(k)), cord = k.material(plain("blind cord", {0.6f, 0.58f, 0.54f}, 0.8f));
+    const bool wooden = k.style.of(k.style.made_of.blind_slats).pattern == Pattern::wood ||
+                        k.request.material == "wood" || k.request.material == "bamboo";
+    const int slat = k.main(k.style.of(k.style.made_of.blind_slats)),
+              cord = k.material(plain("blind cord", {0.6f, 0.58f, 0.54f}, 0.8f));
     const float deep = 0.046f, thick = wooden ? 0.003f : 0.0014f, pitch = 0.042f, head = 0.045f, w = s.x,
                 share = drawn(k, 0.f, 1.f) < 0.7f ? 1.f : 0.62f;
     const float low = s.y * (1.f - share) + 0.004f, top = s.y - head, mid = 0.025f;

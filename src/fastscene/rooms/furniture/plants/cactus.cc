@@ -68,11 +68,7 @@ void build_cactus(Kit& k) {
     k.sized = true;
     Material skin = plain("cactus", {0.09f, 0.19f, 0.085f}, 0.7f);
     const int green = k.main(skin), spine = k.material(plain("spines", {0.66f, 0.6f, 0.42f}, 0.7f)),
-              clay = k.material(plain("terracotta pot",
-                                      k.style.name == "modern" || k.style.name == "art deco"
-                                          ? Vec3f{0.68f, 0.66f, 0.62f}
-                                          : Vec3f{0.46f, 0.2f, 0.11f},
-                                      0.8f)),
+              clay = k.material(k.style.of(k.style.made_of.cactus_pot)),
               soil = k.material(plain("gravel", {0.3f, 0.25f, 0.19f}, 0.95f));
     const float pot_high = tall ? 0.26f * high : 0.32f * high, r = tall ? 0.155f : 0.27f * high;
     const std::array<Vec2f, 6> p{Vec2f{0.68f * r, 0},           {0.7f * r, 0.01f * high}, {0.92f * r, 0.76f * pot_high},

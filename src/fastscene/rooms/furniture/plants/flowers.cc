@@ -103,7 +103,7 @@ void vase_of(Kit& k, float size, bool stems) {
     k.piece.mount = Mount::surface;
     if (!stems) return;
     // Dried stems, or fresh flowers where people like them.
-    const bool fresh = !is_one_of(k.style.name, {"japandi", "industrial", "modern"}) && k.dice.chance(0.45f);
+    const bool fresh = k.style.fresh_flowers && k.dice.chance(0.45f);
     if (fresh)
         return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y,
                        k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);

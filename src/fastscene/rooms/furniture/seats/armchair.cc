@@ -37,26 +37,13 @@ void shell_chair(Kit& k) {
 
 void build_armchair(Kit& k) {
     if (is_woven(k)) return rattan_chair(k);
-    enum { shell, padded_chair, wing, tub, sling, rattan };
-    const int form = form_for(k,
-                              {{"modern", tub, padded_chair},
-                               {"scandinavian", shell, wing},
-                               {"japandi", shell, tub},
-                               {"industrial", sling, padded_chair},
-                               {"classic", wing, padded_chair},
-                               {"boho", rattan, shell},
-                               {"rustic", wing, padded_chair},
-                               {"mid-century", shell, tub},
-                               {"mediterranean", rattan, padded_chair},
-                               {"art deco", tub, wing}},
-                              shell);
-    switch (form) {
-        case padded_chair: return couch(k, 0.92f, 1, k.dice.index(2));
-        case wing: return wing_chair(k);
-        case tub: return channel_seat(k, 0.8f, 17);
-        case sling: return sling_chair(k);
-        case rattan: return rattan_chair(k);
-        default: return shell_chair(k);
+    switch (form_for(k, k.style.forms.armchair)) {
+        case ArmchairForm::padded: return couch(k, 0.92f, 1, k.dice.index(2));
+        case ArmchairForm::wing: return wing_chair(k);
+        case ArmchairForm::tub: return channel_seat(k, 0.8f, 17);
+        case ArmchairForm::sling: return sling_chair(k);
+        case ArmchairForm::rattan: return rattan_chair(k);
+        case ArmchairForm::shell: return shell_chair(k);
     }
 }
 

@@ -10,8 +10,7 @@ namespace fastscene::furniture {
 
 // A sheet of hide or canvas hung by its four corners in a frame of bent rod.
 void build_butterfly_chair(Kit& k) {
-    const bool canvas = k.style.name == "scandinavian" || k.style.name == "mediterranean" || k.style.name == "boho";
-    const int hide = k.main(canvas ? k.style.fabric : k.style.leather),
+    const int hide = k.main(k.style.of(k.style.made_of.butterfly_chair)),
               metal = k.material(plain("black metal", {0.035f, 0.035f, 0.037f}, 0.45f));
     const Vec3f back{0.37f, 0.93f, -0.4f}, front{0.4f, 0.63f, 0.34f};
     const auto mirrored = [](Vec3f p, float s) { return Vec3f{s * p.x, p.y, p.z}; };

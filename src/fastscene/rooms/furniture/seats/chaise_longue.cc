@@ -12,8 +12,8 @@ namespace fastscene::furniture {
 namespace {
 
 // One long pad that rises to a back, on a light frame.
-void swept_chaise(Kit& k, bool hide) {
-    const int cloth = k.main(hide ? k.style.leather : k.style.fabric),
+void swept_chaise(Kit& k) {
+    const int cloth = k.main(k.style.of(k.style.made_of.chaise_longue)),
               foot = k.material(k.style.legs == LegType::metal_frame ? k.style.metal : k.style.wood),
               second = accent_cloth(k);
     const float wide = 0.7f, under = 0.27f;
@@ -127,21 +127,8 @@ void scrolled_chaise(Kit& k) {
 }  // namespace
 
 void build_chaise_longue(Kit& k) {
-    enum { swept, scrolled };
-    const int form = form_for(k,
-                              {{"modern", swept, swept},
-                               {"scandinavian", swept, swept},
-                               {"japandi", swept, swept},
-                               {"industrial", swept, swept},
-                               {"classic", scrolled, scrolled},
-                               {"boho", scrolled, swept},
-                               {"rustic", scrolled, swept},
-                               {"mid-century", swept, swept},
-                               {"mediterranean", scrolled, swept},
-                               {"art deco", scrolled, scrolled}},
-                              swept);
-    if (form == scrolled) scrolled_chaise(k);
-    else swept_chaise(k, k.style.name == "industrial");
+    if (form_for(k, k.style.forms.chaise_longue) == ChaiseForm::scrolled) scrolled_chaise(k);
+    else swept_chaise(k);
     k.piece.clearance_front_m = 0.5f;
     k.piece.against_wall = true;
 }

@@ -13,8 +13,7 @@ namespace fastscene::furniture {
 // A basket like an egg, open to the front, that hangs by a chain from its own stand.
 void build_hanging_chair(Kit& k) {
     const int cane = woven_main(k);
-    if (k.request.color_name.empty() && !k.request.color &&
-        (k.style.name == "modern" || k.style.name == "industrial")) {
+    if (k.request.color_name.empty() && !k.request.color && k.style.black_cane) {
         Material& m = k.piece.materials[static_cast<std::size_t>(cane)];
         m.color_a = m.color_c = {0.075f, 0.07f, 0.066f}, m.color_b = {0.03f, 0.028f, 0.027f};
     }

@@ -9,30 +9,14 @@
 namespace fastscene::furniture {
 namespace {
 
-enum SofaForm { padded, framed, buttoned, channelled };
-
-int sofa_form(Kit& k) {
-    if (is_woven(k)) return framed;
-    return form_for(k,
-                    {{"modern", padded, channelled},
-                     {"scandinavian", padded, framed},
-                     {"japandi", framed, padded},
-                     {"industrial", buttoned, padded},
-                     {"classic", padded, buttoned},
-                     {"boho", framed, padded},
-                     {"rustic", padded, framed},
-                     {"mid-century", padded, framed},
-                     {"mediterranean", padded, framed},
-                     {"art deco", channelled, buttoned}},
-                    padded);
-}
+SofaForm sofa_form(Kit& k) { return is_woven(k) ? SofaForm::framed : form_for(k, k.style.forms.sofa); }
 
 void sofa_of(Kit& k, float width, int seats, int pillows) {
     switch (sofa_form(k)) {
-        case framed: return frame_sofa(k, width, seats);
-        case buttoned: return chesterfield(k, width, seats);
-        case channelled: return channel_seat(k, width, seats * 8);
-        default: return couch(k, width, seats, pillows);
+        case SofaForm::framed: return frame_sofa(k, width, seats);
+        case SofaForm::buttoned: return chesterfield(k, width, seats);
+        case SofaForm::channelled: return channel_seat(k, width, seats * 8);
+        case SofaForm::padded: return couch(k, width, seats, pillows);
     }
 }
 

@@ -13,8 +13,7 @@ void build_throne(Kit& k) {
     Material velvet = *material_named("velvet");
     velvet = tinted(velvet, *color_named("burgundy"));
     const int cloth = k.main(velvet), gold = k.material(*material_named("brass")),
-              wood = k.material(k.style.name == "industrial" || k.style.name == "modern" ? *material_named("ebony")
-                                                                                         : *material_named("mahogany"));
+              wood = k.material(k.style.of(k.style.made_of.throne));
     const float hx = 0.36f, seat = 0.46f, back = -0.32f, high = 1.62f;
     for (const float sx : {-1.f, 1.f}) {
         const std::array<Vec2f, 9> p{Vec2f{0.03f, 0}, {0.042f, 0.02f}, {0.03f, 0.06f},

@@ -8,11 +8,7 @@ namespace fastscene::furniture {
 // A chest below a window with a cushion on it.
 void build_window_seat(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 0.5f, 0.5f});
-    const int cloth = k.main(k.style.fabric),
-              wood = k.material(k.style.name == "modern" || k.style.name == "scandinavian" ||
-                                        k.style.mouldings == Mouldings::rich
-                                    ? k.style.trim
-                                    : k.style.wood),
+    const int cloth = k.main(k.style.fabric), wood = k.material(k.style.of(k.style.made_of.window_seat)),
               metal = k.material(k.style.metal);
     const float top = s.y - 0.09f;
     k.board(wood, {0, 0, -0.02f}, {s.x - 0.04f, 0.07f, s.z - 0.06f}, 0.004f);

@@ -54,11 +54,7 @@ void slatted_chest(Kit& k, Vec3f s, float leg, float clearance) {
     k.piece.against_wall = true;
 }
 
-bool slatted(Kit& k) {
-    return form_for(
-               k, {{"scandinavian", 0, 1}, {"japandi", 1, 0}, {"mid-century", 1, 0}, {"boho", 0, 1}, {"modern", 0, 1}},
-               0) == 1;
-}
+bool slatted(Kit& k) { return form_for(k, k.style.forms.chest) == ChestForm::slatted; }
 
 void fill_shelf(Kit& k, float x0, float x1, float y, float room_y, float z_back, float depth) {
     static constexpr std::array<std::array<const char*, 6>, 3> kOthers{

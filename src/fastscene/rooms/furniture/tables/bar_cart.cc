@@ -12,11 +12,8 @@ namespace fastscene::furniture {
 // Two shelves in a frame of tubes on wheels, with bottles and glasses.
 void build_bar_cart(Kit& k) {
     const Vec3f s = k.wanted({0.78f, 0.86f, 0.42f});
-    const bool brassy = is_one_of(k.style.name, {"art deco", "mid-century", "classic", "boho", "modern"});
-    const int frame = k.main(brassy ? *material_named("brass") : k.style.metal);
-    const bool wooden = is_one_of(k.style.name,
-                                  {"rustic", "industrial", "boho", "mid-century", "scandinavian", "japandi"});
-    const int shelf = k.material(wooden ? k.style.wood : plain("smoked glass", {0.05f, 0.05f, 0.05f}, 0.08f)),
+    const int frame = k.main(k.style.of(k.style.made_of.bar_cart));
+    const int shelf = k.material(k.style.of(k.style.made_of.bar_cart_shelves)),
               tire = k.material(plain("tire", {0.04f, 0.04f, 0.04f}, 0.7f)), clear = k.material(glass());
     const float hx = 0.5f * s.x - 0.05f, hz = 0.5f * s.z - 0.025f, wheel = 0.055f, low = 0.22f, high = 0.72f * s.y;
     for (const float sx : {-1.f, 1.f}) {

@@ -49,20 +49,9 @@ void twin_table(Kit& k, Vec3f s) {
 }  // namespace
 
 void build_coffee_table(Kit& k) {
-    enum { four_legs, round, drum, slab, twin };
+    using enum CoffeeTableForm;
     const Vec3f s = k.wanted({1.1f, 0.4f, 0.6f});
-    switch (form_for(k,
-                     {{"modern", slab, twin},
-                      {"scandinavian", twin, round},
-                      {"japandi", slab, round},
-                      {"industrial", four_legs, slab},
-                      {"classic", four_legs, drum},
-                      {"boho", drum, round},
-                      {"rustic", four_legs, slab},
-                      {"mid-century", round, twin},
-                      {"mediterranean", drum, four_legs},
-                      {"art deco", drum, round}},
-                     four_legs)) {
+    switch (form_for(k, k.style.forms.coffee_table)) {
         case round: return round_table(k, 0.8f * s.x, s.y, 0.03f);
         case drum: return drum_table(k, 0.75f * s.x, s.y);
         case slab: return slab_table(k, s);

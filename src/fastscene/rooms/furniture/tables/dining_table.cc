@@ -35,19 +35,8 @@ void trestle_table(Kit& k, Vec3f s) {
 }  // namespace
 
 void build_dining_table(Kit& k) {
-    enum { four_legs, trestle, pedestal };
-    const int form = form_for(k,
-                              {{"modern", four_legs, pedestal},
-                               {"scandinavian", four_legs, pedestal},
-                               {"japandi", four_legs, trestle},
-                               {"industrial", trestle, four_legs},
-                               {"classic", four_legs, pedestal},
-                               {"boho", trestle, pedestal},
-                               {"rustic", trestle, four_legs},
-                               {"mid-century", pedestal, four_legs},
-                               {"mediterranean", trestle, four_legs},
-                               {"art deco", pedestal, four_legs}},
-                              four_legs);
+    using enum DiningTableForm;
+    const DiningTableForm form = form_for(k, k.style.forms.dining_table);
     const bool sized = k.request.size_m.x > 0.f || k.request.size_m.z > 0.f;
     const Vec3f s = k.wanted({1.7f, 0.75f, 0.9f});
     const bool round = form == pedestal && !sized;

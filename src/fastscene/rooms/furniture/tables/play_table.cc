@@ -8,7 +8,7 @@ namespace fastscene::furniture {
 
 // A low table with two stools of its kind; paper, pencils and bricks on it.
 void build_play_table(Kit& k) {
-    const bool light = k.style.name == "modern" || k.style.name == "scandinavian";
+    const bool light = k.style.lacquered_play;
     const int top = k.main(light ? *material_named("lacquer") : k.style.wood2),
               leg = k.material(light ? *material_named("birch") : k.style.wood2);
     const float high = 0.48f, half = 0.33f;

@@ -69,19 +69,17 @@ void build_rug(Kit& k) {
     if (k.request.pattern == "cowhide" || k.request.pattern == "hide") return hide_rug(k);
     const Vec3f s = k.wanted({2.3f, 0.012f, 1.6f});
     Material m = k.style.rug;
-    // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). Formal rooms have
-    // medallions, northern ones zigzag; the fourth, large blots, looks like a hide and is left out.
+    // The seed picks what is woven: lozenges, medallions, bands of zigzag (see Pattern::rug). The fourth, large blots,
+    // looks like a hide and is left out.
     static constexpr std::array<std::uint32_t, 12> kWoven{8, 9, 19, 20, 4, 6, 7, 11, 2, 3, 5, 10};
-    const int first = k.style.mouldings == Mouldings::rich ? 4
-                      : k.style.name == "scandinavian"     ? 8
-                                                           : 0,
+    const int first = k.style.rug_weave == RugWeave::medallions ? 4
+                      : k.style.rug_weave == RugWeave::zigzag   ? 8
+                                                                : 0,
               range = first == 0 ? 12 : 4;
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
     // Round as asked, or where nothing else is, in some rooms that like it.
     const bool round = k.request.pattern == "round" ||
-                       (!k.request.size_m.x &&
-                        (k.style.name == "boho" || k.style.name == "scandinavian" || k.style.name == "art deco") &&
-                        k.dice.chance(0.4f));
+                       (!k.request.size_m.x && k.style.round_rugs && k.dice.chance(0.4f));
     const float d = std::min(s.x, s.z) * (k.request.size_m.x ? 1.f : 1.15f);
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     // Who asks for wool or a fluffy rug means deep pile of one color.

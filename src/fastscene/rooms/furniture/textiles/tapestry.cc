@@ -30,7 +30,7 @@ void hanging_rod(Kit& k, int wood, float half, float y, float z, float r) {
 // A woven cloth: medallions with a border where rooms are formal, else a sun over hills.
 void build_tapestry(Kit& k) {
     const Vec3f s = k.wanted({1.15f, 1.45f, 0.04f});
-    const bool woven = is_one_of(k.style.name, {"classic", "art deco", "rustic", "mediterranean", "industrial"}) ||
+    const bool woven = k.style.tapestry == TapestryForm::medallions ||
                        is_one_of(k.request.pattern, {"damask", "floral"});
     const float half = 0.5f * s.x, hem = 0.1f, top = s.y - 0.3f * (half + 0.05f) - 0.01f, fringe = 0.1f;
     const int wood = k.material(k.style.wood);

@@ -125,8 +125,7 @@ std::vector<std::array<std::size_t, 3>> ears_of(const Stroke& polygon) {
 // The lands of the world on a framed sheet; parchment in old-fashioned rooms.
 void build_world_map(Kit& k) {
     const Vec3f s = k.wanted({1.35f, 0.78f, 0.025f});
-    const bool old = k.style.mouldings == Mouldings::rich ||
-                     is_one_of(k.style.name, {"rustic", "industrial", "mid-century"});
+    const bool old = k.style.old_maps;
     const int frame = k.material(old ? k.style.wood : k.style.metal),
               sea = k.material(plain("map sheet", old ? Vec3f{0.56f, 0.43f, 0.26f} : Vec3f{0.66f, 0.7f, 0.7f}, 0.85f)),
               line = k.material(

@@ -1,0 +1,54 @@
+#include "fastscene/pipeline/source.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+// A member of the alternative that has it, else a default.
+template <class Alternative, class T>
+T member_of(const SceneSource& source, T Alternative::*member) {
+    const auto* one = std::get_if<Alternative>(&source);
+    return one ? one->*member : T{};
+}
+
+}  // namespace
+
+std::string prompt_of(const SceneSource& source) {
+    return std::visit(
+        Overloaded{[](const CaptureSource&) { return std::string(); }, [](const auto& one) { return one.prompt; }},
+        source);
+}
+void set_prompt(SceneSource& source, const std::string& prompt) {
+    std::visit(Overloaded{[](CaptureSource&) {}, [&](auto& one) { one.prompt = prompt; }}, source);
+}
+fs::path picture_of(const SceneSource& source) { return member_of(source, &PictureSource::picture); }
+fs::path range_map_of(const SceneSource& source) { return member_of(source, &PictureSource::range_map); }
+fs::path weights_of(const SceneSource& source) {
+    return std::visit(
+        Overloaded{[](const PictureSource& one) { return one.weights; },
+                   [](const PaintingSource& one) { return one.weights; }, [](const auto&) { return fs::path(); }},
+        source);
+}
+fs::path more_of(const SceneSource& source) { return member_of(source, &PictureSource::more); }
+
+std::string panorama_backend(const SceneSource& source) {
+    return std::visit(
+        Overloaded{[](const PictureSource&) { return "image"; }, [](const PaintingSource&) { return "diffusion360"; },
+                   [](const auto&) { return "rooms"; }},
+        source);
+}
+
+std::string title_of(const SceneSource& source) {
+    const std::string prompt = prompt_of(source);
+    return prompt.empty() ? picture_of(source).stem().string() : prompt;
+}
+
+std::string what_is_behind(const SceneSource& source) {
+    return std::visit(Overloaded{[](const PromptSource&) { return std::string("a prompt"); },
+                                 [](const PictureSource& one) { return "the picture " + one.picture.string(); },
+                                 [](const PaintingSource&) { return std::string("a painted panorama"); },
+                                 [](const CaptureSource& one) { return "the photographs of " + one.source.string(); }},
+                      source);
+}
+
+}  // namespace fastscene

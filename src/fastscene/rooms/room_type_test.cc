@@ -1,0 +1,58 @@
+#include "fastscene/rooms/room_type.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "fastscene/base/error.h"
+
+namespace fastscene {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kTypesFolder = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene/rooms/room_types";
+
+std::string type_text(const fs::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string type_error(const std::string& from, const std::string& to) {
+    std::string text = type_text(kTypesFolder / "living.toml");
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    try {
+        (void)read_room_type(text, "room_types/mine.toml");
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "no error";
+}
+
+TEST(RoomTypeFiles, EachIsAType) {
+    std::set<std::string> names, known;
+    for (const auto& entry : fs::directory_iterator(kTypesFolder))
+        EXPECT_TRUE(names.insert(read_room_type(type_text(entry.path()), entry.path().string()).name).second);
+    for (const RoomType& type : all_room_types()) known.insert(type.name);
+    EXPECT_EQ(names, known);
+}
+
+TEST(RoomTypeFiles, ErrorsNameFileKeyAndWhatWasExpected) {
+    const auto says = [](const std::string& error, const std::string& part) {
+        EXPECT_NE(error.find(part), std::string::npos) << error;
+        EXPECT_TRUE(error.starts_with("room_types/mine.toml:")) << error;
+    };
+    says(type_error("wet = ", "damp = "), "unknown key \"damp\"");
+    says(type_error("wet = false\n", ""), "wet: expected true or false, found none");
+    says(type_error("\"bookshelf\"", "\"spaceship\""), "expected a thing of the catalogue, found \"spaceship\"");
+    says(type_error("shelves = \"books\"", "shelves = \"wine\""), "expected one of books, bath, kitchen, toys");
+    says(type_error("width_m = [4.4, 5.6]", "width_m = [5.6, 4.4]"), "expected [low, high]");
+}
+
+}  // namespace
+}  // namespace fastscene
