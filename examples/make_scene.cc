@@ -24,7 +24,7 @@ int main(int argc, char** argv) try {
     SceneRequest request;
     request.quality = "draft";
     request.params = params_of_quality("draft");
-    request.source.prompt = argv[1];
+    request.source = PromptSource{argv[1]};
     request.params.panorama.width = 256;
     request.params.views.size = 64;
     request.params.views.points = 5000;

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Packs the build, unpacks the program's package into an empty folder, and makes a tiny scene there. No file of the
-# checkout may be opened.     deb.sh BUILD_DIR SOURCE_DIR WORK_DIR
+# checkout may be opened.     deb.sh BUILD_DIR SOURCE_DIR
 set -euo pipefail
-build=$1 source=$2 work=$3
+build=$1 source=$2
+# Outside the checkout, so that every path within it is a fault.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 fail() { echo "deb: $*" >&2; exit 1; }
 for tool in dpkg-deb dpkg-shlibdeps strace; do
   command -v "$tool" >/dev/null || { echo "deb: skipped, no $tool"; exit 77; }
 done
-rm -rf "$work"
-mkdir -p "$work"
 (cd "$build" && cpack -G DEB -B "$work/packages") >"$work/cpack.log" 2>&1 || { tail -n 30 "$work/cpack.log" >&2; fail "cpack failed"; }
 package=$(ls "$work"/packages/fastscene_*.deb)
 depends=$(dpkg-deb -f "$package" Depends)
@@ -29,6 +30,5 @@ strace -f -qq -e trace=openat,open,execve,newfstatat,readlink -o trace.txt "$usr
   { tail -n 20 said.txt >&2; fail "the unpacked program made no scene"; }
 [ -s scene/splat/scene.ply ] || fail "no scene.ply"
 if [ -d "$usr/share/fastscene/supersplat-viewer" ]; then [ -s scene/viewer.html ] || fail "no viewer.html"; fi
-# The folder of this test may lie inside the checkout.
-opened=$(grep -F "\"$source/" trace.txt | grep -vF "\"$work" | grep -v ENOENT || true)
+opened=$(grep -F "\"$source/" trace.txt | grep -v ENOENT || true)
 [ -z "$opened" ] || fail "files of the checkout were looked at: $(head -n 3 <<<"$opened")"
