@@ -191,8 +191,8 @@ int main(int argc, char** argv) {
     Sheet sheet;
     double open = 0;
     for (int i = 0; i < count; ++i) {
-        Random dice(1, "bench face", static_cast<std::uint64_t>(i));
-        const InpaintExample example = draw_example(set, params, true, dice, broken);
+        Random rng(1, "bench face", static_cast<std::uint64_t>(i));
+        const InpaintExample example = draw_example(set, params, true, rng, broken);
         ImageRgb8 torn = example.truth;
         for (std::size_t k = 0; k < torn.size(); ++k)
             if (example.hole.pixels[k])

@@ -106,7 +106,7 @@ void print_reports(const std::vector<ModelReport>& reports, const Session& sessi
     session.print(text, json);
 }
 
-Verb add_pull(CLI::App& models_verb) {
+Verb add_regularizers(CLI::App& models_verb) {
     struct Flags {
         std::vector<std::string> names;
         std::string mirror;
@@ -188,7 +188,7 @@ Verb add_models(CLI::App& app) {
     verb->footer("Examples:\n  fastscene models list\n  fastscene models pull lpips --accept");
     CLI::App* list_verb = verb->add_subcommand(
         "list", "Which models this program can use, under which licence, and which are here.");
-    const std::vector<Verb> parts{{list_verb, list}, add_pull(*verb), add_verify(*verb), add_path(*verb)};
+    const std::vector<Verb> parts{{list_verb, list}, add_regularizers(*verb), add_verify(*verb), add_path(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `models`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)

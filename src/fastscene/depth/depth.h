@@ -19,7 +19,7 @@ struct DepthParams {
     std::string backend = "auto";
     std::string weights;           // of egformer
     float camera_height_m = 1.6f;  // over the floor: a tripod at eye height
-    int looks = 0;                 // of the network at the picture, turned and mirrored
+    int tta = 0;                   // of the network at the picture, turned and mirrored
 };
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
@@ -29,7 +29,7 @@ void visit_fields(DepthParams& p, V&& v) {
     v("weights", p.weights,
       "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program, two networks "
       "whose mean counts.");
-    v("looks", p.looks, Bounds{0, 8},
+    v("tta", p.tta, Bounds{0, 8},
       "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as "
       "small as those that ship, else once, as published.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20},

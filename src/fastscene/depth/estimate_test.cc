@@ -207,9 +207,10 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
             turned.at(wrap_column(x + size.width / 4, size.width), y) = picture.at(x, y);
             mirrored.at(size.width - 1 - x, y) = picture.at(x, y);
         }
-    const auto unlike = [&](int looks) {
-        const ImageF a = network.relative_depth(picture, looks), b = network.relative_depth(turned, looks),
-                     c = network.relative_depth(mirrored, looks);
+    const auto unlike = [&](int augmentations) {
+        const ImageF a = network.relative_depth(picture, augmentations),
+                     b = network.relative_depth(turned, augmentations),
+                     c = network.relative_depth(mirrored, augmentations);
         double turn = 0, mirror = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {

@@ -31,7 +31,7 @@ inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-256", 
 
 // What several networks say of a picture (Egformer::relative_depth), at the size of the first: their mean, for where
 // one is wrong another often is less so. They must have been taught one unit.
-ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int looks, const Run& run);
+ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int augmentations, const Run& run);
 
 // params.backend "egformer", "layout" or "auto": egformer with the weights that are named or shipped (the mean of those
 // networks), else layout. Throws Error naming the weights file and the key that is missing or has another shape,

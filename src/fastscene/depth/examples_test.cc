@@ -160,9 +160,9 @@ TEST(Examples, MeanRangeFillsWhatNobodyKnows) {
 TEST(PhotoLook, TurnsColorAndRangeTogether) {
     DepthExample example{ImageRgb8(64, 32), ImageF(64, 32, 1.f)};
     for (int y = 0; y < 32; ++y) example.color.at(10, y) = {255, 255, 255}, example.range.at(10, y) = 7.f;
-    Random dice(1, "test");
+    Random rng(1, "test");
     for (const bool mirrored : {false, true}) {
-        const DepthExample seen = seen_as(example, {.turn = 0.3f, .mirrored = mirrored}, dice);
+        const DepthExample seen = seen_as(example, {.turn = 0.3f, .mirrored = mirrored}, rng);
         int marked = 0;
         for (int x = 0; x < 64; ++x) {
             EXPECT_EQ(seen.color.at(x, 9).r == 255, seen.range.at(x, 9) == 7.f);
@@ -174,21 +174,21 @@ TEST(PhotoLook, TurnsColorAndRangeTogether) {
 
 TEST(PhotoLook, ChangesWhatItSays) {
     DepthExample example{ImageRgb8(64, 32, {120, 90, 60}), ImageF(64, 32, 1.f)};
-    Random dice(2, "test");
-    EXPECT_EQ(seen_as(example, {}, dice).color, example.color);
-    EXPECT_GT(seen_as(example, {.exposure_ev = 1}, dice).color.at(3, 3).r, 150);
-    const Rgb8 gray = seen_as(example, {.saturation = 0}, dice).color.at(3, 3);
+    Random rng(2, "test");
+    EXPECT_EQ(seen_as(example, {}, rng).color, example.color);
+    EXPECT_GT(seen_as(example, {.exposure_ev = 1}, rng).color.at(3, 3).r, 150);
+    const Rgb8 gray = seen_as(example, {.saturation = 0}, rng).color.at(3, 3);
     EXPECT_TRUE(gray.r == gray.g && gray.g == gray.b);
-    EXPECT_GT(seen_as(example, {.white = {1, 1, 2}}, dice).color.at(3, 3).b, 75);
-    const ImageRgb8 noisy = seen_as(example, {.noise = 0.05f}, dice).color;
+    EXPECT_GT(seen_as(example, {.white = {1, 1, 2}}, rng).color.at(3, 3).b, 75);
+    const ImageRgb8 noisy = seen_as(example, {.noise = 0.05f}, rng).color;
     double square = 0;
     for (const Rgb8 c : noisy.pixels) square += std::pow((c.r - 120) / 255., 2);
     EXPECT_NEAR(std::sqrt(square / static_cast<double>(noisy.size())), 0.05, 0.01);
     DepthExample edge = example;
     for (int y = 0; y < 32; ++y) edge.color.at(20, y) = {255, 255, 255};
-    EXPECT_GT(seen_as(edge, {.blur_px = 0.8f}, dice).color.at(21, 9).g, 110);
-    EXPECT_NE(seen_as(edge, {.jpeg_quality = 45}, dice).color, edge.color);
-    EXPECT_EQ(seen_as(edge, {.jpeg_quality = 45}, dice).range, edge.range);
+    EXPECT_GT(seen_as(edge, {.blur_px = 0.8f}, rng).color.at(21, 9).g, 110);
+    EXPECT_NE(seen_as(edge, {.jpeg_quality = 45}, rng).color, edge.color);
+    EXPECT_EQ(seen_as(edge, {.jpeg_quality = 45}, rng).range, edge.range);
 }
 
 TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
@@ -217,9 +217,9 @@ DepthExample gray_room() {
 
 TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
     const DepthExample room = gray_room();
-    Random none(5, "repaint"), dice(5, "repaint"), again(5, "repaint");
+    Random none(5, "repaint"), rng(5, "repaint"), again(5, "repaint");
     EXPECT_EQ(repainted(room, 0, none).color, room.color);
-    const DepthExample other = repainted(room, 1, dice);
+    const DepthExample other = repainted(room, 1, rng);
     EXPECT_EQ(other.color, repainted(room, 1, again).color);
     EXPECT_EQ(other.range, room.range);
     EXPECT_EQ(other.color.at(55, 12), room.color.at(55, 12)) << "a window";
@@ -229,7 +229,7 @@ TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
     EXPECT_NE(other.color.at(45, 22), other.color.at(39, 22)) << "thing and wall";
     DepthExample bare = room;
     bare.surfaces = {};
-    EXPECT_EQ(repainted(bare, 1, dice).color, room.color);
+    EXPECT_EQ(repainted(bare, 1, rng).color, room.color);
 }
 
 // What lies in shade stays darker than the rest of its surface, whatever the color.
@@ -239,8 +239,8 @@ TEST(Repaint, KeepsShade) {
         DepthExample room = gray_room();
         for (int y = 18; y < 25; ++y)
             for (int x = 10; x < 20; ++x) room.color.at(x, y) = {60, 60, 60};
-        Random dice(i, "shade");
-        const ImageRgb8 color = repainted(room, 1, dice).color;
+        Random rng(i, "shade");
+        const ImageRgb8 color = repainted(room, 1, rng).color;
         if (color.at(2, 20) != color.at(7, 23)) continue;  // a pattern
         ++plain;
         EXPECT_LT(color.at(15, 21).g, color.at(5, 21).g);

@@ -22,6 +22,6 @@ struct Paint {
 Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal);
 
 // Colors between `low` and `high`, as albedo; `plain`: the share of paints without a pattern.
-Paint random_paint(Random& dice, float low, float high, float plain);
+Paint random_paint(Random& rng, float low, float high, float plain);
 
 }  // namespace fastscene

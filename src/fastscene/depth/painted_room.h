@@ -12,7 +12,7 @@ namespace fastscene {
 
 // Width 2 to 9 m, niches and pillars, up to 14 pieces of furniture made of boxes and ellipsoids, windows whose depth is
 // unknown, one to three lamps with their shadows. The camera is upright, 0.7 to 2 m above the floor. Range is exact at
-// the pixels' centers. Depends on the dice only.
-DepthExample painted_room(EquirectSize size, Random& dice);
+// the pixels' centers. Depends on the rng only.
+DepthExample painted_room(EquirectSize size, Random& rng);
 
 }  // namespace fastscene

@@ -12,8 +12,8 @@ namespace {
 constexpr EquirectSize kSmall{128, 64};
 
 DepthExample room(std::uint64_t i) {
-    Random dice(11, "painted", i);
-    return painted_room(kSmall, dice);
+    Random rng(11, "painted", i);
+    return painted_room(kSmall, rng);
 }
 
 TEST(PaintedRoom, DependsOnTheDiceOnly) {

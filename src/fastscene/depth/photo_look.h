@@ -16,9 +16,9 @@ struct PhotoLook {
     float blur_px = 0, noise = 0;  // noise: deviation of sRGB values
     int jpeg_quality = 100;        // 100 = never compressed
 };
-PhotoLook random_photo_look(Random& dice);
+PhotoLook random_photo_look(Random& rng);
 
-// Color and range turned and mirrored together; the rest is done to the color. `dice` makes the noise.
-DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& dice);
+// Color and range turned and mirrored together; the rest is done to the color. `rng` makes the noise.
+DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& rng);
 
 }  // namespace fastscene

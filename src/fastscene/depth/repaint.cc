@@ -22,12 +22,12 @@ int coat_of(SurfaceId id, Vec3f direction) {
     return axis_of(id) != kUp ? walls : direction.y > 0 ? floor : ceiling;
 }
 
-Paint paint_of(int coat, Random& dice) {
+Paint paint_of(int coat, Random& rng) {
     switch (coat) {
-        case walls: return random_paint(dice, 0.15f, 0.85f, 0.6f);
-        case floor: return random_paint(dice, 0.05f, 0.6f, 0.3f);
-        case ceiling: return random_paint(dice, 0.4f, 0.9f, 0.85f);
-        default: return random_paint(dice, 0.04f, 0.8f, 0.5f);
+        case walls: return random_paint(rng, 0.15f, 0.85f, 0.6f);
+        case floor: return random_paint(rng, 0.05f, 0.6f, 0.3f);
+        case ceiling: return random_paint(rng, 0.4f, 0.9f, 0.85f);
+        default: return random_paint(rng, 0.04f, 0.8f, 0.5f);
     }
 }
 
@@ -44,7 +44,7 @@ SurfaceId surface_id(int piece, int axis) { return static_cast<SurfaceId>(4 * pi
 int piece_of(SurfaceId id) { return id / 4; }
 int axis_of(SurfaceId id) { return id % 4; }
 
-DepthExample repainted(const DepthExample& example, float share, Random& dice) {
+DepthExample repainted(const DepthExample& example, float share, Random& rng) {
     if (example.surfaces.empty()) return example;
     FASTSCENE_CHECK(example.surfaces.same_size(example.range));
     const EquirectSize size{example.color.width, example.color.height};
@@ -52,7 +52,7 @@ DepthExample repainted(const DepthExample& example, float share, Random& dice) {
     const auto direction = [&](std::size_t i) {
         return direction_of_pixel(static_cast<int>(i) % size.width, static_cast<int>(i) / size.width, size);
     };
-    std::map<int, Coat> coats;  // in the order of their numbers, so that the dice fall alike
+    std::map<int, Coat> coats;  // in the order of their numbers, so that the rng fall alike
     double all = 0;
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (example.range.pixels[i] <= 0) continue;
@@ -63,8 +63,8 @@ DepthExample repainted(const DepthExample& example, float share, Random& dice) {
     }
     for (auto& [number, coat] : coats) {
         coat.light = std::max(1e-4, coat.light / coat.pixels);
-        coat.painted = dice.chance(share);
-        coat.paint = paint_of(number, dice);
+        coat.painted = rng.chance(share);
+        coat.paint = paint_of(number, rng);
     }
     DepthExample out{ImageRgb8(size.width, size.height), example.range, {}};
     for (std::size_t i = 0; i < light.size(); ++i) {

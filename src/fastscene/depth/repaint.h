@@ -15,6 +15,6 @@ int axis_of(SurfaceId id);
 
 // Floor, ceiling, walls and things each get another paint (paint.h) with `share` of a chance, laid on in metres; light
 // and shade stay. Where range is not known nothing changes. The example as it is where its surfaces are not known.
-DepthExample repainted(const DepthExample& example, float share, Random& dice);
+DepthExample repainted(const DepthExample& example, float share, Random& rng);
 
 }  // namespace fastscene

@@ -40,8 +40,8 @@ std::vector<DepthFiles> with_fate(const std::vector<DepthFiles>& all, bool held_
 std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, std::uint64_t seed) {
     std::vector<DepthExample> out;
     for (std::size_t i = 0; i < count; ++i) {
-        Random dice(seed, "held-out painted room", i);
-        out.push_back(painted_room(size, dice));
+        Random rng(seed, "held-out painted room", i);
+        out.push_back(painted_room(size, rng));
     }
     return out;
 }
@@ -92,13 +92,13 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples),
         training.start,
         {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
-    task.draw = [&](Random& dice) {
-        const bool paint = dice.chance(static_cast<float>(painted)),
-                   repaint = dice.chance(static_cast<float>(p.repainted));
-        const PhotoLook look = random_photo_look(dice);
-        if (paint) return seen_as(painted_room(size, dice), look, dice);
-        const DepthExample& room = examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))];
-        return seen_as(repaint ? repainted(room, kRepaintedSurfaces, dice) : room, look, dice);
+    task.draw = [&](Random& rng) {
+        const bool paint = rng.chance(static_cast<float>(painted)),
+                   repaint = rng.chance(static_cast<float>(p.repainted));
+        const PhotoLook look = random_photo_look(rng);
+        if (paint) return seen_as(painted_room(size, rng), look, rng);
+        const DepthExample& room = examples[static_cast<std::size_t>(rng.index(static_cast<int>(examples.size())))];
+        return seen_as(repaint ? repainted(room, kRepaintedSurfaces, rng) : room, look, rng);
     };
     run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms",
                          examples.size(), task.held_out.size(), 100 * painted));

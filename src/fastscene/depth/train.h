@@ -16,11 +16,11 @@ struct DepthTrainParams {
     double share = 1;  // of the examples, for a quick try
     TrainingParams training{.steps = 20000,
                             .batch = 4,
-                            .rate = 5e-4,
-                            .last_rate = 2e-5,
+                            .learning_rate = 5e-4,
+                            .final_learning_rate = 2e-5,
                             .warmup = 200,
-                            .average = 0.998,
-                            .look_steps = 1000};
+                            .ema_decay = 0.998,
+                            .eval_steps = 1000};
 };
 template <class V>
 void visit_fields(DepthTrainParams& p, V&& v) {

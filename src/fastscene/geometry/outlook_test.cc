@@ -36,12 +36,12 @@ TEST(Outlook, GoesOnAlongTheRows) {
 TEST(Outlook, WhatWasNotSeenIsSmoothAndAsBright) {
     ImageColor color(256, 128, Vec3f{1, 1, 1});
     ImageF range(256, 128, 2.f);
-    Random dice(1, "hedge");
+    Random rng(1, "hedge");
     float seen = 0, count = 0;
     for (int y = 40; y < 90; ++y)
         for (int x = 100; x < 140; ++x) {
             range.at(x, y) = kOutside;
-            const float v = dice.chance(0.3f) ? 0.02f : dice.uniform(0.2f, 0.4f);
+            const float v = rng.chance(0.3f) ? 0.02f : rng.uniform(0.2f, 0.4f);
             color.at(x, y) = {v, v, v};
             seen += v;
             ++count;

@@ -46,9 +46,9 @@ struct HoleSet {
 // mask.
 HoleSet find_holes(const std::filesystem::path& part);
 
-// An example from the set, by the dice: a crop with a hole in it, flipped at times. Broken pictures are passed over,
+// An example from the set, by the rng: a crop with a hole in it, flipped at times. Broken pictures are passed over,
 // and counted in `broken`. `still`: no flips, colors as they are, masks of the face itself.
-InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice,
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& rng,
                             std::atomic<std::int64_t>& broken);
 
 // `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out

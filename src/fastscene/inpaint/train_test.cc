@@ -60,9 +60,9 @@ InpaintTrainParams small(const std::string& holes, int steps) {
     p.network.adversarial = 0;
     p.network.training.batch = 2;
     p.network.training.steps = steps;
-    p.network.training.rate = p.network.training.last_rate = 4e-3;
+    p.network.training.learning_rate = p.network.training.final_learning_rate = 4e-3;
     p.network.training.warmup = 0;
-    p.network.training.average = 0.8;
+    p.network.training.ema_decay = 0.8;
     p.network.training.clip = 1;
     p.network.training.precision = "f32";
     return p;
@@ -100,7 +100,7 @@ TEST(InpaintTraining, AsPublishedWithADiscriminator) {
     const Blocks data;
     InpaintTrainParams p = small("white", 4);
     p.network.adversarial = 0.01;
-    p.network.training.rate = p.network.training.last_rate = 1e-3;
+    p.network.training.learning_rate = p.network.training.final_learning_rate = 1e-3;
     train_inpainter(data.path, p, data.path / "run", seeded(1));
     EXPECT_NE(read_file(data.path / "run/curves.csv").find("discriminator"), std::string::npos);
     EXPECT_NO_THROW(make_inpainter("aotgan", data.path / "run/generator.safetensors"));
@@ -114,8 +114,8 @@ TEST(InpaintTraining, BrokenPicturesArePassedOver) {
     ASSERT_EQ(set.faces.size(), 6u);
     std::atomic<std::int64_t> broken{0};
     for (int i = 0; i < 30; ++i) {
-        Random dice(5, "broken", static_cast<std::uint64_t>(i));
-        EXPECT_EQ(draw_example(set, small("harmonic", 1), false, dice, broken).truth.width, 64);
+        Random rng(5, "broken", static_cast<std::uint64_t>(i));
+        EXPECT_EQ(draw_example(set, small("harmonic", 1), false, rng, broken).truth.width, 64);
     }
     EXPECT_GT(broken, 0);
 }

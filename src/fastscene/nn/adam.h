@@ -10,7 +10,7 @@
 namespace fastscene::nn {
 
 struct AdamSettings {
-    double rate = 1e-4, beta1 = 0.5, beta2 = 0.999, eps = 1e-8;
+    double learning_rate = 1e-4, beta1 = 0.5, beta2 = 0.999, eps = 1e-8;
 };
 
 class Adam {

@@ -122,11 +122,11 @@ class Trainer {
         TrainingTask out;
         out.learners = {&generator_};
         if (discriminator_) out.learners.push_back(discriminator_.get());
-        out.draw = [this](Random& dice) { return draw(dice); };
-        out.step = [this](const Batch& batch, std::int64_t step, double rate) {
-            return this->step(on_device(batch), step, rate);
+        out.draw = [this](Random& rng) { return draw(rng); };
+        out.step = [this](const Batch& batch, std::int64_t step, double learning_rate) {
+            return this->step(on_device(batch), step, learning_rate);
         };
-        out.look = [this] { return look(); };
+        out.evaluate = [this] { return evaluate(); };
         AotganTrainingParams network = params_;
         network.training = {};
         out.settings = fields_json(network);
@@ -140,8 +140,8 @@ class Trainer {
     AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}, params_.skips}; }
     bool harmonic() const { return params_.holes == "harmonic"; }
     LearnerSettings settings() const {
-        return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999},
-                params_.training.average,
+        return {{.learning_rate = params_.training.learning_rate, .beta1 = 0.5, .beta2 = 0.999},
+                params_.training.ema_decay,
                 params_.training.clip};
     }
 
@@ -164,9 +164,9 @@ class Trainer {
                                                                : weights;
     }
 
-    Batch draw(Random& dice) const {
+    Batch draw(Random& rng) const {
         std::vector<InpaintExample> drawn;
-        for (int i = 0; i < params_.training.batch; ++i) drawn.push_back(examples_.draw(dice));
+        for (int i = 0; i < params_.training.batch; ++i) drawn.push_back(examples_.draw(rng));
         return batch_of(drawn, 0, drawn.size(), harmonic());
     }
     Pictures on_device(const Batch& batch) const {
@@ -178,7 +178,7 @@ class Trainer {
         return harmonic() ? p.shown + out * p.hole : out;  // what it says of known pixels is never used
     }
 
-    Numbers step(const Pictures& p, std::int64_t step, double rate) {
+    Numbers step(const Pictures& p, std::int64_t step, double learning_rate) {
         const Autocast autocast(device_, bf16_);
         Numbers numbers;
         Tensor loss = at::zeros({}, at::TensorOptions(device_).dtype(at::kFloat));
@@ -206,22 +206,22 @@ class Trainer {
             discriminator_->forget_gradients();  // the generator's wish is no lesson for the discriminator
             said.discriminator.backward();
             numbers.emplace_back("discriminator", said.discriminator.item<double>());
-            discriminator_->update(rate);
+            discriminator_->update(learning_rate);
         } else {
             loss.backward();
         }
-        numbers.emplace_back("gradient", generator_.update(rate));
+        numbers.emplace_back("gradient", generator_.update(learning_rate));
         return numbers;
     }
 
-    Look look() {
+    Evaluation evaluate() {
         const at::NoGradGuard no_gradients;
         double psnr = 0, psnr_fill = 0, l1 = 0;
         std::vector<ImageRgb8> rows;
         for (std::size_t begin = 0; begin < examples_.held_out.size(); begin += kLookTogether) {
             const std::size_t end = std::min(examples_.held_out.size(), begin + kLookTogether);
             const Pictures p = on_device(batch_of(examples_.held_out, begin, end, harmonic()));
-            const Tensor made = p.truth * (1 - p.hole) + painted(generator_.average(), p).clamp(-1, 1) * p.hole;
+            const Tensor made = p.truth * (1 - p.hole) + painted(generator_.ema(), p).clamp(-1, 1) * p.hole;
             for (std::int64_t i = 0; i < made.size(0); ++i) {
                 psnr += psnr_in_holes(made[i], p.truth[i], p.hole[i]);
                 psnr_fill += psnr_in_holes(p.shown[i], p.truth[i], p.hole[i]);

@@ -60,9 +60,9 @@ struct InpaintExample {
     ImageColor filled;  // sRGB in 0..1, the harmonic fill in the holes; empty when the network finds white there
 };
 struct InpaintExamples {
-    std::function<InpaintExample(Random& dice)> draw;  // may be called from another thread
-    std::vector<InpaintExample> held_out;              // the figures are theirs
-    Json about;                                        // what must be equal for a training to be gone on with
+    std::function<InpaintExample(Random& rng)> draw;  // may be called from another thread
+    std::vector<InpaintExample> held_out;             // the figures are theirs
+    Json about;                                       // what must be equal for a training to be gone on with
 };
 
 // Trains in `folder` (nn/training.h says what is written there), and keeps the averaged generator as

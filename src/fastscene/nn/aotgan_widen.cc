@@ -56,9 +56,9 @@ class Wide final : public WeightSource {
         const std::int64_t out = kernel.size(0), sources = sources_of(key), n = kernel.size(1) / sources,
                            k = kernel.size(2);
         Tensor shares = at::empty({out, sources, times_, n, 1, 1}, at::kFloat);
-        Random dice(seed_, "widened " + key);
+        Random rng(seed_, "widened " + key);
         float* share = shares.data_ptr<float>();
-        for (std::int64_t i = 0; i < shares.numel(); ++i) share[i] = kUneven * dice.normal();
+        for (std::int64_t i = 0; i < shares.numel(); ++i) share[i] = kUneven * rng.normal();
         shares = shares - shares.mean(2, true) + 1.0 / static_cast<double>(times_);
         return (kernel.reshape({out, sources, 1, n, k, k}) * shares).reshape({out, inputs, k, k});
     }

@@ -70,8 +70,8 @@ Egformer Egformer::of(Weights weights) {
 
 const EgformerShape& Egformer::shape() const { return state_->constants.shape; }
 
-ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
-    FASTSCENE_CHECK(looks >= 1 && looks <= 8);
+ImageF Egformer::relative_depth(const ImageColor& color, int augmentations) const {
+    FASTSCENE_CHECK(augmentations >= 1 && augmentations <= 8);
     const at::NoGradGuard no_gradients;
     use_our_threads();
     const EgformerShape& size = shape();
@@ -86,16 +86,16 @@ ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
         planes[2 * seen.size() + i] = static_cast<float>(c.b) / 255.f;
     }
     at::Tensor sum;
-    for (int look = 0; look < looks; ++look) {
-        const std::int64_t turn = look / 2 * (size.width / 4);
-        const bool mirrored = look % 2 == 1;
+    for (int k = 0; k < augmentations; ++k) {
+        const std::int64_t turn = k / 2 * (size.width / 4);
+        const bool mirrored = k % 2 == 1;
         const at::Tensor turned = input.roll(turn, 3);
         const at::Tensor found = nn::egformer(nn::Scope(state_->weights), state_->constants,
                                               mirrored ? turned.flip(3) : turned.contiguous());
         const at::Tensor back = (mirrored ? found.flip(3) : found).roll(-turn, 3);
-        sum = look == 0 ? back : sum + back;
+        sum = k == 0 ? back : sum + back;
     }
-    const at::Tensor depth = (looks == 1 ? sum : sum / looks).contiguous();
+    const at::Tensor depth = (augmentations == 1 ? sum : sum / augmentations).contiguous();
     ImageF out(size.width, size.height);
     std::copy_n(depth.data_ptr<float>(), out.size(), out.pixels.begin());
     return out;

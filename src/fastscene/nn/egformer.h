@@ -39,7 +39,7 @@ class Egformer {
     // away from range (depth/metric_range.h finds them). Mean of 1 to 8 looks at the picture: as it is, mirrored,
     // turned by a quarter, that mirrored … A panorama has no beginning and no handedness, and what a network says
     // otherwise is its error.
-    ImageF relative_depth(const ImageColor& color, int looks = 1) const;
+    ImageF relative_depth(const ImageColor& color, int augmentations = 1) const;
 
   private:
     struct State;

@@ -33,8 +33,8 @@ struct EgformerTraining {
     EgformerShape shape;
     TrainingParams training;
     double direct = 0;  // weight of direct_loss (nn/depth_losses.h) beside the published loss
-    std::function<DepthExample(Random& dice)> draw;  // called on another thread
-    std::vector<DepthExample> held_out;              // never drawn
+    std::function<DepthExample(Random& rng)> draw;  // called on another thread
+    std::vector<DepthExample> held_out;             // never drawn
     std::vector<float> mean_range_m;  // by latitude, from the top: what a room looks like before one has looked
     std::filesystem::path start;      // weights to start from; empty: random ones
     Json settings;                    // what else must be equal to go on with a training: the data

@@ -14,7 +14,7 @@
 
 namespace fastscene::nn {
 
-class Team;
+class ProcessGroup;
 
 // What a new parameter starts from, by its name and shape.
 using Start = std::function<at::Tensor(const std::string& key, at::IntArrayRef shape)>;
@@ -45,7 +45,7 @@ class TrainableWeights final : public WeightSource {
 
 struct LearnerSettings {
     AdamSettings adam;
-    double average = 0.999;
+    double ema_decay = 0.999;
     double clip = 0;  // 0 = no
 };
 
@@ -55,13 +55,13 @@ class Learner {
     Learner(std::string name, const Start& start, at::TensorOptions options,
             const std::function<void(const Scope&)>& run_once, LearnerSettings settings);
 
-    Scope scope() { return Scope(weights_); }    // what learns
-    Scope average() { return Scope(average_); }  // the running average: for looking and for keeping
+    Scope scope() { return Scope(weights_); }  // what learns
+    Scope ema() { return Scope(ema_); }        // the running average: for looking and for keeping
     // Along the gradients that the last backward() left: shortens them, one step of Adam, moves the average, forgets
     // them. Returns the gradients' length before. A step whose gradients are not finite is left out (NaN comes back).
-    double update(double rate);
-    // From now on update() takes the mean of the team's gradients. The team must live as long.
-    void join(const Team& team) { team_ = &team; }
+    double update(double learning_rate);
+    // From now on update() takes the mean of the group's gradients. The group must live as long.
+    void join(const ProcessGroup& group) { group_ = &group; }
     void forget_gradients() { adam_.forget_gradients(); }
     // While frozen, gradients pass through the network without being kept for its parameters.
     void freeze(bool frozen);
@@ -79,10 +79,10 @@ class Learner {
     std::vector<at::Tensor> gradients() const;
 
     std::string name_;
-    TrainableWeights weights_, average_;
+    TrainableWeights weights_, ema_;
     Adam adam_;
     LearnerSettings settings_;
-    const Team* team_ = nullptr;
+    const ProcessGroup* group_ = nullptr;
 };
 
 }  // namespace fastscene::nn

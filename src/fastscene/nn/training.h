@@ -26,19 +26,19 @@ namespace fastscene::nn {
 using Batch = std::vector<at::Tensor>;
 using Numbers = std::vector<std::pair<std::string, double>>;  // by name, always the same names in the same order
 
-struct Look {
+struct Evaluation {
     Numbers held_out;  // figures of pictures that are never trained on
     ImageRgb8 sheet;   // what they look like; may be empty
 };
 
 struct TrainingTask {
     std::vector<Learner*> learners;
-    // Examples of a step. Runs on another thread while the step before is computed; depends on the dice only.
-    std::function<Batch(Random& dice)> draw;
-    // Losses, backward(), Learner::update(rate).
-    std::function<Numbers(const Batch& batch, std::int64_t step, double rate)> step;
-    std::function<Look()> look;  // with the learners' averages
-    Json settings;               // what else must be equal for a checkpoint to be gone on with: data, sizes, losses
+    // Examples of a step. Runs on another thread while the step before is computed; depends on the rng only.
+    std::function<Batch(Random& rng)> draw;
+    // Losses, backward(), Learner::update(learning_rate).
+    std::function<Numbers(const Batch& batch, std::int64_t step, double learning_rate)> step;
+    std::function<Evaluation()> evaluate;  // with the learners' averages
+    Json settings;  // what else must be equal for a checkpoint to be gone on with: data, sizes, losses
 };
 
 struct TrainingOutcome {
@@ -54,7 +54,7 @@ struct TrainingOutcome {
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const std::filesystem::path& folder,
                       const Run& run);
 
-// Adam's rate at a step: warm-up, then half a cosine from rate to last_rate.
-double rate_at(const TrainingParams& params, std::int64_t step);
+// Adam's rate at a step: warm-up, then half a cosine from rate to final_learning_rate.
+double learning_rate_at(const TrainingParams& params, std::int64_t step);
 
 }  // namespace fastscene::nn

@@ -74,16 +74,16 @@ void settle_description(const Plan& plan) {
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor or,
+// A free place in the room: somewhere at the height of viewpoints or a tripod, clear of furniture, with floor or,
 // `over_things`, a piece of furniture below and ceiling above. A room that has no such piece is seen from over its
 // floor.
-Vec3f random_place(const TracedRoom& room, bool over_things, Random& dice) {
+Vec3f random_place(const TracedRoom& room, bool over_things, Random& rng) {
     constexpr float kLowestThing = 0.25f;  // a carpet is floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
         const float floor = high.y;  // y is down
-        const Vec3f p{dice.uniform(low.x, high.x), floor - dice.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
-                      dice.uniform(low.z, high.z)};
+        const Vec3f p{rng.uniform(low.x, high.x), floor - rng.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
+                      rng.uniform(low.z, high.z)};
         const bool inside = room.distance(p, {0, 1, 0}) < 4.f && room.distance(p, {0, -1, 0}) < 6.f;
         const bool as_wished = !over_things || attempt >= 150 ||
                                room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
@@ -97,12 +97,12 @@ struct Camera {
     Pinhole pinhole;  // of a perspective view
 };
 
-Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& dice) {
-    const bool over_things = dice.chance(static_cast<float>(plan.request.params.over_things));
-    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, dice);
-    const float yaw = dice.uniform(0.f, 360.f) * kDegree, fov_deg = dice.uniform(50.f, 100.f);
-    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * dice.normal(),
-                roll = plan.panorama ? 0.f : 2.f * kDegree * dice.normal();
+Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& rng) {
+    const bool over_things = rng.chance(static_cast<float>(plan.request.params.over_things));
+    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, rng);
+    const float yaw = rng.uniform(0.f, 360.f) * kDegree, fov_deg = rng.uniform(50.f, 100.f);
+    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * rng.normal(),
+                roll = plan.panorama ? 0.f : 2.f * kDegree * rng.normal();
     const Mat3f rotation = rotation_about(Vec3f{0, 1, 0}, yaw) *
                            rotation_about(Vec3f{1, 0, 0}, std::clamp(pitch, -0.7f, 0.7f)) *
                            rotation_about(Vec3f{0, 0, 1}, roll);
@@ -116,12 +116,12 @@ Random dice_of(const Plan& plan, int picture) {
 // Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is
 // missing.
 std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
-    std::vector<Vec3f> eyes;
+    std::vector<Vec3f> viewpoints;
     for (int k = 0; k < count; ++k) {
-        Random dice = dice_of(plan, first + k);
-        eyes.push_back(random_camera(plan, room, k, dice).world_from_camera.translation);
+        Random rng = dice_of(plan, first + k);
+        viewpoints.push_back(random_camera(plan, room, k, rng).world_from_camera.translation);
     }
-    return eyes;
+    return viewpoints;
 }
 
 ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object,
@@ -168,10 +168,10 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
 
 void make_picture(const Plan& plan, const TracedRoom& room, const std::string& prompt, int picture, const Run& run) {
     const DatasetRequest& request = plan.request;
-    Random dice = dice_of(plan, picture);
-    const Camera camera = random_camera(plan, room, picture % request.params.views, dice);
-    const Film film = random_film(dice, !plan.panorama);
-    const Run quiet{dice.next_u64(), nullptr, run.stop};
+    Random rng = dice_of(plan, picture);
+    const Camera camera = random_camera(plan, room, picture % request.params.views, rng);
+    const Film film = random_film(rng, !plan.panorama);
+    const Run quiet{rng.next_u64(), nullptr, run.stop};
     const ShotParts parts{.color = true, .range = true, .normal = true, .object = true};
     const Shot shot = plan.panorama
                           ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet)
@@ -188,7 +188,7 @@ void make_picture(const Plan& plan, const TracedRoom& room, const std::string& p
     const std::string color_ending = clean ? ".color.png" : ".color.jpg";
     make_directories(plan.stem(picture).parent_path());
     if (clean) save_png(plan.file(picture, color_ending), srgb8_from_linear(shot.color));
-    else save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, dice), film.jpeg_quality);
+    else save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, rng), film.jpeg_quality);
     save_png16(plan.file(picture, ".range.png"), millimetres(shot.range));
     save_png(plan.file(picture, ".normal.png"),
              encoded_normals(shot.normal, shot.object, transpose(camera.world_from_camera.rotation)));

@@ -30,9 +30,9 @@ struct Film {
     float vignette = 0;  // share of light lost in the corners
     int jpeg_quality = 95;
 };
-Film random_film(Random& dice, bool perspective);
+Film random_film(Random& rng, bool perspective);
 // `color`: linear, display-referred. Columns wrap when `wraps`.
-ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& dice);
+ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& rng);
 Json to_json(const Film& film);
 
 // NYU40 classes, which indoor networks are trained with; 0 = outside or unknown.

@@ -48,7 +48,7 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     WalkAdvice advice;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
         DepthParams published = depth;  // after each of 48 steps: one look, as published
-        if (published.looks == 0) published.looks = 1;
+        if (published.tta == 0) published.tta = 1;
         advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](
                            const ImageColor& color, const Run& r) { return estimator->estimate(color, r).range; };
     }

@@ -39,8 +39,8 @@ bool contains(const WalkableArea& area, Vec2f point) {
     return inside;
 }
 
-bool contains(const WalkableArea& area, Vec3f eyes) {
-    return eyes.y >= area.low_y && eyes.y <= area.high_y && contains(area, Vec2f{eyes.x, eyes.z});
+bool contains(const WalkableArea& area, Vec3f position) {
+    return position.y >= area.low_y && position.y <= area.high_y && contains(area, Vec2f{position.x, position.z});
 }
 
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
@@ -70,9 +70,9 @@ Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
     return point;  // no floor at all
 }
 
-Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes) {
-    const Vec2f place = nearest_inside(area, Vec2f{eyes.x, eyes.z});
-    return {place.x, std::clamp(eyes.y, area.low_y, area.high_y), place.y};
+Vec3f nearest_inside(const WalkableArea& area, Vec3f position) {
+    const Vec2f place = nearest_inside(area, Vec2f{position.x, position.z});
+    return {place.x, std::clamp(position.y, area.low_y, area.high_y), place.y};
 }
 
 std::size_t largest_ring(const WalkableArea& area) {

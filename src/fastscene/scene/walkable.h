@@ -17,10 +17,10 @@ struct WalkableArea {
 };
 
 bool contains(const WalkableArea& area, Vec2f point);
-bool contains(const WalkableArea& area, Vec3f eyes);
+bool contains(const WalkableArea& area, Vec3f position);
 // The point itself where the area contains it, else the nearest one that it contains, a millimetre off the boundary.
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point);
-Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes);
+Vec3f nearest_inside(const WalkableArea& area, Vec3f position);
 // Square metres; its sign tells which way round the ring goes.
 double signed_area(const std::vector<Vec2f>& ring);
 // Index of the ring that encloses most floor.

@@ -394,7 +394,7 @@ void Engine::step(Cloud& cloud, const StepRates& r) {
     job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.adam_step)));
     job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
     job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));
-    job.opacity_pull = r.opacity_pull, job.scale_pull = r.scale_pull;
+    job.opacity_reg = r.opacity_reg, job.scale_reg = r.scale_reg;
     job.middle = r.middle, job.reach_m = r.reach_m;
     update(cloud, job);
 }

@@ -65,7 +65,7 @@ struct StepRates {
     float reach_m = std::numeric_limits<float>::infinity();
     float rest_rate = 0;  // of the higher bands; 0: not in this step
     int rest_adam_step = 1;
-    float opacity_pull = 0, scale_pull = 0;  // UpdateJob
+    float opacity_reg = 0, scale_reg = 0;  // UpdateJob
 };
 
 class Engine {

@@ -73,10 +73,10 @@ inline void update_rest(const UpdateJob& job, std::int64_t first, const Lanes* g
 // What the regularizers add: opacities and sizes are drawn towards nothing, of all splats alike.
 inline void pull(const UpdateJob& job, const Gaussian<Lanes>& g, Lanes* gradient) {
     const Lanes one(1.f), opacity = one / (one + exp(-g.logit)),
-                          slope = opacity * (one - opacity) * Lanes(job.opacity_pull);
+                          slope = opacity * (one - opacity) * Lanes(job.opacity_reg);
     const auto add = [&](int i, Lanes x) { gradient[i] += select(abs(x) < Lanes(1e15f), x, Lanes(0.f)); };
     add(10, slope);
-    for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_pull));
+    for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_reg));
 }
 
 inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t end, std::int64_t record,
@@ -131,7 +131,7 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
             if (job.seen_weight) note(job.seen_weight + first, sums[9]);
             if (job.seen_error) note(job.seen_error + first, sums[10]);
         }
-        if (job.opacity_pull > 0 || job.scale_pull > 0) pull(job, load_gaussians(job.parameters + base), gradient);
+        if (job.opacity_reg > 0 || job.scale_reg > 0) pull(job, load_gaussians(job.parameters + base), gradient);
         const Lanes far = stride(job, base);
         for (int i = 0; i < kParameters; ++i) {
             if (job.gradients) gradient[i].store(job.gradients + base + i * kBlock);

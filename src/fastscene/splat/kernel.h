@@ -111,11 +111,11 @@ struct UpdateJob {
     float rest_rate = 0;  // 0: the higher bands stay as they are in this step
     float rest_inv_sqrt_bias2 = 1;
     float* rest_gradients = nullptr;
-    float opacity_pull = 0, scale_pull = 0;  // dL/d(opacity), dL/d(scale in metres) of the regularizers, per splat
-    float* seen_move = nullptr;              // += length of dL/d(position on screen), half pictures; null: not wanted
-    float* seen_steps = nullptr;             // += 1 where visible
-    float half_picture = 0;                  // pixels
-    float* gradients;                        // null, or where dL/dparameter goes instead of moving the parameters
+    float opacity_reg = 0, scale_reg = 0;  // dL/d(opacity), dL/d(scale in metres) of the regularizers, per splat
+    float* seen_move = nullptr;            // += length of dL/d(position on screen), half pictures; null: not wanted
+    float* seen_steps = nullptr;           // += 1 where visible
+    float half_picture = 0;                // pixels
+    float* gradients;                      // null, or where dL/dparameter goes instead of moving the parameters
 };
 
 struct Kernel {

@@ -31,7 +31,7 @@ struct SplatParams {
     float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
     std::string strategy = "mcmc";         // what becomes of splats that are of no use, and where new ones appear
     int sh_degree = 0;  // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
-    float opacity_pull = 0, scale_pull = 0;
+    float opacity_reg = 0, scale_reg = 0;
     float depth = 0;   // of the regularizer of depth
     float opaque = 0;  // of the loss of what is left transparent
     bool antialias = false;
@@ -62,8 +62,8 @@ void visit_fields(SplatParams& p, V&& v) {
     v("sh-degree", p.sh_degree, Bounds{-1, 3},
       "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a "
       "room's reflections, else 0.");
-    v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
-    v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
+    v("opacity-reg", p.opacity_reg, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
+    v("scale-reg", p.scale_reg, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
     v("depth", p.depth, Bounds{0, 10},
       "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
     v("opaque", p.opaque, Bounds{0, 10},

@@ -244,7 +244,7 @@ TEST_F(SplatOptions, BackendsAgreeWithHigherBandsAndRegularizers) {
     set.views.resize(2);
     SplatParams params = short_run(300, 8);
     params.sh_degree = 1;
-    params.opacity_pull = 0.1f, params.scale_pull = 1.f;
+    params.opacity_reg = 0.1f, params.scale_reg = 1.f;
     params.random_background = true;
     const FittedSplats fast = fit_splats(set, params, fastscene::Run{});
     params.backend = "reference";
@@ -268,7 +268,7 @@ TEST_F(SplatOptions, PullsLowerOpacitiesAndSizes) {
         return std::pair(opacity, scale);
     };
     const auto before = means();
-    params.opacity_pull = 1, params.scale_pull = 10;
+    params.opacity_reg = 1, params.scale_reg = 10;
     const auto after = means();
     EXPECT_LT(after.first, 0.9 * before.first);
     EXPECT_LT(after.second, 0.95 * before.second);

@@ -217,8 +217,7 @@ class Training {
         constexpr float kReach = 4.f;  // of the scene's radius
         plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
         const auto count = static_cast<float>(state_.cloud.count);
-        plan.rates.opacity_pull = params_.opacity_pull / count,
-        plan.rates.scale_pull = params_.scale_pull / (3 * count);
+        plan.rates.opacity_reg = params_.opacity_reg / count, plan.rates.scale_reg = params_.scale_reg / (3 * count);
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
             plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done),
             plan.rates.rest_adam_step = now / tuning_.rest_every;

@@ -20,10 +20,10 @@ namespace fastscene {
 
 class IrradianceCache {
   public:
-    // Walks the surfaces and gathers. Deterministic in run.seed. `eyes`: where pictures will be taken from; what nobody
-    // sees who steps about there gets fewer paths, since it is only known by what it lights.
+    // Walks the surfaces and gathers. Deterministic in run.seed. `viewpoints`: where pictures will be taken from; what
+    // nobody sees who steps about there gets fewer paths, since it is only known by what it lights.
     static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
-                                  const std::vector<Vec3f>& eyes = {Vec3f{}});
+                                  const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
     // Irradiance without sun at a point of a surface: interpolated between the entries around it. `normal` of length 1.
     Vec3f at(Vec3f position, Vec3f normal) const { return read(position, normal).irradiance; }
@@ -65,7 +65,7 @@ class IrradianceCache {
         float area = 0;  // of the surface in the cell
         float transmission = 0;
         float trust = 0;
-        bool seen = true;  // by somebody who steps about the eyes
+        bool seen = true;  // by somebody who steps about the viewpoints
     };
     // A cell that the sun lights, as a lamp for the rest of the room. It shines from the very places that lie in the
     // sun: a cell's center may lie behind an edge, or in the shade.
@@ -90,14 +90,14 @@ class IrradianceCache {
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
     void build(const Room& room);
-    std::vector<std::uint8_t> sights(const SceneBvh& bvh) const;
-    void drop_buried(const SceneBvh& bvh);
-    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes);
+    std::vector<std::uint8_t> visibility(const SceneBvh& bvh) const;
+    void drop_hidden(const SceneBvh& bvh);
+    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints);
     void index();
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
-    void doubt_edges();
+    void distrust_edges();
 
     // The steps of gather(), in order.
     std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
@@ -111,7 +111,7 @@ class IrradianceCache {
                      Pass& pass);
     void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run,
                          Progress& progress);
-    Vec3f sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
+    Vec3f reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
     Vec3f sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;

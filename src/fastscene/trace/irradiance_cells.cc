@@ -137,7 +137,7 @@ void IrradianceCache::build(const Room& room) {
 
 // How well each place is seen: kBuried, or kCrevice + the rays of eight that go further than half a cell. Where the
 // first places of a cell lie in the open, and the first rays of a place find it so, the others are not asked.
-std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
+std::vector<std::uint8_t> IrradianceCache::visibility(const SceneBvh& bvh) const {
     constexpr std::uint32_t kRays = 8, kFirstRays = 4, kFirstPlaces = 4;
     std::vector<std::uint8_t> sight(samples_.size(), kCrevice + kRays);
     const auto sight_of = [&](const Place& at) {
@@ -171,8 +171,8 @@ std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
 // crevice (most rays end within half a cell: the wall between two boards, behind a door's panel). A cell that keeps
 // such places beside visible ones is dark where people look. A cell without any place left is no cell: it would only
 // darken its neighbours and draw samples to itself.
-void IrradianceCache::drop_buried(const SceneBvh& bvh) {
-    const std::vector<std::uint8_t> sight = sights(bvh);
+void IrradianceCache::drop_hidden(const SceneBvh& bvh) {
+    const std::vector<std::uint8_t> sight = visibility(bvh);
     std::vector<Cell> cells;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> first_sample;
@@ -209,15 +209,15 @@ void IrradianceCache::drop_buried(const SceneBvh& bvh) {
     samples_ = std::move(samples);
 }
 
-// A step to every side of each eye, as far as there is room.
-void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes) {
+// A step to every side of each viewpoint, as far as there is room.
+void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints) {
     constexpr float kStep_m = 0.8f, kOfTheWay = 0.8f;
     constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 0, 1},
                                          Vec3f{0, 0, -1}, Vec3f{0, 1, 0},  Vec3f{0, -1, 0}};
-    std::vector<Vec3f> places = eyes;
-    for (const Vec3f eye : eyes)
+    std::vector<Vec3f> places = viewpoints;
+    for (const Vec3f viewpoint : viewpoints)
         for (const Vec3f way : kWays)
-            places.push_back(eye + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(eye, way).distance)));
+            places.push_back(viewpoint + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(viewpoint, way).distance)));
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
             Cell& cell = cells_[c];

@@ -75,10 +75,10 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
 }
 
 // The cache's own word for it: textures evened out.
-Vec3f IrradianceCache::sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction,
-                               bool behind) const {
-    return sun_sent_on(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission,
-                       normal, direction, behind);
+Vec3f IrradianceCache::reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction,
+                                 bool behind) const {
+    return sun_reflected(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission,
+                         normal, direction, behind);
 }
 
 // What arrives from one sunlit patch, drawn by its power and usefulness.
@@ -100,9 +100,9 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const Vec3f direction = to / far;
     const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
-    const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return patch.sun * sent_on(room, shining.material, shining.at.normal, direction, patch.behind) *
-           (here * there / d2 * patch.area / chance);
+    const float probability = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
+    return patch.sun * reflected(room, shining.material, shining.at.normal, direction, patch.behind) *
+           (here * there / d2 * patch.area / probability);
 }
 
 Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
@@ -127,8 +127,8 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     Vec3f irradiance = reflectances_[material] * (front.light * (1.f - m.transmission) + behind.light * m.transmission);
     // The sun's first bounce has been asked directly, unless it is close by.
     if (hit.distance <= kNearSun * cell_m_)
-        irradiance += (front.sun * sent_on(room, material, normal, direction, false) +
-                       behind.sun * sent_on(room, material, normal, direction, true)) *
+        irradiance += (front.sun * reflected(room, material, normal, direction, false) +
+                       behind.sun * reflected(room, material, normal, direction, true)) *
                       kPi;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
     return {irradiance, hit.distance, false};

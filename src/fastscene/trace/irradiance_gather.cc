@@ -209,7 +209,7 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
 }
 
 IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params,
-                                        const Run& run, const std::vector<Vec3f>& eyes) {
+                                        const Run& run, const std::vector<Vec3f>& viewpoints) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset, so that walls do not lie on the borders of cells.
@@ -221,8 +221,8 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     }
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
     cache.build(room);
-    cache.drop_buried(bvh);
-    cache.find_seen(bvh, eyes);
+    cache.drop_hidden(bvh);
+    cache.find_seen(bvh, viewpoints);
     cache.index();
 
     const Lights lights(room);
@@ -231,7 +231,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
-    cache.doubt_edges();
+    cache.distrust_edges();
     cache.samples_ = {};
     return cache;
 }

@@ -110,7 +110,7 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
 
 // Where light changes from cell to cell (the edge of a shadow, the foot of a lamp) the cells are too coarse for it, and
 // smoothing carried it across; what is left of noise looks the same. Pictures ask again there.
-void IrradianceCache::doubt_edges() {
+void IrradianceCache::distrust_edges() {
     constexpr float kSteady = 1.6f, kEdge = 2.4f;  // of two neighbours, the brighter by the darker
     std::vector<float> trust(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {

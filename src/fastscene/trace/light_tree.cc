@@ -245,7 +245,7 @@ LightTree::Shares LightTree::shares_of_heads(Vec3f position, Vec3f normal) const
     return shares;
 }
 
-LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
+LightTree::SampledEmitter LightTree::draw(Vec3f position, Vec3f normal, float u) const {
     if (heads_.empty()) return {};
     const Shares shares = shares_of_heads(position, normal);
     const float all = shares[heads_.size() - 1];
@@ -254,7 +254,7 @@ LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
     while (head + 1 < heads_.size() && !(u * all < shares[head])) ++head;
     const float below = head ? shares[head - 1] : 0.f;
     if (!(shares[head] > below)) return {};  // by rounding only
-    Drawn out{-1, (shares[head] - below) / all};
+    SampledEmitter out{-1, (shares[head] - below) / all};
     u = (u * all - below) / (shares[head] - below);
     for (std::int32_t at = heads_[head];;) {
         u = std::clamp(u, 0.f, 0.999999f);
@@ -266,29 +266,29 @@ LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
         const float first = first_share(at, position, normal);
         if (first < 0) return {};
         const bool takes_first = u < first;
-        out.chance *= takes_first ? first : 1 - first;
+        out.probability *= takes_first ? first : 1 - first;
         u = takes_first ? u / first : (u - first) / (1 - first);
         at = takes_first ? at + 1 : node.second;
     }
 }
 
-float LightTree::chance(int emitter, Vec3f position, Vec3f normal) const {
+float LightTree::probability(int emitter, Vec3f position, Vec3f normal) const {
     const Place& place = places_[static_cast<std::size_t>(emitter)];
     if (place.head < 0) return 0;
     const auto head = static_cast<std::size_t>(place.head);
     const Shares shares = shares_of_heads(position, normal);
     const float all = shares[heads_.size() - 1];
     if (!(all > 0)) return 0;
-    float chance = (shares[head] - (head ? shares[head - 1] : 0.f)) / all;
+    float probability = (shares[head] - (head ? shares[head - 1] : 0.f)) / all;
     std::int32_t at = heads_[head];
-    for (int level = 0; level < place.depth && chance > 0; ++level) {
+    for (int level = 0; level < place.depth && probability > 0; ++level) {
         const float first = first_share(at, position, normal);
         if (first < 0) return 0;
         const bool second = place.path >> level & 1u;
-        chance *= second ? 1 - first : first;
+        probability *= second ? 1 - first : first;
         at = second ? nodes_[static_cast<std::size_t>(at)].second : at + 1;
     }
-    return chance;
+    return probability;
 }
 
 }  // namespace fastscene

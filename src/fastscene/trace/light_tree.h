@@ -27,15 +27,15 @@ class LightTree {
     };
     explicit LightTree(const std::vector<Emitter>& emitters);
 
-    struct Drawn {
+    struct SampledEmitter {
         int emitter = -1;  // -1: nothing shines here
-        float chance = 0;
+        float probability = 0;
     };
     // `normal` of length 1: of the surface that is lit. `u`: uniform in [0, 1); emitters that lie together get numbers
     // that lie together.
-    Drawn draw(Vec3f position, Vec3f normal, float u) const;
+    SampledEmitter draw(Vec3f position, Vec3f normal, float u) const;
     // With what chance draw() finds an emitter.
-    float chance(int emitter, Vec3f position, Vec3f normal) const;
+    float probability(int emitter, Vec3f position, Vec3f normal) const;
 
   private:
     struct Node {

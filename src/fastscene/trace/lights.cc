@@ -87,7 +87,7 @@ Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large
 }
 
 // Of all windows that lie in this direction, one behind the other.
-float Lights::portal_density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const {
+float Lights::portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const {
     float sum = 0;
     const Vec3f from = offset_from(position, normal);
     for (std::size_t i = 0; i < emitters_.size() && emitters_[i].portal >= 0; ++i) {
@@ -100,14 +100,14 @@ float Lights::portal_density(const Room& room, Vec3f position, Vec3f normal, Vec
         const Vec3f at = from + direction * far - p.corner;
         const float u = dot(at, p.edge_u) / dot(p.edge_u, p.edge_u), v = dot(at, p.edge_v) / dot(p.edge_v, p.edge_v);
         if (u >= 0 && u <= 1 && v >= 0 && v <= 1)
-            sum += tree_->chance(static_cast<int>(i), position, normal) * far * far / (cosine * area);
+            sum += tree_->probability(static_cast<int>(i), position, normal) * far * far / (cosine * area);
     }
     return sum;
 }
 
-Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
-    Towards out;
-    const LightTree::Drawn drawn = tree_->draw(position, normal, which);
+Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
+    LightSample out;
+    const LightTree::SampledEmitter drawn = tree_->draw(position, normal, which);
     if (drawn.emitter < 0) return out;
     const Emitter& emitter = emitters_[static_cast<std::size_t>(drawn.emitter)];
     const Vec3f from = offset_from(position, normal);
@@ -116,7 +116,7 @@ Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, flo
         out.direction = normalize(p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from);
         out.far = kFar;
         out.radiance = sky_->at(out.direction);
-        out.density = portal_density(room, position, normal, out.direction);
+        out.pdf = portal_pdf(room, position, normal, out.direction);
         return out;
     }
     const auto [a, b, c] = corners(room, emitter.mesh, emitter.triangle);
@@ -131,27 +131,27 @@ Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, flo
     if (!(there > 1e-5f)) return out;
     out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
     out.radiance = emission_of(room, emitter.mesh);
-    out.density = drawn.chance * far * far / (there * area_of({a, b, c}));
+    out.pdf = drawn.probability * far * far / (there * area_of({a, b, c}));
     return out;
 }
 
-float Lights::density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const {
+float Lights::pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const {
     if (emitters_.empty()) return 0;
-    if (!hit) return portal_density(room, position, normal, direction);
+    if (!hit) return portal_pdf(room, position, normal, direction);
     const std::int32_t first = first_of_mesh_[static_cast<std::size_t>(hit.mesh)];
     if (first < 0 || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) return 0;
     const float there = std::abs(dot(hit.normal, direction));
-    return tree_->chance(first + hit.triangle, position, normal) * hit.distance * hit.distance /
+    return tree_->probability(first + hit.triangle, position, normal) * hit.distance * hit.distance /
            (std::max(1e-5f, there) * area_of(corners(room, hit.mesh, hit.triangle)));
 }
 
 Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
-    const Towards light = draw(room, position, normal, which, uv);
+    const LightSample light = draw(room, position, normal, which, uv);
     const float here = dot(normal, light.direction);
-    if (!(light.density > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
+    if (!(light.pdf > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
         return {};
     const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
-    return light.radiance * (here * near / light.density);
+    return light.radiance * (here * near / light.pdf);
 }
 
 Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const {

@@ -17,17 +17,17 @@ class Lights {
     explicit Lights(const Room& room);
 
     // A direction towards a lamp or window, and what comes from there if nothing stands between.
-    struct Towards {
+    struct LightSample {
         Vec3f direction;
         float far = 0;  // how far a shadow ray has to look
         Vec3f radiance;
-        float density = 0;  // per solid angle; 0: nothing drawn
+        float pdf = 0;  // per solid angle; 0: nothing drawn
     };
     // `which`: the bit of a lamp or the window, by what it gives there (light_tree.h), `uv`: the place on it; uniform
     // in [0, 1), best well spread.
-    Towards draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
-    // The density with which draw() would have found this direction, whose ray ended in `hit`.
-    float density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
+    LightSample draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
+    // The pdf with which draw() would have found this direction, whose ray ended in `hit`.
+    float pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
     // One estimate of the irradiance from lamps and windows.
     Vec3f sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
     // One estimate of the sun's irradiance (0.5 degree disc, a little wider for thin air).
@@ -41,7 +41,7 @@ class Lights {
         std::int32_t mesh = -1, triangle = 0;
         std::int32_t portal = -1;
     };
-    float portal_density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
+    float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
     std::optional<SkyTable> sky_;    // where there are portals
     std::vector<Emitter> emitters_;  // windows first
     std::optional<LightTree> tree_;  // of emitters_

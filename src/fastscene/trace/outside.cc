@@ -59,10 +59,10 @@ Vec3f mountains(const Light& light, float azimuth, float height, Vec3f color, co
 }
 
 // Water down to the beach.
-Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const Sky& sky, float eye_m) {
+Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const Sky& sky, float eye_height_m) {
     const float down = direction.y;
     if (!(down > 0.f)) return color;
-    const float far = eye_m / std::max(1e-3f, down);
+    const float far = eye_height_m / std::max(1e-3f, down);
     const float wave = noise2({azimuth * 40.f, std::log(far) * 26.f}, sky.seed + 3) * 0.6f +
                        noise2({azimuth * 150.f, std::log(far) * 70.f}, sky.seed + 4) * 0.4f;
     // At a grazing angle water is all mirror, steeper it shows its own color.
@@ -112,8 +112,8 @@ struct Garden {
 };
 
 // Slabs before the house, then the lawn; with paths of gravel and beds of dark earth where there is a garden.
-Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* garden = nullptr) {
-    const float far = eye_m / std::max(1e-3f, direction.y);
+Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_height_m, const Garden* garden = nullptr) {
+    const float far = eye_height_m / std::max(1e-3f, direction.y);
     const Vec2f p{direction.x * far, direction.z * far};
     const float reach = std::hypot(p.x, p.y);
     const float footprint = 0.004f * far;
@@ -146,8 +146,8 @@ Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* g
 }
 
 // A road between pavements, along the front of the house.
-Vec3f street_floor(const Sky& sky, const Light& light, Vec3f direction, float eye_m) {
-    const float far = eye_m / std::max(1e-3f, direction.y);
+Vec3f street_floor(const Sky& sky, const Light& light, Vec3f direction, float eye_height_m) {
+    const float far = eye_height_m / std::max(1e-3f, direction.y);
     const Vec2f p{direction.x * far, direction.z * far};
     const float reach = std::hypot(p.x, p.y), grain = 0.9f + 0.2f * fbm2(p * 2.f, 4, 0.008f * far, sky.seed + 3);
     const bool road = reach > 8.f && reach < 20.f;

@@ -8,8 +8,8 @@ namespace fastscene::outside {
 namespace {
 
 // Where the ray meets the plane that faces the viewer at an azimuth: metres to the right of it, and above the ground.
-Vec2f on_plane(float da, float height, float distance_m, float eye_m) {
-    return {std::tan(da) * distance_m, std::tan(height) * distance_m / std::max(0.05f, std::cos(da)) + eye_m};
+Vec2f on_plane(float da, float height, float distance_m, float eye_height_m) {
+    return {std::tan(da) * distance_m, std::tan(height) * distance_m / std::max(0.05f, std::cos(da)) + eye_height_m};
 }
 
 constexpr std::array<Vec3f, 8> kWalls{Vec3f{0.62f, 0.55f, 0.43f}, {0.66f, 0.63f, 0.58f}, {0.38f, 0.17f, 0.11f},
@@ -42,29 +42,29 @@ void clump(const Light& light, const BedRow& row, int cell, float middle, float 
     static constexpr std::array<Vec3f, 7> kFlowers{
         Vec3f{0.7f, 0.68f, 0.62f}, {0.62f, 0.2f, 0.34f}, {0.3f, 0.2f, 0.52f},  {0.68f, 0.5f, 0.08f},
         {0.55f, 0.06f, 0.05f},     {0.66f, 0.4f, 0.42f}, {0.68f, 0.26f, 0.06f}};
-    const auto dice = [&](int what) { return lattice_unit(cell, what, 7, row.seed); };
-    const float distance = row.distance_m * depth_of(row, cell), r = row.radius_m * (0.7f + 0.6f * dice(1)),
-                high = row.high_m * (0.5f + dice(2));
-    const Vec2f p = on_plane(azimuth - middle, height, distance, row.eye_m);
+    const auto rng = [&](int what) { return lattice_unit(cell, what, 7, row.seed); };
+    const float distance = row.distance_m * depth_of(row, cell), r = row.radius_m * (0.7f + 0.6f * rng(1)),
+                high = row.high_m * (0.5f + rng(2));
+    const Vec2f p = on_plane(azimuth - middle, height, distance, row.eye_height_m);
     if (p.y < -0.05f * row.high_m || p.y > 1.3f * high || std::abs(p.x) > 1.4f * r) return;
     const Vec2f q{p.x / r, std::max(0.f, p.y) / high};
-    const float leaves = fbm2({p.x * 5.f / row.radius_m + 17.f * dice(3), p.y * 5.f / row.radius_m}, 4, 0.f,
+    const float leaves = fbm2({p.x * 5.f / row.radius_m + 17.f * rng(3), p.y * 5.f / row.radius_m}, 4, 0.f,
                               row.seed + static_cast<std::uint32_t>(cell));
     const float inside = 1 - q.x * q.x - q.y * q.y + 1.5f * (leaves - 0.5f);
     if (inside < 0) return;
     const Vec3f normal = normalize(Vec3f{q.x, 0.25f + q.y, std::sqrt(std::max(0.1f, 1 - q.x * q.x - q.y * q.y))});
-    Vec3f tone = kLeaves[static_cast<std::size_t>(dice(4) * 3.99f)] *
+    Vec3f tone = kLeaves[static_cast<std::size_t>(rng(4) * 3.99f)] *
                  (0.35f + 0.9f * leaves + 0.5f * noise2(p * (2.2f / row.bloom_m), row.seed + 6));
     // Flowers on a jittered grid, more of them towards the top; every third clump has leaves alone.
-    const Vec2f g{p.x / row.bloom_m + 31.f * dice(5), p.y / row.bloom_m};
+    const Vec2f g{p.x / row.bloom_m + 31.f * rng(5), p.y / row.bloom_m};
     const int gx = floor_int(g.x), gy = floor_int(g.y);
     const float off_x = g.x - static_cast<float>(gx) - 0.15f - 0.7f * lattice_unit(gx, gy, 1, row.seed + 7),
                 off_y = g.y - static_cast<float>(gy) - 0.15f - 0.7f * lattice_unit(gx, gy, 2, row.seed + 7);
-    const bool flower = !light.snow && dice(6) > 0.3f &&
+    const bool flower = !light.snow && rng(6) > 0.3f &&
                         off_x * off_x + off_y * off_y < 0.05f + 0.12f * lattice_unit(gx, gy, 5, row.seed + 7) &&
-                        lattice_unit(gx, gy, 3, row.seed + 7) < (0.25f + 0.75f * q.y) * (0.45f + 0.55f * dice(7));
+                        lattice_unit(gx, gy, 3, row.seed + 7) < (0.25f + 0.75f * q.y) * (0.45f + 0.55f * rng(7));
     if (flower)
-        tone = kFlowers[static_cast<std::size_t>(dice(8) * 6.99f)] *
+        tone = kFlowers[static_cast<std::size_t>(rng(8) * 6.99f)] *
                (0.7f + 0.5f * lattice_unit(gx, gy, 4, row.seed + 7));
     if (light.snow) tone = lerp(tone, {0.72f, 0.75f, 0.8f}, unit_clamp(normal.y + 1.2f * (leaves - 0.4f)));
     const float sky_part = 0.4f + 0.6f * unit_clamp(0.3f + 0.7f * q.y);
@@ -81,7 +81,7 @@ void buildings(const Light& light, const Row& row, float azimuth, float height, 
     const std::uint32_t hash = lattice_hash(cell, row.cells, 3, row.seed);
     if (lattice_unit(cell, 5, 1, row.seed) < row.gap) return;
     const float middle = (static_cast<float>(cell) + 0.5f) * wide - kPi;
-    Vec2f p = on_plane(azimuth - middle, height, row.distance_m, row.eye_m);
+    Vec2f p = on_plane(azimuth - middle, height, row.distance_m, row.eye_height_m);
     const float half = std::tan(wide / 2) * row.distance_m * (row.pitched && row.gap > 0.3f ? 0.72f : 1.f);
     const float storey = 3.1f,
                 eaves = storey *
@@ -127,15 +127,15 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
     const int here = floor_int((azimuth + kPi) / wide);
     for (int k = -1; k <= 1; ++k) {
         const int cell = (here + k + row.cells) % row.cells;
-        const auto dice = [&](int what) { return lattice_unit(cell, what, 6, row.seed); };
-        if (dice(0) < row.gap) continue;
-        const float middle = (static_cast<float>(here + k) + 0.2f + 0.6f * dice(1)) * wide - kPi;
-        const float distance = row.distance_m * (0.85f + 0.3f * dice(2)), r = row.radius_m * (0.75f + 0.5f * dice(3));
-        const Vec2f p = on_plane(azimuth - middle, height, distance, row.eye_m);
-        const float trunk = row.conifers ? 0.4f : r * (0.5f + 0.5f * dice(4)),
-                    high = row.conifers ? r * (3.2f + 1.4f * dice(5)) : trunk + 1.9f * r;
+        const auto rng = [&](int what) { return lattice_unit(cell, what, 6, row.seed); };
+        if (rng(0) < row.gap) continue;
+        const float middle = (static_cast<float>(here + k) + 0.2f + 0.6f * rng(1)) * wide - kPi;
+        const float distance = row.distance_m * (0.85f + 0.3f * rng(2)), r = row.radius_m * (0.75f + 0.5f * rng(3));
+        const Vec2f p = on_plane(azimuth - middle, height, distance, row.eye_height_m);
+        const float trunk = row.conifers ? 0.4f : r * (0.5f + 0.5f * rng(4)),
+                    high = row.conifers ? r * (3.2f + 1.4f * rng(5)) : trunk + 1.9f * r;
         if (p.y < 0 || p.y > high * 1.15f || std::abs(p.x) > 1.4f * r) continue;
-        const float leaves = fbm2({p.x * 2.1f / r + 13.f * dice(6), p.y * 2.1f / r}, 5, 0.f,
+        const float leaves = fbm2({p.x * 2.1f / r + 13.f * rng(6), p.y * 2.1f / r}, 5, 0.f,
                                   row.seed + static_cast<std::uint32_t>(cell));
         Vec3f normal{};
         float depth = -1;
@@ -149,7 +149,7 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
             }
         } else {
             for (int b = 0; b < 7; ++b) {
-                const float turn = 2.4f * static_cast<float>(b) + 6.f * dice(7), out = b == 0 ? 0.f : r * 0.55f;
+                const float turn = 2.4f * static_cast<float>(b) + 6.f * rng(7), out = b == 0 ? 0.f : r * 0.55f;
                 const Vec2f c{std::cos(turn) * out, trunk + 0.95f * r + std::sin(turn) * out * 0.75f};
                 const float rb = r * (b == 0 ? 0.72f : 0.36f + 0.2f * lattice_unit(cell, b, 11, row.seed));
                 const Vec2f d{(p.x - c.x) / rb, (p.y - c.y) / rb};
@@ -165,10 +165,10 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
         }
         const float fine = noise2({p.x * 17.f / r, p.y * 17.f / r}, row.seed + 5), clump = 0.45f + 0.95f * leaves;
         Vec3f green = row.conifers ? Vec3f{0.045f, 0.075f, 0.04f}
-                                   : lerp(Vec3f{0.07f, 0.1f, 0.035f}, Vec3f{0.14f, 0.15f, 0.05f}, dice(8));
+                                   : lerp(Vec3f{0.07f, 0.1f, 0.035f}, Vec3f{0.14f, 0.15f, 0.05f}, rng(8));
         // One in eight a copper beech or in blossom.
-        if (!row.conifers && dice(9) < 0.12f)
-            green = dice(10) < 0.5f ? Vec3f{0.13f, 0.055f, 0.045f} : Vec3f{0.36f, 0.25f, 0.26f};
+        if (!row.conifers && rng(9) < 0.12f)
+            green = rng(10) < 0.5f ? Vec3f{0.13f, 0.055f, 0.045f} : Vec3f{0.36f, 0.25f, 0.26f};
         if (row.snow)
             green = lerp(green, Vec3f{0.7f, 0.73f, 0.78f}, unit_clamp(0.2f + normal.y + 1.6f * (fine - 0.5f)));
         const float sky_part = 0.45f + 0.55f * unit_clamp(0.5f + 0.5f * normal.y);
@@ -179,9 +179,9 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
     }
 }
 
-void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed,
+void hedge(const Light& light, float distance_m, float high_m, float eye_height_m, bool snow, std::uint32_t seed,
            float azimuth, float height, Vec3f& color) {
-    const float y = std::tan(height) * distance_m + eye_m, x = azimuth * distance_m;
+    const float y = std::tan(height) * distance_m + eye_height_m, x = azimuth * distance_m;
     if (y < 0 || y > high_m + 0.25f) return;
     const float leaves = fbm2({x * 2.2f, y * 2.2f}, 4, 0.f, seed), fine = noise2({x * 9.f, y * 9.f}, seed + 1);
     const float top = high_m + 0.22f * (leaves - 0.5f);
@@ -197,8 +197,8 @@ void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool
 
 void beds(const Light& light, const BedRow& row, float azimuth, float height, const std::function<bool(float)>& planted,
           Vec3f& color) {
-    const float low = std::tan(height) * row.distance_m + row.eye_m;
-    if (low > 2.2f * row.high_m || low < -0.3f * row.eye_m) return;
+    const float low = std::tan(height) * row.distance_m + row.eye_height_m;
+    if (low > 2.2f * row.high_m || low < -0.3f * row.eye_height_m) return;
     const float wide = 2 * kPi / static_cast<float>(row.cells);
     const int here = floor_int((azimuth + kPi) / wide);
     const auto cell_at = [&](int k) { return (here + k + row.cells) % row.cells; };

@@ -44,7 +44,7 @@ struct Row {
     int cells;  // around the full turn
     float distance_m;
     float low_m, high_m;  // heights of the eaves above the ground
-    float eye_m;          // height of the viewer above the ground
+    float eye_height_m;   // height of the viewer above the ground
     float gap;            // share of cells that stay empty
     bool pitched;         // roofs
     float haze;
@@ -56,7 +56,7 @@ struct TreeRow {
     int cells;
     float distance_m;
     float radius_m;  // of a crown
-    float eye_m;
+    float eye_height_m;
     float gap;
     bool conifers;
     bool snow;
@@ -65,7 +65,7 @@ struct TreeRow {
 };
 void trees(const Light& light, const TreeRow& row, float azimuth, float height, Vec3f& color);
 
-void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed,
+void hedge(const Light& light, float distance_m, float high_m, float eye_height_m, bool snow, std::uint32_t seed,
            float azimuth, float height, Vec3f& color);
 
 // Clumps of leaves and flowers that stand along a bed; `planted` says of an azimuth whether one stands there.
@@ -73,7 +73,7 @@ struct BedRow {
     int cells;  // around the full turn
     float distance_m;
     float radius_m, high_m;  // of a clump
-    float eye_m;
+    float eye_height_m;
     float bloom_m;  // of one flower, or of a bunch of them where they are far
     float haze;
     std::uint32_t seed;

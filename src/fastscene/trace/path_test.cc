@@ -146,10 +146,10 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     constexpr int kSamples = 20'000;
     for (int i = 0; i < kSamples; ++i) {
         Random random(6, "town", static_cast<std::uint64_t>(i));
-        const Lights::Towards drawn = lights.draw(room, place, ahead, random.uniform(),
-                                                  {random.uniform(), random.uniform()});
+        const Lights::LightSample drawn = lights.draw(room, place, ahead, random.uniform(),
+                                                      {random.uniform(), random.uniform()});
         const float here = dot(drawn.direction, ahead);
-        const double e = drawn.density > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.density : 0;
+        const double e = drawn.pdf > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.pdf : 0;
         light += e;
         if (drawn.far < kFar) continue;
         from_town += e;
@@ -210,20 +210,20 @@ TEST(Path, ASurfaceGrowsMattWithoutAStep) {
                 {.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}},
                 in);
         };
-        const float glossy = at(0.3f).shine.x;
+        const float glossy = at(0.3f).specular.x;
         EXPECT_GE(glossy, 0.04f);
-        EXPECT_EQ(at(0.7f).shine.x, 0);
+        EXPECT_EQ(at(0.7f).specular.x, 0);
         for (float roughness = 0.3f; roughness < 0.7f; roughness += 0.005f) {
             const Response a = at(roughness), b = at(roughness + 0.005f);
-            EXPECT_NEAR(a.shine.x, b.shine.x, 0.08f * glossy) << roughness;
-            EXPECT_NEAR(a.diffuse.x + a.shine.x, b.diffuse.x + b.shine.x, 0.03f * glossy) << roughness;
+            EXPECT_NEAR(a.specular.x, b.specular.x, 0.08f * glossy) << roughness;
+            EXPECT_NEAR(a.diffuse.x + a.specular.x, b.diffuse.x + b.specular.x, 0.03f * glossy) << roughness;
         }
     }
 }
 
 TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
     const Vec3f n{0, -1, 0}, in = normalize(Vec3f{0.5f, 1, 0.2f});
-    // The density over all directions above and below integrates to one.
+    // The pdf over all directions above and below integrates to one.
     for (const float alpha : {0.1f, 0.25f}) {
         double sum = 0;
         const int nt = 400, np = 800;
@@ -232,7 +232,7 @@ TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
                 const float t = kPi * (static_cast<float>(i) + 0.5f) / nt,
                             p = 2 * kPi * (static_cast<float>(k) + 0.5f) / np;
                 const Vec3f out{std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)};
-                sum += static_cast<double>(ggx_density(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
+                sum += static_cast<double>(ggx_pdf(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
             }
         EXPECT_NEAR(sum, 1.0, 0.03) << alpha;
     }

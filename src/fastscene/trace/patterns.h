@@ -31,7 +31,7 @@ TextureValue carpet(const Material& m, const TexturePoint& p);
 TextureValue leather(const Material& m, const TexturePoint& p);
 TextureValue wicker(const Material& m, const TexturePoint& p);
 
-// Drawn ornament (patterns_ornament.cc).
+// SampledEmitter ornament (patterns_ornament.cc).
 TextureValue rug(const Material& m, const TexturePoint& p);
 TextureValue stripes(const Material& m, const TexturePoint& p);
 TextureValue damask(const Material& m, const TexturePoint& p);

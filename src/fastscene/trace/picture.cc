@@ -31,7 +31,7 @@ class MeanError {
     }
     float mean() const { return sum_ / count_; }
     float variance() const { return std::max(0.f, squares_ / count_ - mean() * mean()) / count_; }
-    // In sRGB-encoded values, what the eye and PSNR see: the slope of the encoding is about half a power.
+    // In sRGB-encoded values, what the camera and PSNR see: the slope of the encoding is about half a power.
     float of_srgb_mean() const { return std::sqrt(variance()) * 0.5f / std::sqrt(std::max(0.003f, mean())); }
 
   private:
@@ -63,7 +63,7 @@ bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_norm
 // What some of a pixel's rays found on one surface: that of the first of them.
 struct SurfaceSum {
     int count = 0;
-    Vec3f color{}, radiance{}, diffuse{}, shine{}, position{}, normal{};
+    Vec3f color{}, radiance{}, diffuse{}, specular{}, position{}, normal{};
     std::array<LightSum, 3> lights;  // diffuse, sun, mirrored
     MeanError texture;
 
@@ -73,14 +73,14 @@ struct SurfaceSum {
         color += developed;
         radiance += s.radiance;
         diffuse += s.diffuse;
-        shine += s.shine;
+        specular += s.specular;
         lights[0].add(s.light, luminance(s.diffuse));
         lights[1].add(s.sun, luminance(s.diffuse));
-        lights[2].add(s.mirrored, luminance(s.shine));
-        texture.add(luminance(s.diffuse + s.shine));
+        lights[2].add(s.mirrored, luminance(s.specular));
+        texture.add(luminance(s.diffuse + s.specular));
     }
-    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : shine) / static_cast<float>(count); }
-    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : shine); }
+    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : specular) / static_cast<float>(count); }
+    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : specular); }
     // Whether light itself is noisy, not only what it falls on.
     bool noisy(float tolerated) const {
         float error = 0, level = 0;
@@ -123,25 +123,25 @@ struct SecondSurface {
 
 // What is kept of all pixels until their noise is averaged.
 struct NoisyPicture {
-    ImageColor radiance, diffuse, shine, rest_color;
+    ImageColor radiance, diffuse, specular, rest_color;
     ImageF own_share;
     std::array<NoisyLight, 3> lights;
     Guides guides;
     std::vector<std::vector<SecondSurface>> seconds;  // by row
 
-    explicit NoisyPicture(const Eye& eye)
-        : own_share(eye.width, eye.height), seconds(static_cast<std::size_t>(eye.height)) {
-        const ImageColor black(eye.width, eye.height);
-        radiance = diffuse = shine = rest_color = guides.position = guides.normal = black;
-        for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
+    explicit NoisyPicture(const RayCamera& camera)
+        : own_share(camera.width, camera.height), seconds(static_cast<std::size_t>(camera.height)) {
+        const ImageColor black(camera.width, camera.height);
+        radiance = diffuse = specular = rest_color = guides.position = guides.normal = black;
+        for (NoisyLight& light : lights) light = {black, ImageF(camera.width, camera.height)};
         guides.rays = own_share;
-        guides.wraps = eye.panorama;
+        guides.wraps = camera.panorama;
     }
     void set(int x, int y, const PixelSum& p) {
         const float of_own = 1 / static_cast<float>(p.own.count), of_all = 1 / static_cast<float>(p.taken);
         radiance.at(x, y) = p.own.radiance * of_own;
         diffuse.at(x, y) = p.own.through(0);
-        shine.at(x, y) = p.own.through(2);
+        specular.at(x, y) = p.own.through(2);
         own_share.at(x, y) = static_cast<float>(p.own.count) * of_all;
         rest_color.at(x, y) = p.rest_color * of_all;
         for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -203,7 +203,7 @@ struct NoisyPicture {
     std::vector<int> beside_pattern_edges(int y, int rays) const {
         constexpr float kContrast = 0.08f;  // of sRGB values
         const auto color_at = [&](int x, int row) {
-            return srgb_from_linear(luminance(diffuse.at(x, row) + shine.at(x, row)));
+            return srgb_from_linear(luminance(diffuse.at(x, row) + specular.at(x, row)));
         };
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
@@ -263,7 +263,7 @@ struct NoisyPicture {
         for (std::size_t k = 0; k < lights.size(); ++k) {
             const ImageColor before = lights[k].value;
             denoise(lights[k], guides, kLevels[k]);
-            const ImageColor& through = k < 2 ? diffuse : shine;
+            const ImageColor& through = k < 2 ? diffuse : specular;
             for (std::size_t i = 0; i < before.size(); ++i)
                 change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
             if (k > 0) lights[k] = {};  // the first is looked at once more, below
@@ -308,7 +308,7 @@ bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
 
 }  // namespace
 
-Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size) {
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size) {
     return {world_from_pano,
             size.width,
             size.height,
@@ -316,33 +316,33 @@ Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size) {
             kPi / static_cast<float>(size.height),
             true};
 }
-Eye perspective_eye(const Rigid& world_from_camera, const Pinhole& camera) {
+RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera) {
     return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
             1.f / camera.fx};
 }
-Vec3f world_direction(const Eye& eye, Vec2f pixel) {
-    return normalize(eye.world_from_camera.rotation * eye.direction(pixel));
+Vec3f world_direction(const RayCamera& camera, Vec2f pixel) {
+    return normalize(camera.world_from_camera.rotation * camera.direction(pixel));
 }
 
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                           const Look* look, ImageColor* albedo, const Run& run) {
     const int round = parts.denoise     ? std::max(kLeastRound, samples / 16)
                       : parts.noise > 0 ? std::min(16, samples)
                                         : samples;
-    ImageColor out(eye.width, eye.height);
+    ImageColor out(camera.width, camera.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
-    if (parts.denoise) noisy.emplace(eye);
+    if (parts.denoise) noisy.emplace(camera);
     const auto key_of_pixel = [&](int x, int y) {
         return mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
     };
     const auto towards = [&](int x, int y, Sampler& sampler) {
         const Vec2f offset = sampler.next2();
-        return world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+        return world_direction(camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
     };
-    const Vec3f from = eye.world_from_camera.translation;
+    const Vec3f from = camera.world_from_camera.translation;
     // A ray stands for its share of the pixel: patterns as wide as all of it would be smoothed twice.
-    const float ray_angle = eye.pixel_angle / std::sqrt(static_cast<float>(round));
+    const float ray_angle = camera.pixel_angle / std::sqrt(static_cast<float>(round));
     // At least so many rays.
     const auto trace = [&](int x, int y, int least) {
         PixelSum pixel;
@@ -361,50 +361,50 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
     };
     // Of what is not asked for the denoiser sees the nearest, too.
     constexpr int kContext = 2;
-    const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, eye.panorama) : ImageMask{};
+    const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, camera.panorama) : ImageMask{};
     const auto is_traced = [&](int x, int y) {
         return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0;
     };
-    Progress progress(run, "picture", eye.height);
-    parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+    Progress progress(run, "picture", camera.height);
+    parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < eye.width; ++x) {
+            for (int x = 0; x < camera.width; ++x) {
                 if (!is_traced(x, y)) continue;
                 const PixelSum pixel = trace(x, y, round);
                 if (noisy) noisy->set(x, y, pixel);
             }
         progress.advance(end - begin);
     });
-    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look_at(x, y) changes
-    // any pixel.
-    const auto look_again = [&](const auto& doubtful_in, const auto& look_at) {
-        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
-        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
+    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before refine_pixel(x, y)
+    // changes any pixel.
+    const auto refine = [&](const auto& doubtful_in, const auto& refine_pixel) {
+        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(camera.height));
+        parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = doubtful_in(y);
         });
-        parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+        parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
             run.check_stop();
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) look_at(x, y);
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) refine_pixel(x, y);
         });
     };
     // First the edges of patterns: of four rays all may lie on one side.
     if (noisy)
-        look_again([&](int y) { return noisy->beside_pattern_edges(y, round); },
-                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+        refine([&](int y) { return noisy->beside_pattern_edges(y, round); },
+               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
     // Then those of the sun's shadows: all rays may see the sun where a fifth of it is hidden, and edges would be
     // ragged.
-    constexpr int kShadowLooks = 2;
-    for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number)
-        look_again([&](int y) { return noisy->beside_shadow_edges(y, round); },
-                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    constexpr int kShadowRounds = 2;
+    for (int look_number = 0; noisy && look_number < kShadowRounds; ++look_number)
+        refine([&](int y) { return noisy->beside_shadow_edges(y, round); },
+               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
     // Then beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break.
     // Whether the rays that come next meet another surface costs little to know; where they do, it is asked beside that
     // pixel too.
-    constexpr int kLooks = 4;
+    constexpr int kOutlineRounds = 4;
     const int next = samples / 2;
-    Image<std::uint8_t> looked(noisy ? eye.width : 0, noisy ? eye.height : 0);
+    Image<std::uint8_t> looked(noisy ? camera.width : 0, noisy ? camera.height : 0);
     const auto meets_another = [&](int x, int y) {
         for (int s = round; s < next; ++s) {
             Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
@@ -415,24 +415,24 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         }
         return false;
     };
-    for (int look_number = 0; noisy && look_number < kLooks; ++look_number)
-        look_again([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
-                   [&](int x, int y) {
-                       if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
-                           noisy->set_again(x, y, trace(x, y, next));
-                   });
+    for (int look_number = 0; noisy && look_number < kOutlineRounds; ++look_number)
+        refine([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
+               [&](int x, int y) {
+                   if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
+                       noisy->set_again(x, y, trace(x, y, next));
+               });
     if (noisy) noisy->denoise_into(out, look);
     return out;
 }
 
-ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                                const Look* look, const Run& run) {
-    ImageColor out(eye.width, eye.height);
-    Progress progress(run, "paths", eye.height);
-    parallel_for(eye.height, 1, [&](std::int64_t begin, std::int64_t end) {
+    ImageColor out(camera.width, camera.height);
+    Progress progress(run, "paths", camera.height);
+    parallel_for(camera.height, 1, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < eye.width; ++x) {
+            for (int x = 0; x < camera.width; ++x) {
                 if (!is_asked_for(parts, x, y)) continue;
                 const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^
                                           (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
@@ -441,8 +441,9 @@ ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const Sho
                     Sampler sampler(key, static_cast<std::uint32_t>(s));
                     const Vec2f offset = sampler.next2();
                     const Vec3f direction = world_direction(
-                        eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
-                    sum += path_radiance(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, sampler);
+                        camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+                    sum += path_radiance(scene, camera.world_from_camera.translation, direction, camera.pixel_angle,
+                                         sampler);
                 }
                 const Vec3f mean = sum / static_cast<float>(samples);
                 out.at(x, y) = look ? develop(*look, mean) : mean;

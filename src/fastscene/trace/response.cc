@@ -41,13 +41,13 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     Response r;
     Vec3f base = s.texture.albedo * (1.f - m.metal);
     if (m.mirror > 0.5f) {
-        r.shine = fresnel;
+        r.specular = fresnel;
         return r;
     }
     base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp));
     r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
     r.behind = base * m.transmission;
-    r.shine = fresnel * coat.sharp;
+    r.specular = fresnel * coat.sharp;
     if (coat.sharp > 0) r.alpha = coat.alpha;
     return r;
 }
@@ -87,7 +87,7 @@ Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
     return s * (sine * std::cos(phi)) + t * (sine * std::sin(phi)) + n * cosine;
 }
 
-float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
+float ggx_pdf(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
     const Vec3f half = normalize(out - direction);
     const float c = dot(n, half), o = dot(out, half);
     if (!(c > 0 && o > 1e-4f) || !(alpha > 0)) return 0;
@@ -101,7 +101,7 @@ namespace {
 // None of a perfect mirror.
 float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, Vec3f direction) {
     const float cosine = dot(normal, sky.sun_dir);
-    return alpha > 0 && cosine > 0 ? ggx_density(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine
+    return alpha > 0 && cosine > 0 ? ggx_pdf(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine
                                    : 0.f;
 }
 
@@ -109,11 +109,11 @@ float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, V
 
 Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun,
                 float least_alpha) {
-    return response.shine * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
+    return response.specular * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
 }
 
-Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
-                  Vec3f direction, bool behind) {
+Vec3f sun_reflected(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
+                    Vec3f direction, bool behind) {
     const Vec3f even = (reflectance - coat.mean() * coat.sharp) * (1 / kPi);
     if (behind) return even * transmission;
     const float facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);

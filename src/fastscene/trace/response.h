@@ -10,7 +10,7 @@ namespace fastscene {
 // alpha).
 struct Response {
     Vec3f diffuse, behind;
-    Vec3f shine;
+    Vec3f specular;
     float alpha = 0;
 };
 Response response_of(const SurfacePointInfo& surface, Vec3f direction);
@@ -44,7 +44,7 @@ Vec3f mean_reflectance(const Material& material, Vec3f albedo);
 // A half vector of the GGX distribution about n; u in [0, 1)^2.
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u);
 // Density per solid angle of the direction that mirroring `direction` in such a half vector gives.
-float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out);
+float ggx_pdf(Vec3f n, float alpha, Vec3f direction, Vec3f out);
 // The radiance towards -direction of the sun in a glossy surface, whose disc no ray meets by chance; `sun`: its
 // irradiance there. Surfaces smoother than `least_alpha` spread it as if they were that rough, so that no pixel
 // sparkles; a perfect mirror shows none.
@@ -55,8 +55,8 @@ Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response&
 // The radiance towards -direction, per unit of the sun's irradiance on it, of a surface that no camera looks at:
 // evenly, and as a mirror of its gloss would. The floor before a row of lacquered fronts in the sun is a quarter
 // brighter than even light would have it. `behind`: a sheet's far side.
-Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
-                  Vec3f direction, bool behind);
+Vec3f sun_reflected(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
+                    Vec3f direction, bool behind);
 // Cosine-weighted direction about n; u in [0, 1)^2.
 Vec3f cosine_direction(Vec3f n, Vec2f u);
 

@@ -13,7 +13,7 @@
 
 namespace fastscene {
 
-// Veach's power heuristic for one sample of each kind: the weight of the one with density `mine`.
+// Veach's power heuristic for one sample of each kind: the weight of the one with pdf `mine`.
 inline float power_heuristic(float mine, float other) {
     return mine * mine / std::max(1e-20f, mine * mine + other * other);
 }

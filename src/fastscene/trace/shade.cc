@@ -45,12 +45,12 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
                                                              : IrradianceCache::Reading{};
     const Vec3f reflectance = mean_reflectance(m, s.texture.albedo);
     const Coat coat = m.mirror > 0.5f ? Coat{} : coat_of(m, s.texture.albedo, s.texture.roughness);
-    const auto sent_on = [&](bool behind) {
-        return sun_sent_on(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind);
+    const auto reflected = [&](bool behind) {
+        return sun_reflected(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind);
     };
     const Vec3f even = reflectance * (front.irradiance * (1.f - m.transmission) + back.irradiance * m.transmission) *
                        (1.f / kPi),
-                sun = front.sun * sent_on(false) + back.sun * sent_on(true);
+                sun = front.sun * reflected(false) + back.sun * reflected(true);
     return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission, even + sun * scene.room.look.sun_seen, hit};
 }
 
@@ -68,15 +68,15 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     Vec3f asked{};
     const float which = sampler.next();
     const Vec2f uv = sampler.next2();
-    const Lights::Towards light = scene.lights.draw(scene.room, s.position, s.normal, which, uv);
-    if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
-        const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
+    const Lights::LightSample light = scene.lights.draw(scene.room, s.position, s.normal, which, uv);
+    if (light.pdf > 0 && dot(light.direction, s.normal) > 0.01f) {
+        const float cone = ggx_pdf(s.bumped, r.alpha, direction, light.direction);
         if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
-            asked = light.radiance * (cone * power_heuristic(light.density, cone) / light.density);
+            asked = light.radiance * (cone * power_heuristic(light.pdf, cone) / light.pdf);
     }
     if (max_component(seen.light) > 0) {
-        const float density = scene.lights.density(scene.room, s.position, s.normal, out, seen.hit);
-        seen.light = seen.light * power_heuristic(ggx_density(s.bumped, r.alpha, direction, out), density);
+        const float pdf = scene.lights.pdf(scene.room, s.position, s.normal, out, seen.hit);
+        seen.light = seen.light * power_heuristic(ggx_pdf(s.bumped, r.alpha, direction, out), pdf);
     }
     Vec3f met = seen.light + seen.rest;
     // A single bright thing met by chance would sparkle: it is held to a few times the light around.
@@ -87,11 +87,11 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
 
 // How probable it is that a frugal picture traces what a surface mirrors: the more, the more of what it sends on that
 // is. A coat of 4 % over a light wall costs three rays of four and adds a twentieth.
-float chance_of_reflection(const Response& r) {
+float reflection_probability(const Response& r) {
     constexpr float kOften = 4.f, kLeast = 0.15f;
     if (r.alpha == 0) return 1;  // a mirror's image is sharp
-    const float shine = luminance(r.shine), all = shine + luminance(r.diffuse) + luminance(r.behind);
-    return std::clamp(kOften * shine / std::max(1e-6f, all), kLeast, 1.f);
+    const float specular = luminance(r.specular), all = specular + luminance(r.diffuse) + luminance(r.behind);
+    return std::clamp(kOften * specular / std::max(1e-6f, all), kLeast, 1.f);
 }
 
 // Light on a surface, without the sun's own: from the cache, and where that is too coarse, one estimate of the very
@@ -125,7 +125,7 @@ Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Sh
     const Pane pane = pane_of(s, direction);
     Shaded out = shade_from(scene, s.position + direction * kBehindPane_m, direction, pixel_angle, travelled, panes - 1,
                             sampler);
-    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine})
+    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.specular})
         *light = *light * pane.through;
     const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
     const Mirrored seen = mirrored_radiance(scene, offset_from(s.position, s.normal), mirror, pixel_angle, true, 1);
@@ -147,7 +147,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
                                           pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
     Response r = response_of(s, direction);
-    if (m.mirror <= 0.5f && max_component(r.shine) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
+    if (m.mirror <= 0.5f && max_component(r.specular) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
     out.albedo = s.texture.albedo;
     out.position = s.position;
     out.normal = s.normal;
@@ -169,12 +169,13 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
         out.light += r.behind * scene.light.at(s.position, -s.normal) * (1.f / kPi);
         out.sun += r.behind * sun(-s.normal) * (1.f / kPi);
     }
-    if (max_component(r.shine) > 0) {
-        out.shine = r.shine;
-        const float chance = scene.frugal ? chance_of_reflection(r) : 1.f;
-        if (chance == 1.f || sampler.next() < chance)
-            out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler) /
-                           chance;
+    if (max_component(r.specular) > 0) {
+        out.specular = r.specular;
+        const float probability = scene.frugal ? reflection_probability(r) : 1.f;
+        if (probability == 1.f || sampler.next() < probability)
+            out.mirrored = r.specular *
+                           glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler) /
+                           probability;
         if (luminance(front_sun) > 0)
             out.mirrored += sun_glint(scene.room.sky, s, r, direction, front_sun, kSharpestSun);
     }

@@ -27,7 +27,7 @@ struct Shaded {
     Vec3f radiance;
     Vec3f albedo;
     Vec3f light, sun, mirrored;  // radiances: of diffuse light but the sun's, of the sun's, of what the surface mirrors
-    Vec3f diffuse, shine;        // what the first two, and the third, were multiplied by
+    Vec3f diffuse, specular;     // what the first two, and the third, were multiplied by
     Vec3f position, normal;      // of the first hit; a normal of zero: none
 };
 // `pixel_angle`: how wide the sample is, radians; patterns finer than that fade to their mean.

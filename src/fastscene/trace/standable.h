@@ -23,9 +23,9 @@ inline StandableFloor passable_floor(const TracedRoom& room, Body body = {}) {
     body.clear_m = body.pass_m;
     return standable_floor(room, body);
 }
-// Whether an eye at this point has so much air around it.
-inline bool has_air(const TracedRoom& room, Vec3f eye, float radius_m) {
-    return room.clearance(eye, radius_m) >= radius_m;
+// Whether an viewpoint at this point has so much air around it.
+inline bool has_air(const TracedRoom& room, Vec3f viewpoint, float radius_m) {
+    return room.clearance(viewpoint, radius_m) >= radius_m;
 }
 
 }  // namespace fastscene

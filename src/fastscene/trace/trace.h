@@ -74,9 +74,9 @@ class TracedRoom {
     TracedRoom& operator=(TracedRoom&&) noexcept;
 
     // Gathers the light (the long part) and fixes the exposure as seen from the world's origin. Needed before any
-    // color. The same seed gives the same light for any number of threads. `eyes`: the places about which pictures will
-    // be taken.
-    void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& eyes = {Vec3f{}});
+    // color. The same seed gives the same light for any number of threads. `viewpoints`: the places about which
+    // pictures will be taken.
+    void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
     // `seed` varies the camera samples only; the light is the room's.
     Shot panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const;

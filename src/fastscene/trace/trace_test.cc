@@ -535,12 +535,12 @@ TEST(Trace, TwoSetsOfCameraRaysAgree) {
 // where they meet.
 TEST(Trace, NoRayLeavesAClosedRoom) {
     const TracedRoom room(furnished_room());
-    Random dice(8, "rays");
+    Random rng(8, "rays");
     int lost = 0;
     for (int i = 0; i < 400'000; ++i) {
-        const Vec3f from{dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f)};
-        Vec3f to{dice.uniform(kLow.x, kHigh.x), dice.uniform(kLow.y, kHigh.y), dice.chance(0.5f) ? kLow.z : kHigh.z};
-        if (i % 2) to.x = dice.chance(0.5f) ? kLow.x : kHigh.x;  // an edge of the room
+        const Vec3f from{rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f)};
+        Vec3f to{rng.uniform(kLow.x, kHigh.x), rng.uniform(kLow.y, kHigh.y), rng.chance(0.5f) ? kLow.z : kHigh.z};
+        if (i % 2) to.x = rng.chance(0.5f) ? kLow.x : kHigh.x;  // an edge of the room
         lost += std::isinf(room.distance(from, normalize(to - from)));
     }
     EXPECT_EQ(lost, 0);

@@ -17,10 +17,10 @@ constexpr EquirectSize kSphere{256, 128};
 
 ViewSet spheres(const SyntheticWorld& world, float spread_m) {
     ViewSet set;
-    Random dice(3, "places");
+    Random rng(3, "places");
     for (int i = 0; i < 12; ++i) {
-        const Vec3f place{dice.uniform(-spread_m, spread_m), dice.uniform(-spread_m, spread_m),
-                          dice.uniform(-spread_m, spread_m)};
+        const Vec3f place{rng.uniform(-spread_m, spread_m), rng.uniform(-spread_m, spread_m),
+                          rng.uniform(-spread_m, spread_m)};
         View view;
         view.camera.width = kSphere.width, view.camera.height = kSphere.height;
         view.model = CameraModel::equirectangular;

@@ -1,4 +1,4 @@
-// What visitors see through the windows of a known room. No standpoint need look there: close to a window one sees
+// What visitors see through the windows of a known room. No viewpoint need look there: close to a window one sees
 // the ground below it, which from the middle of the room is hidden by the wall.
 #pragma once
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fastscene/walk/standpoints.h"
+#include "fastscene/walk/room_viewpoints.h"
 
 namespace fastscene {
 namespace {
@@ -44,7 +44,7 @@ Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, Equirec
 }
 
 // The width of the sharpest reflection that harmonics of degree 2 can hold. A sharper one differs between neighbouring
-// standpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
+// viewpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
 constexpr float kMinAlpha = 0.3f;
 
 }  // namespace
@@ -55,18 +55,18 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     if (!first.mirrored_range.empty()) first.range = std::move(first.mirrored_range);
     first.mirrored_range = {};
     Json about{{"kind", kRoomWalk}, {"standable_m2", standable_area_m2(floor)}};
-    Standpoints standpoints = choose_standpoints(room, floor, {.most = params.standpoints}, run);
-    if (standpoints.samples == 0) {
+    RoomViewpoints viewpoints = choose_room_viewpoints(room, floor, {.most = params.room_viewpoints}, run);
+    if (viewpoints.samples == 0) {
         run.warn(
             "nobody can stand in this room: it is looked at from around the first panorama only, and breaks where one "
             "goes farther");
-        standpoints.positions_m = choose_viewpoints(first, params);
+        viewpoints.positions_m = choose_viewpoints(first, params);
     } else {
-        about["unseen_share"] = standpoints.unseen_share;
-        about["coarse_share"] = standpoints.coarse_share;
-        about["one_sided_share"] = standpoints.one_sided_share;
+        about["unseen_share"] = viewpoints.unseen_share;
+        about["coarse_share"] = viewpoints.coarse_share;
+        about["one_sided_share"] = viewpoints.one_sided_share;
     }
-    about["standpoints"] = standpoints.positions_m.size();
+    about["viewpoints"] = viewpoints.positions_m.size();
     ShotParts parts = shot;
     parts.pixel_samples = params.pixel_samples;
     parts.contacts = parts.denoise = false;  // what is noise in one view is averaged by the splats
@@ -76,11 +76,11 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     const int width = params.width > 0 ? params.width / 2 * 2 : first.color.width;
     const Rigid pose = first.world_from_pano;
     take(std::move(first));
-    Progress progress(run, "walk", static_cast<std::int64_t>(standpoints.positions_m.size()));
-    for (std::size_t i = 0; i < standpoints.positions_m.size(); ++i) {
+    Progress progress(run, "walk", static_cast<std::int64_t>(viewpoints.positions_m.size()));
+    for (std::size_t i = 0; i < viewpoints.positions_m.size(); ++i) {
         run.check_stop();
-        // Other camera rays at each standpoint: what is noise in one panorama is not in the next.
-        take(seen_from(room, {pose.rotation, standpoints.positions_m[i]}, {width, width / 2}, parts,
+        // Other camera rays at each viewpoint: what is noise in one panorama is not in the next.
+        take(seen_from(room, {pose.rotation, viewpoints.positions_m[i]}, {width, width / 2}, parts,
                        Run{run.seed + i + 1, nullptr, run.stop}));
         progress.advance();
     }

@@ -17,9 +17,9 @@ namespace fastscene {
 struct WalkParams {
     std::string kind = "auto";
     // "room": panoramas of a known room.
-    int standpoints = 24;    // most, besides panorama 0
-    int width = 0;           // of a standpoint's panorama; 0: of panorama 0
-    int pixel_samples = 16;  // camera rays a pixel; the splats average over views
+    int room_viewpoints = 24;  // most, besides panorama 0
+    int width = 0;             // of a viewpoint's panorama; 0: of panorama 0
+    int pixel_samples = 16;    // camera rays a pixel; the splats average over views
     // "ours": panoramas around the first one, holes inpainted.
     int viewpoints = 14;     // new ones, besides panorama 0
     float reach_m = 0.7f;    // farthest viewpoint from panorama 0
@@ -30,7 +30,7 @@ struct WalkParams {
     std::string inpainter = "auto";
     std::string inpaint_weights;
 };
-// The room behind a prompt is looked at from standpoints all over it: nothing is painted (room_walk.h).
+// The room behind a prompt is looked at from viewpoints all over it: nothing is painted (room_walk.h).
 inline constexpr const char* kRoomWalk = "room";
 // Not painted at all: where panorama 0's room is known, what it hid is looked at.
 inline constexpr const char* kLookIntoRoom = "room";
@@ -46,17 +46,16 @@ inline std::vector<std::string> walk_kinds() {
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
     v("kind", p.kind, Choices{walk_kinds()},
-      "How to walk: room, panoramas of the room behind a prompt from standpoints all over it; ours, around the first "
+      "How to walk: room, panoramas of the room behind a prompt from viewpoints all over it; ours, around the first "
       "panorama with holes "
       "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama "
       "itself (paper-direct), "
       "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else "
       "ours.");
-    v("standpoints", p.standpoints, Bounds{0, 400},
-      "Room: most standpoints besides the first panorama; fewer where fewer see all.");
-    v("width", p.width, Bounds{0, 8192},
-      "Room: width of a standpoint's panorama in pixels; 0 = as the first panorama.");
-    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a standpoint's panorama.");
+    v("room-viewpoints", p.room_viewpoints, Bounds{0, 400},
+      "Room: most viewpoints besides the first panorama; fewer where fewer see all.");
+    v("width", p.width, Bounds{0, 8192}, "Room: width of a viewpoint's panorama in pixels; 0 = as the first panorama.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a viewpoint's panorama.");
     v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
     v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
     v("clearance", p.clearance, Bounds{0.05, 0.95},

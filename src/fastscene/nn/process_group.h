@@ -1,6 +1,6 @@
-// Team: processes that train one network together (data-parallel: Goyal et al. 2017). Each computes the gradients of
-// its own examples, all take their mean, so that all networks stay the same; the first keeps the folder. Through
-// libtorch's Gloo, over TCP. Private to nn/ (torch).
+// ProcessGroup: processes that train one network together (data-parallel: Goyal et al. 2017). Each computes the
+// gradients of its own examples, all take their mean, so that all networks stay the same; the first keeps the folder.
+// Through libtorch's Gloo, over TCP. Private to nn/ (torch).
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace fastscene::nn {
 
-class Team {
+class ProcessGroup {
   public:
     // Nothing when params.processes is 1. Otherwise waits until all have come to params.meet. Throws UsageError for a
     // place that is none or a process beyond the last, Error when the others do not come within `patience_s`.
-    static std::unique_ptr<Team> meet(const TrainingParams& params, double patience_s = 600);
-    ~Team();
+    static std::unique_ptr<ProcessGroup> meet(const TrainingParams& params, double patience_s = 600);
+    ~ProcessGroup();
 
     int size() const { return size_; }
     int process() const { return process_; }
@@ -27,9 +27,9 @@ class Team {
     std::int64_t from_first(std::int64_t number) const;
 
   private:
-    struct Group;
-    Team(std::unique_ptr<Group> group, int size, int process);
-    std::unique_ptr<Group> group_;
+    struct Connection;
+    ProcessGroup(std::unique_ptr<Connection> group, int size, int process);
+    std::unique_ptr<Connection> group_;
     int size_, process_;
 };
 
