@@ -20,7 +20,7 @@ struct Egformer::State {
 
 namespace {
 
-// The file says how wide its first stage is; a file of ours also says at what size it was trained.
+// The width of the first stage follows from the file; our files also state the training resolution.
 EgformerShape shape_of(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
     if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
@@ -39,7 +39,7 @@ EgformerShape shape_of(const Weights& weights) {
     return shape;
 }
 
-// Every parameter is asked for once on a tiny picture, so that a file that lacks one is refused before any work.
+// Requests every parameter once on a tiny picture, so that an incomplete file is refused before any work.
 void check_all_keys(nn::LoadedWeights& weights, EgformerShape shape) {
     shape.height = 32;
     shape.width = 64;
@@ -79,7 +79,7 @@ ImageF Egformer::relative_depth(const ImageColor& color, int augmentations) cons
     at::Tensor input = at::empty({1, 3, size.height, size.width});
     float* planes = input.data_ptr<float>();
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        // Through 8 bits: what the network was trained on.
+        // Quantized to 8 bits, like the network's training data.
         const Rgb8 c = srgb8_from_linear(seen.pixels[i]);
         planes[i] = static_cast<float>(c.r) / 255.f;
         planes[seen.size() + i] = static_cast<float>(c.g) / 255.f;

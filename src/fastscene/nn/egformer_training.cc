@@ -19,7 +19,7 @@ namespace {
 
 using at::Tensor;
 
-constexpr float kUnit = 16.f;  // of targets, metres
+constexpr float kUnit = 16.f;  // metres per unit of the network's output
 
 // color [N, 3, H, W] in 0..1, truth and mask [N, 1, H, W].
 nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShape& shape) {
@@ -46,8 +46,7 @@ nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShap
 
 double logit(double p) { return std::log(p / (1 - p)); }
 
-// Before anything is learned the network says what stands at that latitude in a mean room; its last layer begins near
-// zero.
+// The initial network predicts the mean range at each latitude; its last layer starts near zero.
 nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
     nn::Start random = nn::start_he(seed, 1);
     if (!training.start.empty()) random = nn::start_from(load_weights(training.start), "patch_embed.0.weight", random);
@@ -87,7 +86,7 @@ ImageF picture_of(const Tensor& map) {  // [1, 1, H, W]
     return out;
 }
 
-// Color, truth and what the network says of it, one picture a row.
+// Preview: color, ground truth and prediction, one example per row.
 class Sheet {
   public:
     Sheet(const EgformerShape& shape, int rows) : shape_(shape), image_(3 * shape.width, rows * shape.height) {}
@@ -111,7 +110,7 @@ class Sheet {
 EgformerTrained train_egformer(const EgformerTraining& training, const std::filesystem::path& folder, const Run& run) {
     const EgformerShape& shape = training.shape;
     const at::Device device = nn::training_device(training.training);
-    // On a CPU libtorch 1.13 has no layer norm of bfloat16 with parameters in single precision.
+    // On a CPU, libtorch 1.13 lacks a bfloat16 layer norm with single precision parameters.
     if (training.training.precision == "bf16" && device.is_cpu())
         throw UsageError("--precision bf16: expected for this network with --device cuda only, found a CPU");
     const bool bf16 = device.is_cuda() && nn::trains_in_bf16(training.training);

@@ -22,7 +22,7 @@ Tensor normal_numbers(std::uint64_t seed, const std::string& key, at::IntArrayRe
 
 bool is_spectral_vector(std::string_view key) { return key.ends_with("weight_u") || key.ends_with("weight_v"); }
 
-// `deviation` of a kernel with so many inputs.
+// Normal with the standard deviation `deviation`(fan-in).
 Start start_with(std::uint64_t seed, std::function<double(double inputs)> deviation) {
     return [seed, deviation](const std::string& key, at::IntArrayRef shape) -> Tensor {
         if (is_spectral_vector(key)) {
@@ -89,7 +89,7 @@ Learner::Learner(std::string name, const Start& start, at::TensorOptions options
     for (const auto& [key, tensor] : weights_.all()) ema_.get(key, tensor.sizes()).set_requires_grad(false);
 }
 
-// One for every parameter, so that all processes of a group send as many numbers.
+// One per parameter, with zeros where there is none, so that all processes of a group send the same sizes.
 std::vector<Tensor> Learner::gradients() const {
     std::vector<Tensor> out;
     for (const auto& [key, parameter] : adam_.parameters()) {
@@ -116,7 +116,7 @@ double Learner::update(double learning_rate) {
     adam_.settings.learning_rate = learning_rate;
     adam_.step();
     adam_.forget_gradients();
-    // A young average forgets its random beginning faster.
+    // The decay is smaller at first, so that the EMA forgets its random initialization sooner.
     const double stays = std::min(settings_.ema_decay,
                                   (1.0 + static_cast<double>(adam_.steps)) / (10.0 + static_cast<double>(adam_.steps)));
     for (const auto& [key, tensor] : weights_.all()) {

@@ -15,7 +15,8 @@ namespace fastscene::nn {
 namespace {
 
 using Patience = std::chrono::milliseconds;
-constexpr double kPatience_s = 3600;  // the first may look at many held-out pictures while the others wait
+// long enough for the first process to evaluate many held-out pictures while the others wait
+constexpr double kPatience_s = 3600;
 
 struct Place {
     std::string host;
@@ -32,7 +33,7 @@ Place place_from(const std::string& text) {
     return {text.substr(0, colon), static_cast<std::uint16_t>(port)};
 }
 
-// One long vector and back: one message instead of one a tensor.
+// Flattened into one vector and back: one message instead of one per tensor.
 at::Tensor together(const std::vector<at::Tensor>& tensors) {
     std::vector<at::Tensor> flat;
     for (const at::Tensor& t : tensors) flat.push_back(t.detach().to(at::kCPU, at::kFloat).reshape(-1));

@@ -1,6 +1,6 @@
-// ProcessGroup: processes that train one network together (data-parallel: Goyal et al. 2017). Each computes the
-// gradients of its own examples, all take their mean, so that all networks stay the same; the first keeps the folder.
-// Through libtorch's Gloo, over TCP. Private to nn/ (torch).
+// ProcessGroup: data-parallel training of one network by several processes (Goyal et al. 2017). Each computes the
+// gradients of its own examples, and all average them, so the networks stay identical; process 0 writes the folder.
+// Uses libtorch's Gloo backend over TCP. Private to nn/ (torch).
 #pragma once
 
 #include <memory>
@@ -13,17 +13,18 @@ namespace fastscene::nn {
 
 class ProcessGroup {
   public:
-    // Nothing when params.processes is 1. Otherwise waits until all have come to params.meet. Throws UsageError for a
-    // place that is none or a process beyond the last, Error when the others do not come within `patience_s`.
+    // Returns null if params.processes is 1. Otherwise waits until all processes have joined at params.meet. Throws
+    // UsageError for an invalid address or process index, and Error if the others do not join within `patience_s`.
     static std::unique_ptr<ProcessGroup> meet(const TrainingParams& params, double patience_s = 600);
     ~ProcessGroup();
 
     int size() const { return size_; }
     int process() const { return process_; }
-    // Every process calls these in the same order with tensors of the same shapes. They throw Error when another
-    // process is gone.
-    void mean(const std::vector<at::Tensor>& tensors) const;        // in place
-    void from_first(const std::vector<at::Tensor>& tensors) const;  // in place: what the first process has
+    // Collectives: every process must call them in the same order with tensors of the same shapes. They throw Error if
+    // another process is gone.
+    void mean(const std::vector<at::Tensor>& tensors) const;  // averages in place (all-reduce)
+    // overwrites with the first process's values (broadcast)
+    void from_first(const std::vector<at::Tensor>& tensors) const;
     std::int64_t from_first(std::int64_t number) const;
 
   private:

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kShares = 1000;  // units of the progress shown
+constexpr int kShares = 1000;  // resolution of the progress display
 
 double minutes_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count() / 60;
@@ -51,7 +51,7 @@ std::int64_t metadata_number(const Weights& checkpoint, const std::string& name)
     return std::stoll(found->second);
 }
 
-// The number of steps done; 0 when the folder is new.
+// The number of steps done; 0 in a new folder.
 std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
     if (!fs::exists(checkpoint_of(folder))) return 0;
     const Weights checkpoint = load_weights(checkpoint_of(folder));
@@ -60,7 +60,7 @@ std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
     return metadata_number(checkpoint, "step");
 }
 
-// One folder, one training.
+// Records the settings in a new folder, or checks them against an existing one.
 void settle_settings(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     Json wanted = lasting_settings(params);
     wanted["seed"] = run.seed;
@@ -75,7 +75,7 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// What the first process has, checkpoint and all, for those that joined it.
+// Broadcasts the first process's state, including its checkpoint, to the group.
 std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, const ProcessGroup& group) {
     std::vector<at::Tensor> tensors;
     for (const auto& [name, tensor] : whole_state(task)) tensors.push_back(tensor);
@@ -87,7 +87,7 @@ std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, const P
     return group.from_first(step);
 }
 
-// Means of the numbers of several steps.
+// Running means over several steps.
 class Means {
   public:
     void add(const Numbers& numbers) {
@@ -99,7 +99,7 @@ class Means {
         }
         ++count_;
     }
-    // And begins again.
+    // Returns the means and resets.
     Numbers take() {
         for (auto& [name, value] : sum_) value /= count_;
         count_ = 0;
@@ -112,7 +112,7 @@ class Means {
     int count_ = 0;
 };
 
-// The examples of each step, drawn one step ahead.
+// Draws the examples of the next step while the current one is computed.
 class Drawer {
   public:
     Drawer(const TrainingTask& task, std::uint64_t seed, const ProcessGroup* group)
@@ -152,7 +152,7 @@ double learning_rate_at(const TrainingParams& params, std::int64_t step) {
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
     const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params);
-    const bool keeps = !group || group->process() == 0;  // the folder is the first process's
+    const bool keeps = !group || group->process() == 0;  // only the first process writes
     if (keeps) {
         make_directories(folder / "sheets");
         settle_settings(task, params, folder, run);
@@ -187,7 +187,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     const auto keep = [&] {
         if (keeps) save_checkpoint(task, outcome.steps, folder);
     };
-    // All processes end after the same step: the first's clock and its user decide.
+    // All processes end after the same step: the first one's clock and user decide.
     enum : std::int64_t { goes_on, time_is_up, stopped };
     const auto now_what = [&] {
         const bool up = params.minutes > 0 && minutes_since(begin) >= params.minutes;

@@ -1,5 +1,4 @@
-// How a network is trained, whichever it is: the settings that `inpaint train` and `depth train` share. No libtorch in
-// sight.
+// Training settings shared by `inpaint train` and `depth train`. Free of libtorch.
 #pragma once
 
 #include <string>
@@ -49,7 +48,7 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
 }
 
-// What is the same whenever a training is gone on with. The other settings may change in between.
+// The settings that must not change when a training is resumed; all others may.
 inline Json lasting_settings(const TrainingParams& params) {
     Json all = fields_json(params);
     for (const char* free :

@@ -1,4 +1,4 @@
-// The loop around a step: what it learns, that a break leaves no trace, that a full disk costs no checkpoint.
+// The training loop: it learns, interruptions leave no trace, a full disk costs no checkpoint.
 #include "fastscene/nn/training.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ std::vector<float> all_numbers(const Learner& learner) {
     return out;
 }
 
-// A picture goes through GELU and leaves as tokens: the gradient comes back in another layout than the input had.
+// A picture passes through GELU and is transposed to tokens: its gradient arrives in another memory layout.
 TEST(Training, GeluHasItsGradientInAnyLayout) {
     const at::Tensor picture = at::randn({2, 8, 16, 32}), weight = at::randn({2, 16 * 32, 8});
     const auto gradient = [&](at::ScalarType type, const std::function<at::Tensor(const at::Tensor&)>& activation) {
@@ -150,7 +150,7 @@ TEST(Training, StopsWithACheckpoint) {
     EXPECT_EQ(again.learner.steps(), 20);
 }
 
-// A port that nobody listens at.
+// An unused TCP port.
 int free_port() {
     const int s = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in at{};
@@ -163,13 +163,14 @@ int free_port() {
     return ntohs(at.sin_port);
 }
 
-// Two with a batch each learn what one learns from both batches; the first alone writes, and where it stops all stop.
+// Two processes with a batch each learn the same as one process with both batches; only the first writes, and when it
+// stops, all stop.
 TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
     constexpr int kSteps = 20;
     const Folder one("fastscene-training-one"), first("fastscene-training-first"), second("fastscene-training-second");
     Lesson alone;
     const auto draw = alone.task.draw;
-    const auto of_step = [&](std::int64_t step) {  // the rng of both processes
+    const auto of_step = [&](std::int64_t step) {  // the random streams of both processes
         Random a(7, "training step", static_cast<std::uint64_t>(2 * step)),
             b(7, "training step", static_cast<std::uint64_t>(2 * step + 1));
         return Batch{at::cat({draw(a)[0], draw(b)[0]})};
@@ -201,14 +202,14 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
 TEST(Training, ATeamThatDoesNotMeetSaysSo) {
     TrainingParams params = quick(1);
     params.processes = 2;
-    EXPECT_THROW(ProcessGroup::meet(params), UsageError);  // no place
+    EXPECT_THROW(ProcessGroup::meet(params), UsageError);  // invalid address
     params.meet = "localhost:0";
     EXPECT_THROW(ProcessGroup::meet(params), UsageError);
     params.meet = fmt::format("localhost:{}", free_port());
     params.process = 2;
     EXPECT_THROW(ProcessGroup::meet(params), UsageError);
     params.process = 0;
-    EXPECT_THROW(ProcessGroup::meet(params, 0.5), Error);  // nobody comes
+    EXPECT_THROW(ProcessGroup::meet(params, 0.5), Error);  // nobody joins
 }
 
 TEST(Training, AFolderKeepsItsSettings) {

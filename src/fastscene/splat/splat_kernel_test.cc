@@ -1,4 +1,4 @@
-// The fast renderer against the reference, for every instruction set this processor has.
+// The fast renderer against the reference, for every instruction set that this processor supports.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -44,7 +44,7 @@ TEST_P(SplatKernel, PictureIsTheReference) {
             depth.add(engine.depth_sum(x, y), ruler.depth_sum[i]);
         }
     EXPECT_LT(color.relative(), 1e-4);
-    EXPECT_LT(transmittance.relative(), 1e-3);  // stops below 1e-4
+    EXPECT_LT(transmittance.relative(), 1e-3);  // blending stops below 1e-4
     EXPECT_LT(depth.relative(), 2e-4);
 }
 
@@ -72,8 +72,8 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
     }
 }
 
-// Adam's first step is as long as its rate: what stands beyond the reach steps farther, in proportion, and only its
-// position does.
+// Adam's first step has the length of the learning rate; beyond the reach, position steps (only those) grow in
+// proportion to the distance.
 TEST_P(SplatKernel, FarSplatsStepFarther) {
     const Pinhole camera = test_camera(75, 58);
     const Splats s = random_splats(60, 11);
@@ -128,7 +128,7 @@ TEST_P(SplatKernel, LossAndItsGradientAreTheReference) {
         }
 }
 
-// Whatever a file or a run gone wrong may hold: the splat vanishes or shows, the others stay as they are.
+// Invalid splats (from a file or a diverged run) are drawn or skipped, but never affect the others.
 TEST_P(SplatKernel, PoisonStaysWhereItIs) {
     const Pinhole camera = test_camera(64, 48);
     const Splats clean = random_splats(40, 17);
@@ -202,11 +202,11 @@ TEST(Splat, MovingWorldAndCameraTogetherChangesNothing) {
     double worst = 0;
     for (std::size_t i = 0; i < a.color.size(); ++i)
         worst = std::max(worst, static_cast<double>(length(a.color.pixels[i] - b.color.pixels[i])));
-    EXPECT_LT(worst, 5e-3);  // an alpha near 1/255 may fall on the other side
+    EXPECT_LT(worst, 5e-3);  // an alpha near 1/255 may fall on either side
 }
 
 TEST_P(SplatKernel, NumberOfThreadsDoesNotChangeAByte) {
-    const Pinhole camera = test_camera(130, 3 * kLossRows + 5);  // high enough for as many bands as threads
+    const Pinhole camera = test_camera(130, 3 * kLossRows + 5);  // enough rows for several bands
     const int before = thread_count();
     std::vector<AlignedFloats> results;
     std::vector<double> losses;

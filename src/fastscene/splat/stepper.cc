@@ -24,7 +24,7 @@ class CpuStepper : public Stepper {
     Engine engine_{choose_kernel()};
 };
 
-// Adam as in the paper, in double precision but for what is stored.
+// Adam as published, in double precision except for what is stored.
 struct AdamSlot {
     float &x, &first_moment, &second_moment;
 };

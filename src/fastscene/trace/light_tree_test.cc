@@ -21,7 +21,7 @@ Vec3f some_way(Random& rng) {
     return normalize(v);
 }
 
-// Small triangles in clumps about a room, one of twenty without power, a third of them sheets.
+// Clusters of small triangles around a room; one in twenty has no power, a third are two-sided.
 struct Lamps {
     std::vector<Corners> corners;
     std::vector<LightTree::Emitter> emitters;
@@ -61,7 +61,7 @@ TEST(LightTree, ChancesAreThoseOfDrawing) {
         constexpr int kDraws = 400;
         for (int s = 0; s < kDraws; ++s) {
             const LightTree::SampledEmitter drawn = tree.draw(at, normal, rng.uniform());
-            if (drawn.emitter < 0) continue;  // no lamp of a node that may shine here does
+            if (drawn.emitter < 0) continue;  // a node may overestimate: no emitter in it reaches the point
             ++found;
             ASSERT_GT(lamps.emitters[static_cast<std::size_t>(drawn.emitter)].power, 0);
             ASSERT_NEAR(tree.probability(drawn.emitter, at, normal) / drawn.probability, 1, 1e-3);
@@ -70,7 +70,7 @@ TEST(LightTree, ChancesAreThoseOfDrawing) {
     }
 }
 
-// Nothing that shines on a place may be left out, or it would be too dark there.
+// A light that can reach a point must never have probability 0, or the point would be too dark.
 TEST(LightTree, WhatShinesHasAChance) {
     const Lamps lamps(30, 40);
     const LightTree tree(lamps.emitters);
@@ -92,7 +92,7 @@ TEST(LightTree, WhatShinesHasAChance) {
 
 TEST(LightTree, OfNothingNothingIsDrawn) {
     EXPECT_LT(LightTree({}).draw({}, {0, 1, 0}, 0.5f).emitter, 0);
-    // Many at one place, one behind the wall.
+    // Many at one position, all facing the same wall.
     const LightTree::Emitter e{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}, false, 1};
     const LightTree same(std::vector(5000, e));
     EXPECT_GE(same.draw({}, {0, 0, 1}, 0.3f).emitter, 0);

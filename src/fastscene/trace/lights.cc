@@ -10,14 +10,14 @@ namespace fastscene {
 namespace {
 
 constexpr float kLargeArea = 0.5f;
-constexpr float kSunRadius = 0.008f;  // of its disc, in radians: 0.9 degrees across
+constexpr float kSunRadius = 0.008f;  // angular radius in radians: 0.9 degrees across
 
-// Nearer than this a lamp's part is no brighter to the cache: keeps single samples from burning holes.
+// metres: closer lamps count as this far away, which bounds the variance of single samples in the cache
 constexpr float kNearest = 0.03f;
 
-// Radiance of all that is seen through a window that shines along `into`, the root of its mean square: what is uneven
-// is to be asked more often. Not the sky's alone: by night it is far darker than a town's lit windows, and a light that
-// is asked a hundred times too seldom leaves clouds.
+// RMS radiance seen through a window that faces `into`, as its sampling weight: uneven light deserves more samples. The
+// sky alone would not do: at night lit windows across the street outshine it by far, and undersampling them leaves
+// blotches.
 float brightness_behind(const SkyTable& sky, Vec3f into) {
     constexpr std::uint32_t kWays = 1024;
     float squares = 0;
@@ -79,14 +79,14 @@ Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large
             emitters_.push_back({.mesh = static_cast<std::int32_t>(m), .triangle = t});
             tree.push_back(box_of({abc[0], abc[1], abc[2]}));
             tree.back().normal = normalize(cross(abc[1] - abc[0], abc[2] - abc[0]));
-            tree.back().two_sided = !closed_[m];  // a thin shade shines to both sides, a solid from its front
+            tree.back().two_sided = !closed_[m];  // a thin shade emits on both sides, a solid on the outside
             tree.back().power = area_of(abc) * bright;
         }
     }
     tree_.emplace(tree);
 }
 
-// Of all windows that lie in this direction, one behind the other.
+// Summed over all windows that lie in this direction, one behind the other.
 float Lights::portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const {
     float sum = 0;
     const Vec3f from = offset_from(position, normal);
@@ -125,7 +125,8 @@ Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal,
     const float far = length(to);
     if (!(far > 1e-4f)) return out;
     out.direction = to / far;
-    // The back of a solid does not shine, though its front may be too near it to stop the ray of shadow (a screen).
+    // The back of a thin solid (a screen) does not emit, though its front may be too close behind to block the shadow
+    // ray.
     const float away = dot(normalize(cross(b - a, c - a)), out.direction);
     const float there = closed_[static_cast<std::size_t>(emitter.mesh)] ? -away : std::abs(away);
     if (!(there > 1e-5f)) return out;

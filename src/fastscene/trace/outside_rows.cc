@@ -7,7 +7,7 @@
 namespace fastscene::outside {
 namespace {
 
-// Where the ray meets the plane that faces the viewer at an azimuth: metres to the right of it, and above the ground.
+// Intersection of the ray with a plane that faces the viewer at an azimuth: metres to the right, and above the ground.
 Vec2f on_plane(float da, float height, float distance_m, float eye_height_m) {
     return {std::tan(da) * distance_m, std::tan(height) * distance_m / std::max(0.05f, std::cos(da)) + eye_height_m};
 }
@@ -17,7 +17,8 @@ constexpr std::array<Vec3f, 8> kWalls{Vec3f{0.62f, 0.55f, 0.43f}, {0.66f, 0.63f,
                                       {0.6f, 0.5f, 0.46f},        {0.45f, 0.25f, 0.17f}};
 constexpr std::array<Vec3f, 3> kRoofs{Vec3f{0.3f, 0.13f, 0.08f}, {0.13f, 0.13f, 0.145f}, {0.2f, 0.15f, 0.12f}};
 
-// A pane with its frame, at a place in its bay in [0, 1] x [0, 1]. `lit`: a number in [0, 1) of the window's own.
+// A window pane with its frame; q: position within the facade's bay, in [0, 1]^2. `lit`: the window's own random number
+// in [0, 1).
 Vec3f pane(const Light& light, Vec2f q, float lit, Vec3f frame) {
     const bool bar = std::abs(q.x - 0.5f) < 0.03f || q.x < 0.07f || q.x > 0.93f || q.y < 0.05f || q.y > 0.95f ||
                      std::abs(q.y - 0.68f) < 0.02f;
@@ -26,16 +27,16 @@ Vec3f pane(const Light& light, Vec2f q, float lit, Vec3f frame) {
         const float curtain = lit > 0.85f && std::abs(q.x - 0.5f) > 0.28f ? 0.55f : 1.f;
         return Vec3f{0.38f, 0.25f, 0.12f} * (0.25f + 0.9f * (lit - 0.6f)) * curtain * (0.7f + 0.4f * q.y);
     }
-    // Glass mirrors the sky, more towards the top; behind some hangs a curtain.
+    // Glass reflects the sky, more towards the top; some windows have a curtain.
     const Vec3f mirrored = light.haze * (0.1f + 0.22f * q.y * lit);
     const bool curtain = lit < 0.35f && (q.x < 0.3f || q.x > 0.7f);
     return curtain ? lerp(mirrored, light.shade * 0.3f, 0.5f) : mirrored;
 }
 
-// How far a clump stands from the viewer, in distances of its row.
+// Distance of a clump from the viewer, relative to its row's distance.
 float depth_of(const BedRow& row, int cell) { return 0.93f + 0.14f * lattice_unit(cell, 0, 7, row.seed); }
 
-// The clump of one cell, if the ray meets it.
+// One cell's clump, if the ray hits it.
 void clump(const Light& light, const BedRow& row, int cell, float middle, float azimuth, float height, Vec3f& color) {
     static constexpr std::array<Vec3f, 4> kLeaves{
         Vec3f{0.055f, 0.09f, 0.03f}, {0.1f, 0.14f, 0.045f}, {0.1f, 0.12f, 0.085f}, {0.075f, 0.1f, 0.035f}};
@@ -55,7 +56,7 @@ void clump(const Light& light, const BedRow& row, int cell, float middle, float 
     const Vec3f normal = normalize(Vec3f{q.x, 0.25f + q.y, std::sqrt(std::max(0.1f, 1 - q.x * q.x - q.y * q.y))});
     Vec3f tone = kLeaves[static_cast<std::size_t>(rng(4) * 3.99f)] *
                  (0.35f + 0.9f * leaves + 0.5f * noise2(p * (2.2f / row.bloom_m), row.seed + 6));
-    // Flowers on a jittered grid, more of them towards the top; every third clump has leaves alone.
+    // Flowers on a jittered grid, denser towards the top; one clump in three has leaves only.
     const Vec2f g{p.x / row.bloom_m + 31.f * rng(5), p.y / row.bloom_m};
     const int gx = floor_int(g.x), gy = floor_int(g.y);
     const float off_x = g.x - static_cast<float>(gx) - 0.15f - 0.7f * lattice_unit(gx, gy, 1, row.seed + 7),
@@ -113,7 +114,7 @@ void buildings(const Light& light, const Row& row, float azimuth, float height, 
         out = pane(light, {(fx - x0) / (x1 - x0), (fy - y0) / (y1 - y0)}, lit, frame * arriving);
     } else {
         const float dirt = 0.86f + 0.22f * fbm2(p * 0.35f, 3, 0.f, row.seed + hash % 97);
-        // A ledge at every floor and above every window, its shadow below it.
+        // A ledge at every floor and above every window, with its shadow.
         float tone = fy > 0.955f ? 1.15f : fy > 0.92f ? 0.75f : 1.f;
         if (whole && fx > x0 - 0.06f && fx < x1 + 0.06f && fy > y0 - 0.05f && fy < y1 + 0.05f) tone = 1.18f;
         if (p.y > eaves - 0.35f) tone = 1.2f;
@@ -140,7 +141,7 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
         Vec3f normal{};
         float depth = -1;
         if (row.conifers) {
-            // Boughs like roofs one above the other.
+            // Conifer: tiers of branches.
             const float t = (p.y - trunk) / (high - trunk), bough = t * 7.f - std::floor(t * 7.f);
             const float half = 0.62f * r * (1 - t) * (0.82f + 0.36f * (1 - bough)) + 0.2f * r * (leaves - 0.5f);
             if (t > 0 && half > 0 && std::abs(p.x) < half) {
@@ -166,7 +167,7 @@ void trees(const Light& light, const TreeRow& row, float azimuth, float height, 
         const float fine = noise2({p.x * 17.f / r, p.y * 17.f / r}, row.seed + 5), clump = 0.45f + 0.95f * leaves;
         Vec3f green = row.conifers ? Vec3f{0.045f, 0.075f, 0.04f}
                                    : lerp(Vec3f{0.07f, 0.1f, 0.035f}, Vec3f{0.14f, 0.15f, 0.05f}, rng(8));
-        // One in eight a copper beech or in blossom.
+        // One in eight is a copper beech or in blossom.
         if (!row.conifers && rng(9) < 0.12f)
             green = rng(10) < 0.5f ? Vec3f{0.13f, 0.055f, 0.045f} : Vec3f{0.36f, 0.25f, 0.26f};
         if (row.snow)
@@ -205,7 +206,7 @@ void beds(const Light& light, const BedRow& row, float azimuth, float height, co
     std::array<int, 5> order{-2, -1, 0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) {
         return depth_of(row, cell_at(a)) > depth_of(row, cell_at(b));
-    });  // the near ones hide the far ones
+    });  // far to near, so that near ones occlude
     for (const int k : order)
         if (const float middle = (static_cast<float>(here + k) + 0.5f) * wide - kPi; planted(middle))
             clump(light, row, cell_at(k), middle, azimuth, height, color);

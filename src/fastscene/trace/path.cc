@@ -12,17 +12,16 @@ namespace fastscene {
 namespace {
 
 constexpr int kMaxBounces = 48;
-constexpr int kSureBounces = 3;  // no path ends before by chance
+constexpr int kSureBounces = 3;  // Russian roulette starts after this many bounces
 
-// What arrives by a pdf of directions: with it, light found by chance is weighed against light asked for.
+// How a path arrived at its next vertex; its pdf gives the MIS weight of lights that it hits.
 struct Arrival {
-    float pdf = 0;  // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
-    bool lights = false;  // whether that surface also asked the lights
+    float pdf = 0;        // of the direction, at the surface it left; 0: camera or perfect mirror, light counts in full
+    bool lights = false;  // whether lights were sampled at that surface
     Vec3f from, normal;
 };
 
-// A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the pdf of
-// sampling `out`.
+// The BSDF towards -direction for light from `out`, including the cosine, and the pdf of sampling `out`.
 struct Scatter {
     Vec3f value;
     float pdf = 0;
@@ -31,8 +30,8 @@ struct Local {
     const SurfacePointInfo& s;
     const Response& r;
     Vec3f direction;
-    float relief;                // darkens or brightens what falls on the slopes of the pattern's relief
-    float p_specular, p_behind;  // chances of the three ways on; the rest is diffuse
+    float relief;                // darkens or brightens the pattern's relief by its slope
+    float p_specular, p_behind;  // lobe selection probabilities; the remainder is diffuse
 
     Scatter towards(Vec3f out) const {
         Scatter e;
@@ -53,8 +52,8 @@ struct Local {
     }
 };
 
-// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in
-// others that mirror it.
+// Next-event estimation: one lamp or window, and the sun. `first`: the camera sees this surface directly; `looking`:
+// directly or through mirrors.
 Vec3f sample_lights(const PathScene& scene, const Local& local, bool behind, bool first, bool looking,
                     Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
@@ -70,7 +69,7 @@ Vec3f sample_lights(const PathScene& scene, const Local& local, bool behind, boo
             !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
             sum += value * (power_heuristic(light.pdf, scatter.pdf) / light.pdf);
     }
-    // The sun is met by chance by nobody: its disc is not in the sky.
+    // No MIS for the sun: rays cannot hit it, its disc is not in the sky.
     const Vec2f disc = sampler.next2();
     const Vec3f facing = behind ? normal : s.bumped;
     const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) *
@@ -87,10 +86,10 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     Vec3f sum{}, throughput{1, 1, 1};
     Arrival arrival;
     float width = pixel_angle, travelled = 0;
-    bool first = true;    // the camera sees this surface
-    bool looking = true;  // mirrored at most: what lies here is looked at; after that it only lights something
+    bool first = true;    // directly visible to the camera
+    bool looking = true;  // visible to the camera, directly or through mirrors; the rest is illumination only
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
-        // One looks through panes, those that a perfect mirror shows too; light passes them.
+        // Panes are transparent to the camera, also in perfect mirrors; to light they do not exist.
         const bool clearly = looking && !(arrival.pdf > 0);
         const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
         float mis_weight = 1;
@@ -134,7 +133,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const bool backwards = kind >= local.p_specular && kind < local.p_specular + local.p_behind;
         if (next.lights) {
             next.from = s.position;
-            // One side of a thin sheet is asked, by how much it lets through.
+            // Of a thin sheet one side is sampled, chosen by its transmission.
             const float ask_behind = local.p_behind > 0
                                          ? local.p_behind /
                                                std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_specular))
@@ -169,8 +168,8 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             if (!(scatter.pdf > 0)) return sum;
             throughput = throughput * scatter.value / scatter.pdf;
             next.pdf = scatter.pdf;
-            // The lights that were asked stood on one side; what is found on the other side by chance counts in full
-            // only if that side could not have been asked.
+            // Lights were sampled on one side only; light hit on the other side counts in full only if that side could
+            // not have been chosen.
             if (next.lights && local.p_behind > 0) {
                 const bool other = dot(out, s.normal) < 0;
                 next.normal = other ? -s.normal : s.normal;

@@ -17,13 +17,13 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMostMirrors = 4;  // as many as a picture shows one in another (shade.cc)
+constexpr int kMostMirrors = 4;  // same limit as for mirrors within mirrors in pictures (shade.cc)
 
-// The plane of a mesh that is a flat mirror: nearly all of its surface is that, or the back of its pane. Zero: it is
-// none, or (a ball of small ones) shows no one image.
+// The normal of a mesh that is a flat mirror, i.e. nearly all of its surface is mirror or the back of its pane. Zero if
+// it is not, or if it has no single image (a mirror ball).
 Vec3f mirror_normal(const Room& room, const Mesh& mesh) {
     if (!(room.materials[static_cast<std::size_t>(mesh.material)].mirror > 0.5f)) return {};
-    std::vector<Vec3f> areas;  // normal times twice the area
+    std::vector<Vec3f> areas;  // normals weighted by twice the area
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return mesh.positions[mesh.triangles[i + k]]; };
         areas.push_back(cross(corner(1) - corner(0), corner(2) - corner(0)));
@@ -66,12 +66,12 @@ struct TracedRoom::Impl {
                               samples, look, albedo, run);
     }
 
-    // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
+    // Metres along the ray to the virtual image, followed through all flat mirrors on the way.
     float distance_by_mirrors(Vec3f origin, Vec3f direction, RayHit hit) const {
         float way = hit.distance;
         for (int met = 0; hit && met < kMostMirrors; ++met) {
             const Vec3f normal = mirrors[static_cast<std::size_t>(hit.mesh)];
-            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;  // no mirror, or the pane's rounded rim
+            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;  // not a mirror, or the pane's rounded rim
             const Vec3f facing = dot(direction, normal) < 0 ? normal : -normal;
             origin = offset_from(origin + direction * hit.distance, facing);
             direction = normalize(direction - normal * (2 * dot(direction, normal)));
@@ -166,14 +166,14 @@ float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const 
 }
 
 bool TracedRoom::sees(Vec3f from, Vec3f to) const {
-    constexpr float kSurface_m = 4e-3f;  // rounding, and the thickness of what lies on a surface
+    constexpr float kSurface_m = 4e-3f;  // tolerance for rounding and for thin things on a surface
     const Vec3f way = to - from;
     const float far = length(way);
     return far <= kSurface_m || !impl_->bvh.blocked(from, way / far, 0.f, far - kSurface_m);
 }
 
 float TracedRoom::clearance(Vec3f point, float limit_m) const {
-    // Inside a solid most ways out lead through back faces.
+    // Inside a solid most directions hit back faces.
     constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 1, 0},
                                          Vec3f{0, -1, 0}, Vec3f{0, 0, 1},  Vec3f{0, 0, -1}};
     int inside = 0;
