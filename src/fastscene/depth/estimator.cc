@@ -80,7 +80,7 @@ class EgformerEstimator : public DepthEstimator {
         return out;
     }
 
-    static constexpr int kSmallNetwork = 128;  // rows: eight looks of such a one take a few seconds
+    static constexpr int kSmallNetwork = 128;  // rows: below this, eight augmentations take only a few seconds
     std::vector<Egformer> networks_;
     std::string name_;
     float camera_height_m_;

@@ -15,10 +15,10 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// A box or the ellipsoid in it, turned about its vertical axis. Room frame: y down, the camera at the origin.
+// A box or its inscribed ellipsoid, rotated about its vertical axis. Room frame: y down, the camera at the origin.
 struct Thing {
     Vec3f center, half;
-    float c = 1, s = 0;  // of the turn
+    float c = 1, s = 0;  // cosine and sine of the rotation
     bool round = false;
     bool shines = false, window = false;
     Paint paint;
@@ -29,22 +29,22 @@ struct Scene {
     std::array<Paint, 6> sides;  // -x +x ceiling floor -z +z
     std::vector<Thing> things;
     std::vector<Vec3f> lamps;
-    float ambient = 0.4f, corner = 0.3f;  // corners are darker by this
+    float ambient = 0.4f, corner = 0.3f;  // light is reduced by this in corners
     bool shadows = true;
 };
 
 struct Hit {
     float t = kFar;
-    Vec3f normal, local;  // local: where on the thing, for its pattern
+    Vec3f normal, local;  // local: position on the object, for its pattern
     const Paint* paint = nullptr;
-    const Thing* thing = nullptr;  // none: the room's box
+    const Thing* thing = nullptr;  // null: the room's box
 
     bool lights() const { return thing && (thing->shines || thing->window); }
 };
 
 Vec3f turned(Vec3f v, float c, float s) { return {c * v.x - s * v.z, v.y, s * v.x + c * v.z}; }
 
-// Entry into a box around the origin; kFar when missed or begun inside.
+// Distance at which a ray enters a box around the origin; kFar if it misses or starts inside.
 float enter_box(Vec3f o, Vec3f d, Vec3f half, std::size_t& axis) {
     float near = 0, far = kFar;
     axis = 3;
@@ -112,7 +112,7 @@ bool is_shadowed(const Scene& scene, Vec3f from, Vec3f lamp) {
 Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     const Vec3f albedo = color_of(*hit.paint, hit.local, hit.normal);
     if (hit.lights()) return albedo * 3.f;
-    float open = 1;  // less light comes into corners
+    float open = 1;  // ambient occlusion in corners
     for (std::size_t a = 0; a < 3; ++a)
         if (std::abs(hit.normal[a]) < 0.7f)
             open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) *
@@ -127,9 +127,9 @@ Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     return albedo * light;
 }
 
-// ---- chance ----
+// ---- randomization ----
 
-// Whether the camera is clear of it by a hand's breadth or more.
+// Whether the camera is at least a hand's breadth away from it.
 bool clear_of_camera(const Thing& t) {
     const Vec3f o = turned(-t.center, t.c, -t.s);
     Vec3f gap;
@@ -141,7 +141,7 @@ void add(Scene& scene, Thing thing) {
     if (clear_of_camera(thing)) scene.things.push_back(thing);
 }
 
-// A box on the floor: its middle, its size, its turn.
+// A box standing on the floor, by center, size and rotation.
 Thing standing(const Scene& scene, Vec3f size, float x, float z, float turn) {
     Thing t;
     t.half = size * 0.5f;
@@ -159,7 +159,7 @@ void add_furniture(Scene& scene, Random& rng) {
     size.y = std::min(size.y, 0.95f * (scene.high.y - scene.low.y));
     float turn = static_cast<float>(rng.index(4)) * kPi / 2;
     float x = rng.uniform(scene.low.x, scene.high.x), z = rng.uniform(scene.low.z, scene.high.z);
-    if (rng.chance(0.7f)) {  // its back to a wall
+    if (rng.chance(0.7f)) {  // back against a wall
         const float back = size.z / 2 + 0.02f;
         const int wall = rng.index(4);
         turn = static_cast<float>(wall) * kPi / 2;
@@ -197,7 +197,7 @@ void add_furniture(Scene& scene, Random& rng) {
         body.round = kind > 0.93f;
         add(scene, body);
     }
-    if (size.y < 1.2f && rng.chance(0.4f)) {  // something on it
+    if (size.y < 1.2f && rng.chance(0.4f)) {  // an object on top
         Thing on = standing(scene, {rng.uniform(0.05f, 0.4f), rng.uniform(0.05f, 0.5f), rng.uniform(0.05f, 0.3f)}, x, z,
                             rng.uniform(0, kPi));
         on.center.y -= size.y;
@@ -207,7 +207,7 @@ void add_furniture(Scene& scene, Random& rng) {
     }
 }
 
-// A sheet on a wall: a picture, a window, a door, a curtain.
+// A thin panel on a wall: a picture, a window, a door, a curtain.
 void add_sheet(Scene& scene, Random& rng) {
     const int wall = rng.index(4);
     const bool along_x = wall % 2 == 0;
@@ -229,7 +229,7 @@ void add_sheet(Scene& scene, Random& rng) {
     add(scene, t);
 }
 
-// A corner of the room that belongs to another: L-shaped rooms, pillars.
+// A corner cut off from the room: L-shaped rooms, pillars.
 void add_corner(Scene& scene, Random& rng) {
     const float w = scene.high.x - scene.low.x, d = scene.high.z - scene.low.z, tall = scene.high.y - scene.low.y;
     const float x = rng.uniform(0.05f, 0.45f) * w, z = rng.uniform(0.05f, 0.45f) * d;
@@ -290,7 +290,7 @@ DepthExample painted_room(EquirectSize size, Random& rng) {
             const Vec3f d = turned(direction_of_pixel(x, y, size), c, s);
             const Hit hit = first_hit(scene, d);
             range.at(x, y) = hit.thing && hit.thing->window ? 0.f : hit.t;
-            // Another ray beside the center's softens edges.
+            // A second ray besides the center's antialiases edges.
             const Vec3f beside = turned(
                 direction_at(Vec2f{static_cast<float>(x) + rng.uniform(), static_cast<float>(y) + rng.uniform()}, size),
                 c, s);
@@ -298,7 +298,7 @@ DepthExample painted_room(EquirectSize size, Random& rng) {
             light.at(x, y) = (light_at(scene, d * hit.t, hit) + light_at(scene, beside * other.t, other)) * 0.5f;
             mean += luminance(light.at(x, y));
         }
-    // As a camera's automatic would.
+    // Automatic exposure.
     const float gain = 0.3f / std::max(1e-4f, static_cast<float>(mean / static_cast<double>(light.size())));
     for (Vec3f& v : light.pixels) v = v * gain;
     return {srgb8_from_linear(light), std::move(range)};

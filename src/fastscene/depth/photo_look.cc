@@ -19,7 +19,7 @@ Image<T> turned(const Image<T>& image, int columns, bool mirrored) {
     return out;
 }
 
-// Three taps across and three down; the picture closes at its sides.
+// Separable 3 x 3 filter with circular columns.
 ImageColor blurred(const ImageColor& image, float sigma) {
     const float side = std::exp(-0.5f / (sigma * sigma)), scale = 1 / (1 + 2 * side);
     ImageColor across(image.width, image.height), out(image.width, image.height);

@@ -12,9 +12,9 @@
 namespace fastscene {
 namespace {
 
-constexpr int kUp = 1;  // the axis
+constexpr int kUp = 1;  // index of the vertical axis
 
-// Surfaces that are painted alike: each piece as a whole, of the shell the floor, the ceiling and the walls.
+// Surfaces that share a texture: each object as a whole; of the room itself the floor, the ceiling and the walls.
 enum Part { thing = 0, walls, floor, ceiling };
 int coat_of(SurfaceId id, Vec3f direction) {
     const int piece = piece_of(id);
@@ -52,7 +52,7 @@ DepthExample repainted(const DepthExample& example, float share, Random& rng) {
     const auto direction = [&](std::size_t i) {
         return direction_of_pixel(static_cast<int>(i) % size.width, static_cast<int>(i) / size.width, size);
     };
-    std::map<int, Coat> coats;  // in the order of their numbers, so that the rng fall alike
+    std::map<int, Coat> coats;  // in the order of their ids, which makes the random numbers deterministic
     double all = 0;
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (example.range.pixels[i] <= 0) continue;
@@ -77,13 +77,13 @@ DepthExample repainted(const DepthExample& example, float share, Random& rng) {
         if (!coat.painted) continue;
         Vec3f facing{};
         facing[static_cast<std::size_t>(axis_of(id))] = 1;
-        // A pattern finer than a pixel is its mean color.
+        // A pattern finer than a pixel becomes its mean color.
         const float pixel = range * 2 * kPi / static_cast<float>(size.width),
                     clear = std::clamp(coat.paint.scale / pixel - 0.5f, 0.f, 1.f);
         const Vec3f mean = (coat.paint.a + coat.paint.b) * 0.5f,
                     albedo = mean + (color_of(coat.paint, d * range, facing) - mean) * clear;
-        // How this place is lit beside the rest of its surface; a surface in the dark, or dark of itself, which nobody
-        // knows, stays half as dark.
+        // Illumination relative to the rest of the surface. For dark surfaces it is unknown whether albedo or light is
+        // low: they stay half as dark.
         const auto shade = static_cast<float>(std::min(4., luminance(light.pixels[i]) / coat.light) *
                                               std::sqrt(coat.light * all) / 0.4);
         out.color.pixels[i] = srgb8_from_linear(albedo * shade);

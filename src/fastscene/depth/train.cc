@@ -12,16 +12,16 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kMostHeldOut = 60;  // looked at again and again
+constexpr std::size_t kMostHeldOut = 60;  // limit, since they are evaluated repeatedly
 constexpr std::size_t kPaintedHeldOut = 40;
-constexpr float kRepaintedSurfaces = 0.6f;  // of a repainted room's
+constexpr float kRepaintedSurfaces = 0.6f;  // share of a room's surfaces that are repainted
 
 void check_sizes(const DepthTrainParams& p) {
     if (p.height % 32 != 0) throw UsageError("--height: expected a multiple of 32, found {}", p.height);
     if (p.channels % 4 != 0) throw UsageError("--channels: expected a multiple of 4, found {}", p.channels);
 }
 
-// Evenly spread, so that every place keeps its part.
+// Evenly spaced, so that every place stays represented.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     if (all.size() <= most) return all;
@@ -61,7 +61,7 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         for (DepthFiles& one : find_depth_files(data)) files.push_back(std::move(one));
         names.push_back(data.string());
     }
-    // Before the rooms are painted that the training is measured with.
+    // Before the validation rooms are rendered.
     make_directories(folder);
     check_writable(folder / "training.json");
     const auto wanted = static_cast<std::size_t>(std::max(1., p.share * static_cast<double>(files.size())));

@@ -33,7 +33,7 @@ struct Plan {
     fs::path file(int picture, std::string_view ending) const {
         return fs::path(stem(picture).string() + std::string(ending));
     }
-    // The picture's own JSON is written last: where it is, the rest is.
+    // The picture's JSON is written last: if it exists, so does everything else.
     bool there(int picture) const { return fs::exists(file(picture, ".json")); }
     std::vector<int> missing(int room) const {
         std::vector<int> out;
@@ -43,7 +43,7 @@ struct Plan {
     }
 };
 
-// What must be equal for two calls to work on one folder. The number of pictures may grow.
+// Settings that two calls on the same folder must share. The number of pictures may grow.
 Json description(const Plan& plan) {
     const DatasetParams& p = plan.request.params;
     return {{"format", "fastscene dataset 1"},
@@ -74,11 +74,10 @@ void settle_description(const Plan& plan) {
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// A free place in the room: somewhere at the height of viewpoints or a tripod, clear of furniture, with floor or,
-// `over_things`, a piece of furniture below and ceiling above. A room that has no such piece is seen from over its
-// floor.
+// A free position in the room at the height of a person or a tripod, clear of furniture, with floor or (`over_things`)
+// furniture below and ceiling above. If there is no such furniture, a position over the floor is used.
 Vec3f random_place(const TracedRoom& room, bool over_things, Random& rng) {
-    constexpr float kLowestThing = 0.25f;  // a carpet is floor
+    constexpr float kLowestThing = 0.25f;  // anything lower, such as a carpet, counts as floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
         const float floor = high.y;  // y is down
@@ -89,12 +88,12 @@ Vec3f random_place(const TracedRoom& room, bool over_things, Random& rng) {
                                room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
         if (inside && as_wished && room.clearance(p, 0.35f) >= 0.35f) return p;
     }
-    return {};  // the camera of the room itself is always clear
+    return {};  // the room's own camera position is always free
 }
 
 struct Camera {
     Rigid world_from_camera;
-    Pinhole pinhole;  // of a perspective view
+    Pinhole pinhole;  // for perspective views
 };
 
 Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& rng) {
@@ -113,7 +112,7 @@ Random dice_of(const Plan& plan, int picture) {
     return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)};
 }
 
-// Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is
+// Camera positions of all pictures of a room, including existing ones, so that the light does not depend on which are
 // missing.
 std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
     std::vector<Vec3f> viewpoints;
@@ -136,7 +135,7 @@ ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& 
     return out;
 }
 
-// Millimetres; 0 = the sky, or farther than 16 bits reach.
+// Millimetres; 0 = sky, or beyond the 16-bit range.
 Image<std::uint16_t> millimetres(const ImageF& range) {
     Image<std::uint16_t> out(range.width, range.height);
     std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(), [](float r) {
@@ -145,7 +144,7 @@ Image<std::uint16_t> millimetres(const ImageF& range) {
     return out;
 }
 
-// The bare shell has no objects: its surfaces are told apart by where they face (y is down).
+// Walls, floor and ceiling are not objects: they are distinguished by their normals (y is down).
 int class_of(const Room& room, std::int32_t object, Vec3f normal) {
     if (object == -2) return 0;
     if (object == -1) return normal.y < -0.7f ? 2 : normal.y > 0.7f ? 22 : 1;
@@ -232,7 +231,7 @@ void check_request(const DatasetRequest& request) {
                          request.height);
 }
 
-// One line a picture, for loaders that want a list. Whoever finishes the set writes it.
+// A list with one line per picture, for data loaders. Written by whichever process completes the set.
 void write_index(const Plan& plan) {
     std::string lines;
     for (int i = 0; i < plan.request.count; ++i)

@@ -36,7 +36,7 @@ ImageColor blurred(const ImageColor& image, float sigma, bool wraps) {
     return out;
 }
 
-// The camera's own rendering of tones: an S about the middle, a power, blacks that are not quite black.
+// The camera's tone curve: an S-curve around mid-gray, a gamma, and lifted blacks.
 float tone(const Film& film, float v) {
     const float s = v + film.s_curve * v * (1 - v) * (2 * v - 1) * 2;
     return film.lift + (1 - film.lift) * std::pow(std::clamp(s, 0.f, 1.f), film.gamma);
@@ -47,7 +47,7 @@ float tone(const Film& film, float v) {
 Film random_film(Random& rng, bool perspective) {
     Film film;
     film.blur_px = rng.chance(0.5f) ? rng.uniform(0.25f, 0.9f) : 0.f;
-    // A third of all pictures are as good as free of noise, the worst are those of a phone at night.
+    // A third of all pictures are practically free of noise; the worst resemble a phone at night.
     const float noise = rng.chance(0.35f) ? 0.f : std::pow(rng.uniform(), 2.f);
     film.shot_noise = 0.05f * noise;
     film.read_noise = 0.012f * noise * rng.uniform();

@@ -56,7 +56,7 @@ std::string random_prompt(Random& rng) {
     return text;
 }
 
-// Patterns that may stand for each other on any surface; pictures, leaves and screens stay what they are.
+// Patterns that may replace each other on any surface; pictures, leaves and screens are excluded.
 constexpr std::array kPlain{Pattern::plain,    Pattern::plaster, Pattern::wood,   Pattern::planks,   Pattern::parquet,
                             Pattern::tile,     Pattern::checker, Pattern::brick,  Pattern::concrete, Pattern::marble,
                             Pattern::terrazzo, Pattern::fabric,  Pattern::carpet, Pattern::leather,  Pattern::stripes,
@@ -107,7 +107,7 @@ void vary_light(Room& room, Random& rng) {
     room.sky.seed = rng.next_u32();
 }
 
-// Exposure and white balance miss by what a camera's automatic misses.
+// Varies exposure and white balance by the typical errors of a camera's automatic.
 void vary_look(Look& look, Random& rng) {
     look.exposure_ev += std::clamp(0.45f * rng.normal(), -1.2f, 1.2f);
     const float warm = 0.07f * rng.normal(), green = 0.025f * rng.normal();
@@ -126,7 +126,7 @@ RandomRoom random_room(std::uint64_t seed, int index) {
     Run run;
     run.seed = rng.next_u64();
     made.room = make_room(spec, run);
-    // A third of the rooms stay as their style has them; in the rest materials stray, in some wildly.
+    // A third of the rooms keep their style; in the rest materials vary, in some extremely.
     const float strength = rng.chance(0.33f) ? 0.f : rng.uniform(0.2f, 1.5f);
     for (Material& m : made.room.materials) vary_material(m, strength, rng);
     vary_light(made.room, rng);

@@ -9,9 +9,10 @@
 namespace fastscene {
 namespace {
 
-constexpr EquirectSize kDirections{256, 128};      // 1.4 degrees apart; what lies between is taken as seen too
-constexpr int kEyes = 160;                         // over the floor
-constexpr float kLowest_m = 0.7f, kTop_m = 1.85f;  // viewpoints above the floor: who crouches, a tall adult
+constexpr EquirectSize kDirections{256,
+                                   128};  // 1.4 degrees apart; directions in between are assumed to be visible, too
+constexpr int kEyes = 160;                // random viewpoints over the floor
+constexpr float kLowest_m = 0.7f, kTop_m = 1.85f;  // viewpoint heights above the floor: crouching, and a tall adult
 
 std::vector<Vec3f> viewpoints_over(const StandableFloor& floor, const Run& run) {
     const std::vector<FloorCell> cells = standable_cells(floor);
@@ -25,7 +26,7 @@ std::vector<Vec3f> viewpoints_over(const StandableFloor& floor, const Run& run) 
     return viewpoints;
 }
 
-// Directions in which one of the viewpoints sees out, and those beside them.
+// Directions in which any viewpoint sees the outside, dilated by one.
 ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& viewpoints, const Mat3f& pano,
                          const Run& run) {
     const int w = kDirections.width, h = kDirections.height;

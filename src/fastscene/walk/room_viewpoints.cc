@@ -9,29 +9,29 @@
 namespace fastscene {
 namespace {
 
-// Eyes of visitors, metres above the floor: a child to a tall adult, and some who crouch.
+// Visitors' eye heights, metres above the floor: from a child to a tall adult, and a share who crouch.
 constexpr float kEyeLow_m = 1.2f, kEyeHigh_m = 1.8f, kCrouch_m = 0.7f, kCrouchShare = 0.15f;
-// Heights at which a panorama may be taken.
+// Camera heights for panoramas.
 constexpr std::array<float, 4> kHeights_m{0.65f, 1.15f, 1.5f, 1.85f};
-constexpr float kEyeAir_m = 0.15f;  // nobody looks from nearer to a surface
-constexpr float kLean_m = 0.6f;     // as far one leans in over a counter or a bed
+constexpr float kEyeAir_m = 0.15f;  // minimum clearance of a viewpoint from any surface
+constexpr float kLean_m = 0.6f;     // how far a viewpoint may lean in over a counter or bed
 constexpr int kMostCandidates = 420;
 constexpr int kVisitors = 640, kRaysAVisitor = 20;
-constexpr float kCloseUp_m = 0.6f;    // nearer a visitor wants no finer picture
-constexpr float kSecondView = 0.35f;  // what a second view of a surface is worth, of a first one
-constexpr float kImage_m = 0.03f;     // a mirror's image is at least so far behind it, and known so well
-constexpr float kSlant = 0.08f;       // cosine: surfaces seen more obliquely than this give no texture
+constexpr float kCloseUp_m = 0.6f;    // distances below this do not demand a finer resolution
+constexpr float kSecondView = 0.35f;  // value of a second view of a surface, relative to the first
+constexpr float kImage_m = 0.03f;     // minimum distance of a mirror image behind its mirror, and its tolerance
+constexpr float kSlant = 0.08f;       // cosine: surfaces seen at a more grazing angle give no texture
 
-// What a visitor sees.
+// A sample of what visitors see.
 struct Sample {
     enum class Kind : unsigned char {
         surface,
-        image,    // behind a flat mirror: seen from where the mirror shows it
-        outside,  // in a direction
+        image,    // behind a flat mirror: must be seen through the mirror
+        outside,  // a direction to the outside
     } kind;
-    Vec3f position;    // of a surface or an image; outside: a unit direction
-    Vec3f normal;      // of a surface
-    float demand = 0;  // pixels an area: cosine over squared distance
+    Vec3f position;    // of a surface or mirror image; for outside: a unit direction
+    Vec3f normal;      // surfaces only
+    float demand = 0;  // the visitor's pixel density on the surface: cosine over squared distance
 };
 
 Vec3f uniform_direction(Random& random) {
@@ -74,17 +74,17 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
     return samples;
 }
 
-// Places from which a panorama can be taken: over standable floor, and over what one can lean in over.
+// Candidate viewpoints: over the standable floor, and over objects that one can lean in over.
 std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floor) {
     const double area = standable_area_m2(floor) + 1;
-    // As dense as their number allows; not denser than a step.
+    // Spacing by the number that is affordable; at least 0.3 m.
     const float apart = std::max(0.3f, static_cast<float>(std::sqrt(1.6 * area * kHeights_m.size() / kMostCandidates)));
     const int stride = std::max(1, static_cast<int>(apart / floor.cell_m));
     const int lean = static_cast<int>(kLean_m / floor.cell_m);
     std::vector<Vec3f> found;
     for (int row = stride / 2; row < floor.rows; row += stride)
         for (int column = stride / 2; column < floor.columns; column += stride) {
-            // The nearest cell where one can stand; leaning, from the heights of those who stand.
+            // The nearest standable cell; leaning viewpoints must be at the height of a standing person.
             int nearest = floor.at(column, row) ? 0 : lean + 1;
             FloorCell foot{column, row};
             for (int dz = -lean; dz <= lean && nearest > 0; ++dz)
@@ -104,7 +104,7 @@ std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floo
     return found;
 }
 
-// How well a sample is seen from an viewpoint: 1 as finely as by its visitor, 0 not at all.
+// How well a viewpoint sees a sample: 1 = at the visitor's resolution, 0 = not at all.
 float sight(const TracedRoom& room, Vec3f viewpoint, const Sample& sample) {
     if (sample.kind == Sample::Kind::outside)
         return std::isfinite(room.surface(viewpoint, sample.position).distance) ? 0.f : 1.f;
@@ -120,13 +120,13 @@ float sight(const TracedRoom& room, Vec3f viewpoint, const Sample& sample) {
     return std::min(1.f, std::sqrt(cosine / (far * far) / sample.demand));
 }
 
-// What the viewpoints chosen so far make of every sample.
+// How well the viewpoints chosen so far see every sample.
 struct Coverage {
     std::vector<float> best, second;
     std::vector<int> views;
 
     explicit Coverage(std::size_t n) : best(n), second(n), views(n) {}
-    // What one more sight of sample i adds.
+    // The gain of another view of sample i with quality s.
     double gain(std::size_t i, float s) const {
         if (s <= second[i]) return 0;
         if (s <= best[i]) return kSecondView * static_cast<double>(s - second[i]);
@@ -150,7 +150,7 @@ RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFlo
     const std::size_t n = samples.size();
     chosen.samples = n;
     if (n == 0) return chosen;
-    // Row by row: how well each candidate sees each sample; panorama 0 last.
+    // One row per candidate: how well it sees each sample; panorama 0 last.
     std::vector<float> sights((viewpoints.size() + 1) * n);
     parallel_for(static_cast<std::int64_t>(viewpoints.size() + 1), 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();

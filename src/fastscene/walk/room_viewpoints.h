@@ -1,9 +1,9 @@
-// RoomViewpoints: from where to look at a known room so that all of it is seen well, wherever a visitor will stand.
+// Viewpoint selection for a known room, such that all of it is seen well from wherever a visitor may stand.
 //
-// What visitors see is sampled first: rays from random eyes over the standable floor meet surfaces, each as often as
-// visitors look at it. RoomViewpoints are then chosen one after the other, always the one that adds most to how well
-// those samples are seen (the greedy choice for a submodular cover: at least 1 - 1/e of what any choice of as many
-// could reach; Nemhauser, Wolsey, Fisher 1978).
+// First, what visitors see is sampled: rays from random positions over the standable floor hit surfaces as often as
+// visitors look at them. Then viewpoints are chosen greedily, each maximizing the gain in how well the samples are
+// seen. For this submodular objective, greedy selection reaches at least 1 - 1/e of the optimum (Nemhauser, Wolsey,
+// Fisher 1978).
 #pragma once
 
 #include <vector>
@@ -16,19 +16,19 @@ namespace fastscene {
 
 struct RoomViewpointParams {
     int most = 24;              // besides panorama 0
-    float least_gain = 0.003f;  // of all that can be gained: what adds less is not worth a panorama
+    float least_gain = 0.003f;  // share of the total possible gain: viewpoints that add less are not worth a panorama
 };
 
 struct RoomViewpoints {
-    std::vector<Vec3f> positions_m;  // world; panorama 0, at the origin, is not among them
-    // Of what visitors see of the room, in [0, 1]:
-    double unseen_share = 0;     // no viewpoint sees it
-    double coarse_share = 0;     // the best viewpoint sees it at less than half the visitor's own resolution
-    double one_sided_share = 0;  // seen by one viewpoint only
+    std::vector<Vec3f> positions_m;  // world; panorama 0, at the origin, is not included
+    // Shares of what visitors see of the room, in [0, 1]:
+    double unseen_share = 0;     // seen by no viewpoint
+    double coarse_share = 0;     // at best seen at less than half the visitor's resolution
+    double one_sided_share = 0;  // seen by a single viewpoint
     std::size_t samples = 0;
 };
 
-// Deterministic in run.seed; needs no light. No positions where nobody can stand.
+// Deterministic in run.seed; needs no light. Empty if nobody can stand in the room.
 RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFloor& floor,
                                       const RoomViewpointParams& params, const Run& run);
 

@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-// A room that a wall across it cuts in two but for a doorway at its right end.
+// A room divided by a wall with a doorway at its right end.
 Room two_rooms() {
     Room room;
     room.min_corner = kLow;
@@ -33,7 +33,7 @@ TEST(RoomViewpoints, SeeBothRoomsAndAreWhereOneCanLook) {
     EXPECT_TRUE(std::any_of(chosen.positions_m.begin(), chosen.positions_m.end(), [](Vec3f p) { return p.z > 1.f; }))
         << "none behind the wall";
     for (const Vec3f p : chosen.positions_m) EXPECT_GE(room.clearance(p, 0.15f), 0.149f);
-    // The same again, and the first few are those of a smaller choice.
+    // Deterministic, and a smaller selection is a prefix of a larger one.
     const RoomViewpoints again = choose_room_viewpoints(room, floor, {}, {}),
                          few = choose_room_viewpoints(room, floor, {.most = 2}, {});
     EXPECT_EQ(again.positions_m, chosen.positions_m);
@@ -49,7 +49,7 @@ TEST(RoomViewpoints, NobodyStandsNobodyLooks) {
     EXPECT_TRUE(choose_room_viewpoints(traced, passable_floor(traced), {}, {}).positions_m.empty());
 }
 
-// Every panorama of the walk is the room as it is from there.
+// Every panorama of the walk equals the room seen from its position.
 TEST(RoomWalkAll, PanoramasAreTrueColorAndRange) {
     TracedRoom room(two_rooms());
     room.gather_light({.cell_m = 0.2f, .cell_samples = 32}, {});

@@ -8,7 +8,7 @@
 namespace fastscene {
 namespace {
 
-// Columns crowd towards the poles: of so many pixels of a row one is traced and stands for all.
+// Columns crowd towards the poles: one of this many pixels in a row is traced and copied to the others.
 int columns_a_ray(int y, EquirectSize size) {
     const float latitude = kPi * (0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
     return std::clamp(static_cast<int>(1.f / std::max(1e-3f, std::cos(latitude))), 1, size.width);
@@ -37,14 +37,14 @@ Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, Equirec
                    const Run& run) {
     parts.range = parts.object = false;
     ImageColor color = evenly_traced(room, world_from_pano, size, parts, run);
-    // Ranges as the trainer needs them: where a flat mirror is looked into, that of the image behind it.
+    // Range for the trainer: through flat mirrors, to the virtual image.
     ImageF range = room.panorama(world_from_pano, size, {.color = false, .range = false, .mirrored_range = true}, run)
                        .mirrored_range;
     return {std::move(color), std::move(range), {}, world_from_pano};
 }
 
-// The width of the sharpest reflection that harmonics of degree 2 can hold. A sharper one differs between neighbouring
-// viewpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
+// GGX width of the sharpest reflection that SH of degree 2 can represent. Sharper ones differ between neighbouring
+// viewpoints by more than the splats can interpolate, and left patches on steel fronts and polished floors.
 constexpr float kMinAlpha = 0.3f;
 
 }  // namespace
@@ -69,7 +69,7 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     about["viewpoints"] = viewpoints.positions_m.size();
     ShotParts parts = shot;
     parts.pixel_samples = params.pixel_samples;
-    parts.contacts = parts.denoise = false;  // what is noise in one view is averaged by the splats
+    parts.contacts = parts.denoise = false;  // noise of single views averages out in the splats
     parts.noise = 0;
     parts.frugal = true;
     parts.min_alpha = kMinAlpha;
@@ -79,7 +79,7 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     Progress progress(run, "walk", static_cast<std::int64_t>(viewpoints.positions_m.size()));
     for (std::size_t i = 0; i < viewpoints.positions_m.size(); ++i) {
         run.check_stop();
-        // Other camera rays at each viewpoint: what is noise in one panorama is not in the next.
+        // Different camera rays at each viewpoint, so that noise is independent between panoramas.
         take(seen_from(room, {pose.rotation, viewpoints.positions_m[i]}, {width, width / 2}, parts,
                        Run{run.seed + i + 1, nullptr, run.stop}));
         progress.advance();
