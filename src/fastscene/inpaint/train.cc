@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTries = 200;  // draws until an example must have been found
+constexpr int kTries = 200;  // attempts after which an example must have been found
 constexpr int kCropTries = 10;
-constexpr double kLeastOpen = 0.002;  // a crop with fewer holes teaches nothing
+constexpr double kLeastOpen = 0.002;  // minimum share of hole pixels in a crop
 
 struct Square {
     ImageRgb8 truth;
@@ -41,7 +41,7 @@ Square cut(const ImageRgb8& image, const ImageMask& mask, int left, int top, int
     return out;
 }
 
-// Half the size: mean colors; a hole wherever there was one.
+// Downsamples by 2: mean colors; a hole wherever there was one.
 void shrink(ImageRgb8& image, ImageMask& mask) {
     const ImageRgb8 large = std::move(image);
     const ImageMask torn = std::move(mask);
@@ -49,7 +49,7 @@ void shrink(ImageRgb8& image, ImageMask& mask) {
     mask = ImageMask(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            int r = 2, g = 2, b = 2;  // rounds
+            int r = 2, g = 2, b = 2;  // rounds to nearest
             for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
                 const Rgb8 c = large.at(2 * x + i, 2 * y + j);
                 r += c.r, g += c.g, b += c.b;
@@ -60,8 +60,8 @@ void shrink(ImageRgb8& image, ImageMask& mask) {
         }
 }
 
-// A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face
-// is whole.
+// A crop that contains holes, but not only. For training: the one with the most hole pixels of several, since most of a
+// face is known.
 std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params,
                                      bool still, Random& rng) {
     std::optional<Square> best;
@@ -78,7 +78,7 @@ std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& ma
     return best;
 }
 
-// Another camera's idea of the same colors.
+// Color jitter: simulates another camera.
 void jitter_colors(ImageRgb8& image, float strength, Random& rng) {
     const float bright = 1 + strength * rng.uniform(-1, 1), contrast = 1 + strength * rng.uniform(-1, 1);
     const Vec3f balance{1 + strength * rng.uniform(-1, 1), 1 + strength * rng.uniform(-1, 1),
@@ -138,7 +138,7 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
     return with_fill(std::move(*square), params.network.holes == "harmonic");
 }
 
-// A handful of panoramas may leave no place to hold out: the figures are of pictures trained on then, which is said.
+// With a handful of panoramas none may be held out: then metrics are computed on training pictures, with a warning.
 HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) {
     if (fs::exists(data / "held-out")) return find_holes(data / "held-out");
     run.warn(

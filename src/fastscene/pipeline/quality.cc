@@ -5,8 +5,8 @@
 namespace fastscene {
 namespace {
 
-// Scenes from panoramas: points lie dense on every surface, and there is a backdrop behind, so splats start as closed,
-// opaque surfaces that are nearly where they belong.
+// Scenes from panoramas have dense points on every surface, and a backdrop, so splats start as closed, opaque surfaces
+// near their final positions.
 void start_closed(SplatParams& p) {
     p.start_opacity = 0.95f;
     p.start_overlap = 0.7f;
@@ -27,7 +27,7 @@ SplatParams started_as_photographs(SplatParams p) {
     return p;
 }
 
-// Two minutes a core: to see whether the prompt was understood as meant.
+// Two minutes of CPU time, to check whether the prompt was understood.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
     p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 8};
