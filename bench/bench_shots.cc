@@ -1,5 +1,5 @@
-// What a room's light and its pictures cost: CPU seconds, and how far pictures of fewer rays are from the best one.
-//   bench_shots "a bedroom" --width 1024
+// Benchmark of light and rendering: CPU seconds, and the difference of pictures with fewer rays from the best one.
+// bench_shots "a bedroom" --width 1024
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

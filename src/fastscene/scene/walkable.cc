@@ -10,7 +10,8 @@
 namespace fastscene {
 namespace {
 
-constexpr double kOffBoundary_m = 1e-3;  // what is brought inside does not lie on the boundary, where rounding decides
+// margin in metres that keeps projected points off the boundary, where rounding decides
+constexpr double kOffBoundary_m = 1e-3;
 
 Vec2d as_double(Vec2f p) { return {p.x, p.y}; }
 
@@ -45,8 +46,8 @@ bool contains(const WalkableArea& area, Vec3f position) {
 
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
     if (contains(area, point)) return point;
-    // Places beside each edge, on either side, of which the area contains one; in a sharp corner only those further
-    // from its tip.
+    // Positions on either side of each edge, one of which the area contains; in a sharp corner only those farther from
+    // its tip.
     std::vector<std::pair<double, Vec2f>> places;
     const Vec2d p = as_double(point);
     each_edge(area, [&](Vec2d a, Vec2d b) {
