@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The command line reference, docs/cli.md, made from what the program says under --help.
+"""The command line reference, docs/cli.md, generated from --help.
 
-  tests/docs/cli_reference.py PROGRAM docs/cli.md            fails when the page is not what the program says
+  tests/docs/cli_reference.py PROGRAM docs/cli.md            fails if the page is out of date
   tests/docs/cli_reference.py PROGRAM docs/cli.md --write    writes the page
 """
 import re
@@ -13,12 +13,12 @@ WIDTH = 120
 PREFACE = """\
 # Command line
 
-This page is made from `--help` by `tests/docs/cli_reference.py`; a test holds it against the program.
+This page is generated from `--help` by `tests/docs/cli_reference.py`; a test compares it with the program.
 
-`fastscene VERB …`: results go to stdout, everything else to stderr. Exit code 0: done; 1: failed; 2: wrong usage;
-128 + signal: stopped by a signal. A flag that is given twice counts the last time.
+`fastscene COMMAND …`: results go to stdout, everything else to stderr. Exit codes: 0: success; 1: failure; 2: wrong
+usage; 128 + signal: stopped by a signal. If a flag is given more than once, the last value is used.
 """
-COMMON_HEADING = "Flags of every verb"
+COMMON_HEADING = "Common flags"
 COMMON = ("-h,--help", "--threads", "--json", "--progress")
 
 
@@ -60,7 +60,7 @@ def parse(text):
             notes.append(line.strip())
         elif section.heading.startswith("Example"):
             section.lines.append(line.strip())
-        elif line.startswith("    "):  # a description below a long head
+        elif line.startswith("    "):  # a description on its own line
             head, said = section.items[-1]
             section.items[-1] = (head, (said + " " + line.strip()).strip())
         else:
@@ -68,6 +68,9 @@ def parse(text):
             head, said = (parts + [""])[:2]
             if not said and " " in head and not head.startswith("-") and len(line) > 32:
                 head, said = head.split(" ", 1)
+            # A head that just fills its column is followed by a single space.
+            if not said and (wide := re.fullmatch(r"(--\S+ \S+=\S+) (.+)", head)):
+                head, said = wide.groups()
             section.items.append((head, said))
     return introduction, usage, sections, notes
 
@@ -137,7 +140,7 @@ def page_of(program):
             out.append("\n".join(item(*i) for i in items) + "\n")
         for where, headings in elsewhere.items():
             names = ", ".join(heading[len("Settings of "):] for heading in headings)
-            out.append(paragraph(f"Settings of {names}: as of [{where}](#{where.replace(' ', '-')}).") + "\n")
+            out.append(paragraph(f"Settings of {names}: see [{where}](#{where.replace(' ', '-')}).") + "\n")
         for note in notes:
             out.append(paragraph(escaped(note)) + "\n")
         for part in parts:

@@ -185,7 +185,7 @@ expect 1 "$fastscene" splat mine --splat-steps 21
 says "mine.exr: cannot be read"
 rm mine.png
 expect 0 "$fastscene" splat mine --splat-steps 21
-says "mine.png is gone: the run goes on from what was made of it"
+says "mine.png is missing: the run continues from what was made of it"
 says "panorama: already made"
 expect 1 "$fastscene" depth mine --panorama-width 64
 says "mine.png: cannot be read"
@@ -194,10 +194,10 @@ says "mine.png: cannot be read"
 narrow() { (ulimit -v 8000000; exec "$fastscene" "$@"); }
 if narrow version >/dev/null 2>&1; then   # a sanitizer's own memory is larger
   expect 1 narrow make "$prompt" -o early "${tiny[@]}" --splat-count 20000000 --splat-sh-degree 3
-  says "--splat-count: 20000000 Gaussians with harmonics of degree 3 take"
+  says "--splat-count: 20000000 Gaussians with SH degree 3 take"
 fi
 expect 2 "$fastscene" make "$prompt" -o early "${tiny[@]}" --splat-patience 5
-says "--splat-patience: expected --splat-eval-every beside it"
+says "--splat-patience: expected together with --splat-eval-every"
 lacks early
 
 # Disks: a place that cannot be written, and a limit on the size of files in place of a full disk.

@@ -31,7 +31,7 @@ expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o two --p
 prints "two/egformer.safetensors: 4 steps; held out"
 wait "$second" || fail "the second process: $(tail -n 3 second.log)"
 grep -q "held out" second && fail "the second process tells figures of nothing: $(cat second)"
-grep -qF "done, 4 steps; process 0 keeps the network" second || fail "the second process says: $(cat second)"
+grep -qF "done, 4 steps; process 0 saves the network" second || fail "the second process says: $(cat second)"
 
 # Our own rooms as data, and what the network makes of them.
 expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 -o rooms

@@ -28,11 +28,11 @@ wait "$pid" 2>/dev/null
 has killed/painting/3.png
 rm -rf killed/panorama  # where the kill came too late
 expect 0 "${larger[@]}" -o killed
-says "the painting was there already"
-says "3 times as large: was there already"
+says "the generated picture already exists"
+says "upscaled by 3: already exists"
 is_wide killed/panorama/color.png 1536
 expect 0 "${larger[@]}" -o loft
-says "the painting was there already"
+says "the generated picture already exists"
 cmp killed/panorama/color.png loft/panorama/color.png || fail "a run that was killed ends in other bytes"
 
 # Any picture can be made larger.

@@ -11,7 +11,7 @@ has holes/train/images holes/train/masks holes/held-out/images
 expect 2 "$fastscene" inpaint dataset rooms -o holes --size 32
 says "dataset.json"
 expect 0 "$fastscene" inpaint dataset ./rooms/ -o holes --size 64 --held-out 50 --seed 3
-prints "0 made now"
+prints "0 in this run"
 expect 2 "$fastscene" inpaint dataset nowhere -o holes
 cp -r holes held_out_only && rm -r held_out_only/train
 expect 2 "$fastscene" inpaint train held_out_only -o run3
@@ -21,7 +21,7 @@ train=("$fastscene" inpaint train holes -o run --width 4 --blocks 1 --size 64 --
 expect 0 "${train[@]}" --steps 2
 has run/generator.safetensors run/checkpoint.safetensors run/curves.csv run/sheets/00000002.png
 expect 0 "${train[@]}" --steps 3
-says "goes on after step 2"
+says "resuming after step 2"
 expect 2 "${train[@]}" --steps 4 --learning-rate 1e-3
 says "training.json"
 expect 2 "$fastscene" inpaint train nowhere -o run2

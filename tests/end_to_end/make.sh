@@ -82,7 +82,7 @@ echo '{"panoramas": [{"color": "photo.pfm", "position": [0.3, -0.4, 0.2]}, {"col
 expect 0 "$fastscene" panorama --panorama other/panorama/color.png --range other/depth/range.exr --more more.json -o mixed --seed 1 "${tiny[@]:0:8}"
 says "photo.pfm: the left and the right edge do not meet"
 says "photo.pfm: no range: estimated from the picture, the camera 2 m above the floor"
-says "other/walk/001/color.png: expected a place over the floor, which lies 1.6 m below the first camera, found 1.5 m below it"
+says "other/walk/001/color.png: expected a position above the floor, which is 1.6 m below the first camera, found 1.5 m below it"
 expect 0 "$fastscene" depth mixed --depth-tta 1
 tr -d ' \n' <mixed/depth/stage.json >about
 for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":2.0' \

@@ -59,7 +59,7 @@ done
 [ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130"
 has photos/.splat.unfinished
 expect 0 "$fastscene" splat --colmap whole/views -o photos --splat-count 2000 --splat-steps $steps
-says "going on from step"
+says "resuming from step"
 lacks photos/.splat.unfinished
 expect 0 "$fastscene" splat --colmap whole/views -o straight --splat-count 2000 --splat-steps $steps
 cmp photos/splat/scene.ply straight/splat/scene.ply || fail "a stopped training ends otherwise"

@@ -92,7 +92,7 @@ if command -v ffmpeg >/dev/null; then
 fi
 sed 's/"time_s": 1/"time_s": 0.25/' path.json >short.json
 expect 0 "$fastscene" render run --path short.json -o film
-says "frames from 00002.png on are of an earlier film"
+says "frames from 00002.png on belong to an earlier film"
 if command -v ffprobe >/dev/null; then
   [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 film.mp4)" = 2 ] || fail "the film goes on in an earlier one's frames"
 fi
@@ -125,7 +125,7 @@ for target in run/splat/scene.ply linked/splat/scene.ply run/splat/scene.compres
   says "$target: expected"
 done
 expect 2 "$fastscene" convert a.spz a.spz --max-splats 5
-says "a.spz: expected another file than the one that is read"
+says "a.spz: expected an output file different from the input"
 expect 2 "$fastscene" convert a.spz run/splat/scene.ply
 cmp -s before.ply run/splat/scene.ply && cmp -s before.spz a.spz || fail "convert wrote over what it read"
 expect 1 "$fastscene" convert absent.spz none.ply

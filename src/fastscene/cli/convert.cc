@@ -49,7 +49,7 @@ void check(const Flags& flags) {
         if (!(std::abs(v) < 1e6f))
             throw UsageError("--translate: expected three numbers within a million metres, found {}", v);
     if (flags.handed == "left" && flags.up.empty())
-        throw UsageError("--handed left: expected --up y, z or -y beside it");
+        throw UsageError("--handed left: expected together with --up y, z or -y");
     for (std::size_t a = 0; a < 3 && !flags.crop.empty(); ++a)
         if (!(flags.crop[a] < flags.crop[a + 3]))
             throw UsageError("--crop: expected the low corner, then the high one, found {} and {}", flags.crop[a],
@@ -61,7 +61,7 @@ void check_target(const Flags& flags) {
     const fs::path from = scene_file(flags.from), to = flags.to;
     std::error_code absent;
     if (fs::equivalent(from, to, absent))
-        throw UsageError("{}: expected another file than the one that is read, found the same", flags.to);
+        throw UsageError("{}: expected an output file different from the input, found the same", flags.to);
     if (fs::exists(to) && fs::exists(to.parent_path() / "stage.json"))
         throw UsageError("{}: expected a file of your own, found one that belongs to a run; choose another name",
                          flags.to);
@@ -85,7 +85,7 @@ void convert(const Flags& flags, const Session& session) {
     if (flags.max_splats) splats = strongest(splats, static_cast<std::size_t>(*flags.max_splats));
     reduce_sh(splats, flags.sh_degree);
     if (splats.size() == 0 && found > 0)
-        throw Error("{}: none of {} splats is left; nothing was written", flags.from, found);
+        throw Error("{}: none of {} splats remain; nothing was written", flags.from, found);
     if (found == 0) run.warn(fmt::format("{}: has no splats", flags.from));
     const Vec3d move{flags.translate[0], flags.translate[1], flags.translate[2]};
     transform(splats, compose(world_for(flags.to, flags.up, flags.handed == "left"), {{}, flags.scale, move}));
@@ -108,39 +108,42 @@ void convert(const Flags& flags, const Session& session) {
 Verb add_convert(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand(
-        "convert", "Splats from one file format to another: .ply, .compressed.ply, .spz, .glb, .sog.");
+        "convert", "Converts splats between file formats: .ply, .compressed.ply, .spz, .glb, .sog.");
     verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
-    verb->add_option("to", flags->to, "File to write; its ending chooses the format.")->type_name("FILE")->required();
+    verb->add_option("to", flags->to, "File to write; its extension selects the format.")
+        ->type_name("FILE")
+        ->required();
     const auto axes = one_of({"y", "z", "-y"});
-    verb->add_option("--up", flags->up,
-                     "Axis that points up in the numbers written; default: the format's own (-y in PLY and SOG, y in "
-                     "SPZ and GLB).")
+    verb->add_option(
+            "--up", flags->up,
+            "Up axis of the output coordinates; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")
         ->type_name("y|z|-y")
         ->check(axes);
     verb->add_option("--from-up", flags->from_up,
-                     "Axis that points up in the numbers read, where a file does not keep to its format's own.")
+                     "Up axis of the input coordinates, if the file deviates from its format's own.")
         ->type_name("y|z|-y")
         ->check(axes);
     verb->add_option("--handed", flags->handed,
-                     "With --up: right-handed numbers, or left-handed ones (Unity: y, Unreal: z).")
+                     "With --up: right-handed or left-handed coordinates (left: Unity with y, Unreal with z).")
         ->type_name("right|left")
         ->check(one_of({"right", "left"}))
         ->capture_default_str();
-    verb->add_option("--scale", flags->scale, "Everything this many times as large (100: centimetres).")
+    verb->add_option("--scale", flags->scale, "Scale by this factor (100: centimetres).")
         ->type_name("X")
         ->capture_default_str();
-    verb->add_option("--translate", flags->translate, "Moves everything, after --scale: right, down, forward.")
+    verb->add_option("--translate", flags->translate, "Translate, after --scale: right, down, forward.")
         ->type_name("X Y Z")
         ->expected(3)
         ->default_str("0 0 0");
-    verb->add_option("--crop", flags->crop, "Keeps what lies between two corners: low right, down, forward, then high.")
+    verb->add_option("--crop", flags->crop,
+                     "Keep splats inside a box: its minimum corner (right, down, forward), then its maximum corner.")
         ->type_name("X Y Z X Y Z")
         ->expected(6);
-    verb->add_option("--max-splats", flags->max_splats, "Keeps this many, those that cover most.")->type_name("N");
-    verb->add_option("--min-opacity", flags->min_opacity, "Drops what is less opaque.")
+    verb->add_option("--max-splats", flags->max_splats, "Keep the N splats with the largest coverage.")->type_name("N");
+    verb->add_option("--min-opacity", flags->min_opacity, "Drop splats with a lower opacity.")
         ->type_name("X")
         ->capture_default_str();
-    verb->add_option("--sh-degree", flags->sh_degree, "Drops spherical harmonics above this degree.")
+    verb->add_option("--sh-degree", flags->sh_degree, "Drop spherical harmonics above this degree.")
         ->type_name("N")
         ->check(whole_number_within(0, 3))
         ->capture_default_str();
@@ -148,7 +151,8 @@ Verb add_convert(CLI::App& app) {
         ->type_name("N")
         ->check(whole_number_within(2, 4))
         ->capture_default_str();
-    verb->add_flag("--compact", flags->compact, "PLY: only the bands there are, instead of always 62 floats a splat.");
+    verb->add_flag("--compact", flags->compact,
+                   "PLY: only the existing SH degrees, instead of always 62 floats per splat.");
     verb->footer("Example:\n  fastscene convert out/bedroom bedroom.spz --max-splats 100000");
     return {verb, [flags](const Session& session) { convert(*flags, session); }};
 }

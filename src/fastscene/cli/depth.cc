@@ -12,23 +12,22 @@ struct TrainFlags {
 };
 
 CLI::App* add_train(CLI::App& depth, const std::shared_ptr<TrainFlags>& flags) {
-    CLI::App* verb = depth.add_subcommand(
-        "train", "Teaches EGformer from panoramas with range: our rooms, Structured3D, Pano3D.");
+    CLI::App* verb = depth.add_subcommand("train",
+                                          "Trains EGformer on panoramas with range: our rooms, Structured3D, Pano3D.");
     verb->add_option("--data", flags->data,
                      "Folder of `fastscene rooms dataset`, of Structured3D (scene_NNNNN/) or of Pano3D (*_color_*.png, "
-                     "*_depth_*.exr); may be given "
-                     "again. Without it: painted rooms alone.")
+                     "*_depth_*.exr); may be repeated. Without it: synthetic rooms only.")
         ->type_name("DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    verb->add_option("-o,--out", flags->out,
-                     "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command goes "
-                     "on with it.")
+    verb->add_option(
+            "-o,--out", flags->out,
+            "Folder of the training: egformer.safetensors, curves, sheets, checkpoint. The same command resumes it.")
         ->type_name("DIR")
         ->required();
     verb->add_option("--start", flags->start,
-                     "Weights to start from (the published .pkl, or .safetensors) in place of random ones.")
+                     "Initial weights (the published .pkl, or .safetensors) instead of random ones.")
         ->type_name("FILE");
-    verb->add_option("--seed", flags->seed, "Of the first weights and the order of the pictures.")
+    verb->add_option("--seed", flags->seed, "Seed of the initial weights and the order of the pictures.")
         ->type_name("N")
         ->capture_default_str();
     add_fields(*verb, "", DepthTrainParams{}, flags->given, "Settings of the training");
@@ -43,7 +42,7 @@ void train(const TrainFlags& flags, const Session& session) {
     const EgformerTrained trained = train_depth(training, flags.out,
                                                 session.run(number_from<std::uint64_t>("--seed", flags.seed)));
     if (training.params.training.process > 0)  // only the first process evaluates held-out pictures
-        return session.print(fmt::format("done, {} steps; process 0 keeps the network", trained.steps),
+        return session.print(fmt::format("done, {} steps; process 0 saves the network", trained.steps),
                              {{"steps", trained.steps}});
     session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(),
                               trained.steps, trained.abs_rel, trained.delta1),
@@ -61,14 +60,15 @@ struct CheckFlags {
 
 CLI::App* add_check(CLI::App& depth, const std::shared_ptr<CheckFlags>& flags) {
     CLI::App* verb = depth.add_subcommand(
-        "check", "How well is range estimated? Held-out pictures of a data set, one a place: AbsRel, RMSE, delta.");
+        "check",
+        "Evaluates range estimation on the held-out pictures of a dataset, one per place: AbsRel, RMSE, delta.");
     verb->add_option("--data", flags->data, "Folder of panoramas with range, as for `depth train`.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--count", flags->count, "Places to look at.")->type_name("N")->capture_default_str();
+    verb->add_option("--count", flags->count, "Number of places to evaluate.")->type_name("N")->capture_default_str();
     verb->add_flag("--all", flags->all,
-                   "Of all places, not of held-out ones only (every tenth of our rooms): for a set that the network "
-                   "was not trained on.");
+                   "Use all places instead of held-out ones only (every tenth of our rooms): for a set that the "
+                   "network was not trained on.");
     add_fields(*verb, "depth", DepthParams{}, flags->given, "Settings of depth");
     verb->footer("Example:\n  fastscene depth check --data data/rooms --depth-weights out/depth/egformer.safetensors");
     return verb;
@@ -100,7 +100,7 @@ Verb add_depth(CLI::App& app) {
     return {depth.app, [=, act = depth.act](const Session& session) {
                 for (const CLI::App* part : {train_verb, check_verb})  // a folder would be accepted but ignored
                     if (part->parsed() && folder->count())
-                        throw UsageError("depth {}: expected its folder after --data, found \"{}\" alone",
+                        throw UsageError("depth {}: expected its folder after --data, found only \"{}\"",
                                          part->get_name(), folder->as<std::string>());
                 if (train_verb->parsed()) return train(*training, session);
                 if (check_verb->parsed()) return check(*checking, session);

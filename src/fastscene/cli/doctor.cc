@@ -76,8 +76,9 @@ Finding painting_memory() {
     const std::int64_t have = available_memory(), all = standard_diffusion_memory(1024, "float", false),
                        least = standard_diffusion_memory(1024, "float", true);
     const std::string remedy = have == 0 || have >= all ? ""
-                               : have >= least          ? "use --panorama-low-memory"
-                                               : "optional: painting a panorama wants more free memory than there is";
+                               : have >= least
+                                   ? "use --panorama-low-memory"
+                                   : "optional: generating a panorama needs more free memory than available";
     return {"to paint", state, remedy};
 }
 
@@ -177,7 +178,7 @@ std::vector<Finding> examine() {
 }  // namespace
 
 Verb add_doctor(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("doctor", "What is here, what is missing, and how to get it.");
+    CLI::App* verb = app.add_subcommand("doctor", "Shows what is installed, what is missing, and how to get it.");
     return {verb, [](const Session& session) {
                 std::string text;
                 Json json = Json::array();

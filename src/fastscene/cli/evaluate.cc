@@ -23,7 +23,7 @@ SuitePeer peer_from(const std::string& text) {
 }
 
 std::string list_of_suites() {
-    std::string text = "Suites that ship:\n";
+    std::string text = "Built-in suites:\n";
     for (const auto& [name, title] : shipped_suites()) text += fmt::format("  {:<14} {}\n", name, title);
     return text;
 }
@@ -94,13 +94,13 @@ Verb add_evaluate(CLI::App& app) {
     auto flags = std::make_shared<EvaluateFlags>();
     CLI::App* verb = app.add_subcommand(
         "evaluate",
-        "Makes and measures the scenes of a suite: one table, one report. Without a suite: lists those that ship.");
-    verb->add_option("suite", flags->suite, "Name of a suite that ships, or a file (docs/evaluate.md).")
+        "Makes and measures the scenes of a suite: one table, one report. Without a suite, lists the built-in ones.");
+    verb->add_option("suite", flags->suite, "Name of a built-in suite, or a file (docs/evaluate.md).")
         ->type_name("SUITE");
     verb->add_option("-o,--out", flags->out,
-                     "Folder of scenes, measures and report; goes on where it was. Default: out/evaluate-SUITE.")
+                     "Folder of scenes, measures and report; resumed if it exists. Default: out/evaluate-SUITE.")
         ->type_name("DIR");
-    verb->add_option("--quality", flags->quality, "Preset for all scenes, instead of what the suite says.")
+    verb->add_option("--quality", flags->quality, "Preset for all scenes, overriding the suite.")
         ->type_name("draft|standard|high")
         ->check(one_of(qualities()));
     verb->add_option("--scenes", flags->scenes, "Only the first N scenes; 0: all.")
@@ -108,16 +108,16 @@ Verb add_evaluate(CLI::App& app) {
         ->capture_default_str();
     verb->add_option(
             "--peer", flags->peers,
-            "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be given often.")
+            "Another system as a row: NAME=DIR with SCENE/*.png, SCENE/source.png or SCENE.ply. May be repeated.")
         ->type_name("NAME=DIR")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("--weights", flags->weights,
                      "Folder of the metrics' parameters and networks, as for `metrics images`.")
         ->type_name("DIR");
     verb->add_option("--redraw", flags->redraw,
-                     "Only write tables and page anew from DIR/results.json; nothing is made or measured.")
+                     "Only regenerate tables and report from DIR/results.json; nothing is made or measured.")
         ->type_name("DIR");
-    verb->add_flag("--show", flags->show, "Check the suite and print its text, to begin one's own with.");
+    verb->add_flag("--show", flags->show, "Check the suite and print its text, as a template for your own.");
     verb->footer(list_of_suites());
     return {verb, [flags](const Session& session) { act(*flags, session); }};
 }

@@ -3,8 +3,7 @@
 namespace fastscene::cli {
 
 Verb add_inpaint(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("inpaint",
-                                        "Works on the network that paints holes: its training data, its training.");
+    CLI::App* verb = app.add_subcommand("inpaint", "The inpainting network: its training data and its training.");
     verb->require_subcommand(1);
     verb->footer(
         "Example:\n  fastscene inpaint dataset data/rooms -o data/holes\n  fastscene inpaint train data/holes -o "

@@ -9,7 +9,7 @@ namespace fastscene::cli {
 namespace {
 
 std::string summary(const std::string& folder, const HoleDatasetState& s) {
-    std::string text = fmt::format("{}: {} of {} panoramas are there, {} made now: {} faces, {} masks", folder, s.there,
+    std::string text = fmt::format("{}: {} of {} panoramas done, {} in this run: {} faces, {} masks", folder, s.there,
                                    s.panoramas, s.made, s.faces, s.masks);
     if (s.broken > 0) text += fmt::format("; {} could not be read and were skipped", s.broken);
     return text;
@@ -23,17 +23,19 @@ Verb add_inpaint_dataset(CLI::App& inpaint) {
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = inpaint.add_subcommand("dataset",
-                                            "Panoramas with range -> the holes that a walk would tear into them, on "
-                                            "cube faces (the paper's training data).");
+    CLI::App* verb = inpaint.add_subcommand(
+        "dataset",
+        "Panoramas with range -> the disocclusion holes of a walk, on cube faces (the paper's training data).");
     verb->add_option("panoramas", flags->panoramas,
-                     "Folder with panoramas: a set of `fastscene rooms dataset`, Structured3D as downloaded, or "
+                     "Folder with panoramas: a dataset of `fastscene rooms dataset`, Structured3D as downloaded, or "
                      "NAME.png beside NAME.range.png.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("-o,--out", flags->out, "Folder of the set. What is there is kept.")->type_name("DIR")->required();
-    verb->add_option("--count", flags->count, "No more than so many panoramas, the first ones.")->type_name("N");
-    verb->add_option("--seed", flags->seed, "Decides which places are held out.")
+    verb->add_option("-o,--out", flags->out, "Folder of the dataset. Existing files are kept.")
+        ->type_name("DIR")
+        ->required();
+    verb->add_option("--count", flags->count, "Use only the first N panoramas.")->type_name("N");
+    verb->add_option("--seed", flags->seed, "Seed that selects the held-out places.")
         ->type_name("N")
         ->capture_default_str();
     add_fields(*verb, "", HoleDatasetParams{}, flags->given, "Settings of the holes");

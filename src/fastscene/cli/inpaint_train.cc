@@ -10,11 +10,8 @@ Verb add_inpaint_train(CLI::App& inpaint) {
         std::shared_ptr<Given> given = std::make_shared<Given>();
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = inpaint.add_subcommand("train",
-                                            "Trains AOT-GAN on such a set; the same command goes on where it stopped.");
-    verb->add_option("data", flags->data, "Folder that `fastscene inpaint dataset` made.")
-        ->type_name("DIR")
-        ->required();
+    CLI::App* verb = inpaint.add_subcommand("train", "Trains AOT-GAN on such a dataset; the same command resumes it.");
+    verb->add_option("data", flags->data, "Folder made by `fastscene inpaint dataset`.")->type_name("DIR")->required();
     verb->add_option(
             "-o,--out", flags->out,
             "Folder of the training: generator.safetensors (for --walk-inpaint-weights), checkpoint, curves, sheets.")
@@ -33,7 +30,7 @@ Verb add_inpaint_train(CLI::App& inpaint) {
                 check_fields("", params);
                 const auto figures = train_inpainter(flags->data, params, flags->out,
                                                      session.run(number_from<std::uint64_t>("--seed", flags->seed)));
-                if (figures.empty()) return session.print("done; process 0 keeps the network", Json::object());
+                if (figures.empty()) return session.print("done; process 0 saves the network", Json::object());
                 std::string text = flags->out + "/generator.safetensors: held out:";
                 Json json{{"weights", flags->out + "/generator.safetensors"}};
                 for (const auto& [name, value] : figures) {

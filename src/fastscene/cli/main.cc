@@ -31,8 +31,7 @@ void Session::print(const std::string& text, const Json& json) const {
 namespace {
 
 void add_common_flags(CLI::App& verb, const std::shared_ptr<Common>& common) {
-    verb.add_option("--threads", common->threads,
-                    "Threads to use; 0 = all cores. The result is the same for any number.")
+    verb.add_option("--threads", common->threads, "Number of threads; 0 = all cores. The result does not depend on it.")
         ->type_name("N")
         ->check(whole_number_within(0, 4096))
         ->capture_default_str();
@@ -78,9 +77,9 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
     } catch (const UsageError& e) {
         return fail(e.what(), 2);
     } catch (const Stopped&) {
-        return fail("stopped; what is finished stays, the same command goes on from there", 128 + signals.signal());
+        return fail("stopped; finished work is kept, the same command resumes", 128 + signals.signal());
     } catch (const CheckFailed& e) {
-        return fail(std::string("a mistake of ours, please report it: ") + e.what(), 1);
+        return fail(std::string("internal error, please report it: ") + e.what(), 1);
     } catch (const std::exception& e) {
         return fail(is_lack_of_memory(e) ? "not enough memory: close other programs, or use a lower --quality"
                                          : short_message(e),

@@ -31,9 +31,9 @@ Verb add_metrics(CLI::App& app) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand(
-        "metrics", "How good is a scene? Compares it with the real room at poses never trained on.");
+        "metrics", "Compares a scene with its ground truth, the traced room, at poses never trained on.");
     verb->add_option("folder", flags->folder, "Folder of a finished run.")->type_name("DIR");
-    verb->add_flag("--truth", flags->truth, "Trace the real room behind the prompt and compare.");
+    verb->add_flag("--truth", flags->truth, "Trace the prompt's room as ground truth and compare.");
     verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
     verb->footer(
@@ -51,7 +51,7 @@ Verb add_metrics(CLI::App& app) {
             if (flags->folder.empty())
                 throw UsageError(
                     "metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
-            if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
+            if (!flags->truth) throw UsageError("metrics: expected --truth, the only measure of runs so far");
             TruthParams params;
             if (flags->given->count("--radius")) params.where = "near";  // --radius implies poses near panorama 0
             apply_fields("", params, *flags->given);

@@ -57,8 +57,8 @@ void tell_what_looks_wrong(const DepthScores& s, const ImageF& found, const Imag
     std::nth_element(ratios.begin(), middle, ratios.end());
     if (*middle > kOtherUnit || *middle < 1 / kOtherUnit)
         run.warn(
-            fmt::format("{}: expected metres as in the truth, found {:.4g} times as much (in the middle): are these "
-                        "millimetres, or no metres at all?",
+            fmt::format("{}: expected metres as in the truth, found {:.4g} times as much (median ratio): are these "
+                        "millimetres or another unit?",
                         name, *middle));
 }
 
@@ -80,17 +80,16 @@ Verb add_metrics_depth(CLI::App& metrics) {
         ->type_name("MAP")
         ->required();
     verb->add_option("--align", flags->align,
-                     "What is set right first: none, the scale (by the median), or scale and shift (least squares), as "
-                     "published.")
+                     "Alignment before the comparison: none, scale (by the median), or affine (scale and shift by "
+                     "least squares), as published.")
         ->type_name("none|scale|affine")
         ->check(one_of({"none", "scale", "affine"}))
         ->capture_default_str();
-    verb->add_option("--farthest", flags->farthest,
-                     "Pixels whose truth is farther than this, in metres, are not counted.")
+    verb->add_option("--farthest", flags->farthest, "Ignore pixels whose true range exceeds this, in metres.")
         ->type_name("M")
         ->capture_default_str();
     verb->add_flag("--solid-angle", flags->solid_angle,
-                   "Weigh pixels by their solid angle; published figures count them alike.");
+                   "Weight pixels by solid angle; published figures weight them equally.");
     verb->footer("Example:\n  fastscene metrics depth out/photo measured.png --align scale");
     return {verb, [flags](const Session& session) {
                 const double farthest = number_from<double>("--farthest", flags->farthest);

@@ -12,11 +12,10 @@ namespace {
 
 std::string niqe_fit_text() {
     return fmt::format(
-        "Of each picture those blocks of {0} x {0} pixels count that are sharper than 3/4 of its sharpest. Less than "
-        "{1} are refused, {2} are good.\n"
-        "40 photographs of 1024 x 512 gave 155, so {1} take about 26 of that size and {2} about 260; NIQE's authors "
-        "took 125 photographs.\n"
-        "Scores by another model than the authors' cannot be compared with published ones.\n",
+        "Uses the {0} x {0} pixel blocks of each picture that are sharper than 3/4 of its sharpest one. At least {1} "
+        "are required, {2} recommended.\n40 photographs of 1024 x 512 gave 155 blocks, so {1} take about 26 of that "
+        "size and {2} about 260; NIQE's authors used 125 photographs.\nScores of a model other than the authors' "
+        "cannot be compared with published ones.\n",
         kNiqeBlock, kLeastNiqeBlocks, kGoodNiqeBlocks);
 }
 
@@ -25,15 +24,14 @@ std::string niqe_fit_text() {
 Verb add_metrics_images(CLI::App& metrics) {
     auto inputs = std::make_shared<ImageMeasures>();
     CLI::App* verb = metrics.add_subcommand("images",
-                                            "Measures pictures: NIQE and BRISQUE of each, PSNR, SSIM and LPIPS against "
-                                            "--reference, CLIP score against --prompt.");
+                                            "Measures pictures: NIQE and BRISQUE without reference; PSNR, SSIM and "
+                                            "LPIPS against --reference; CLIP score against --prompt.");
     verb->add_option("pictures", inputs->pictures, "A picture, or a folder of .png, .jpg, .webp or .tif.")
         ->type_name("DIR|FILE")
         ->required();
-    verb->add_option("--reference", inputs->reference,
-                     "What they should be: a picture, or a folder with the same names.")
+    verb->add_option("--reference", inputs->reference, "Reference: a picture, or a folder with the same names.")
         ->type_name("DIR|FILE");
-    verb->add_option("--prompt", inputs->prompt, "What they should show.")->type_name("TEXT");
+    verb->add_option("--prompt", inputs->prompt, "Text for the CLIP score.")->type_name("TEXT");
     verb->add_option("--measure", inputs->wanted, fmt::format("Only these: {}.", fmt::join(image_measure_names(), " ")))
         ->type_name("NAME")
         ->check(one_of(image_measure_names()));
@@ -59,13 +57,13 @@ Verb add_niqe_fit(CLI::App& metrics) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = metrics.add_subcommand("niqe-fit",
-                                            "Fits NIQE's model of undistorted pictures to one's own: `metrics images` "
-                                            "measures niqe_own by it, without a download.");
+                                            "Fits NIQE's model of pristine pictures to your own: `metrics images` uses "
+                                            "it for niqe_own, without a download.");
     verb->add_option("pictures", flags->folder, "A folder of good photographs or renders.")
         ->type_name("DIR")
         ->required();
     verb->add_option("-o,--out", flags->out,
-                     "Where the model goes; niqe.json in the --weights of `metrics images` is found there.")
+                     "Output file; `metrics images` finds it as niqe.json in its --weights folder.")
         ->type_name("FILE")
         ->required();
     verb->footer(niqe_fit_text());

@@ -115,13 +115,12 @@ Verb add_regularizers(CLI::App& models_verb) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = models_verb.add_subcommand(
         "pull",
-        "Brings models to this machine. What a broken connection has brought is kept, and the same command "
-        "goes on; what is damaged is fetched again.");
-    verb->add_option("names", flags->names, "Names as `models list` has them.")->type_name("NAME")->required();
-    verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once for each model.");
+        "Downloads models. Interrupted downloads are resumed by the same command; damaged files are downloaded again.");
+    verb->add_option("names", flags->names, "Names from `models list`.")->type_name("NAME")->required();
+    verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once per model.");
     verb->add_option("--mirror", flags->mirror,
-                     "A folder or an address that holds FOLDER/FILE for each file, for sites without the net; default: "
-                     "$FASTSCENE_MODELS_MIRROR.")
+                     "A folder or URL that contains FOLDER/FILE for each file, for sites without internet access; "
+                     "default: $FASTSCENE_MODELS_MIRROR.")
         ->type_name("DIR|URL");
     return {verb, [flags](const Session& session) {
                 const Run run = session.run(0);
@@ -147,10 +146,9 @@ std::string remedy_for(const ModelReport& report) {
 
 Verb add_verify(CLI::App& models_verb) {
     auto names = std::make_shared<std::vector<std::string>>();
-    CLI::App* verb = models_verb.add_subcommand("verify",
-                                                "Reads the files again and holds them against their known hashes, or "
-                                                "those recorded when they were first seen.");
-    verb->add_option("names", *names, "Names as `models list` has them; none: whatever is here.")->type_name("NAME");
+    CLI::App* verb = models_verb.add_subcommand(
+        "verify", "Verifies the files against their known hashes, or those recorded when they were first seen.");
+    verb->add_option("names", *names, "Names from `models list`; none: all installed ones.")->type_name("NAME");
     return {verb, [names](const Session& session) {
                 const Run run = session.run(0);
                 std::vector<ModelReport> reports;
@@ -171,8 +169,9 @@ Verb add_verify(CLI::App& models_verb) {
 
 Verb add_path(CLI::App& models_verb) {
     auto name = std::make_shared<std::string>();
-    CLI::App* verb = models_verb.add_subcommand("path", "Where a model lies, or belongs when it is fetched by hand.");
-    verb->add_option("name", *name, "A name as `models list` has it; none: the folder of all.")->type_name("NAME");
+    CLI::App* verb = models_verb.add_subcommand(
+        "path", "Prints where a model is stored, or where to put it if it must be downloaded by hand.");
+    verb->add_option("name", *name, "A name from `models list`; none: the folder of all models.")->type_name("NAME");
     return {verb, [name](const Session& session) {
                 const std::string path = (name->empty() ? models_root() : models_root() / model_named(*name).folder)
                                              .string();
@@ -183,11 +182,11 @@ Verb add_path(CLI::App& models_verb) {
 }  // namespace
 
 Verb add_models(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("models", "Weights of others: which there are, bring them here, check them.");
+    CLI::App* verb = app.add_subcommand("models", "Third-party weights: list, download, verify.");
     verb->require_subcommand(1);
     verb->footer("Examples:\n  fastscene models list\n  fastscene models pull lpips --accept");
     CLI::App* list_verb = verb->add_subcommand(
-        "list", "Which models this program can use, under which licence, and which are here.");
+        "list", "Lists the models that this program can use, their licences, and which are installed.");
     const std::vector<Verb> parts{{list_verb, list}, add_regularizers(*verb), add_verify(*verb), add_path(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `models`
     return {verb, [parts](const Session& session) {

@@ -130,7 +130,7 @@ void render_film(const Subject& subject, const CameraPath& camera, const fs::pat
     std::string text = frames.string();
     // Frames of an earlier, longer film would be appended.
     if (fs::exists(frames / fmt::format("{:05}.png", count)))
-        run.note(fmt::format("{}: frames from {:05}.png on are of an earlier film", frames.string(), count));
+        run.note(fmt::format("{}: frames from {:05}.png on belong to an earlier film", frames.string(), count));
     if (const auto ffmpeg = find_program("ffmpeg")) {
         const fs::path film = fs::path(frames.string() + ".mp4");
         const int code = run_program(
@@ -145,7 +145,7 @@ void render_film(const Subject& subject, const CameraPath& camera, const fs::pat
         json["film"] = film.string();
         text = film.string();
     } else {
-        run.note("ffmpeg is not on PATH: the frames are here, the film is not (apt-get install ffmpeg)");
+        run.note("ffmpeg is not on PATH: only the frames were written, not the film (apt-get install ffmpeg)");
     }
     session.print(text, json);
 }
@@ -232,18 +232,19 @@ void render(const Flags& flags, const Session& session) {
     if (!flags.alpha.empty() && !ends_in(flags.alpha, {".png"}))
         throw UsageError("--alpha: expected a name that ends in .png, found {}", flags.alpha);
     if (!flags.path.empty() && !(flags.depth.empty() && flags.alpha.empty()))
-        throw UsageError("--path: expected neither --depth nor --alpha beside it");
+        throw UsageError("--path: cannot be combined with --depth or --alpha");
 
     for (const float v : {flags.position[0], flags.position[1], flags.position[2], flags.yaw_deg, flags.pitch_deg})
         if (!(std::fabs(v) < 1e6f))
             throw UsageError("--position, --yaw, --pitch: expected numbers below a million, found {}", v);
     if (!flags.path.empty())
         for (const char* flag : {"--position", "--yaw", "--pitch", "--fov"})
-            if (flags.verb->count(flag)) throw UsageError("{}: expected not beside --path, whose file says it", flag);
+            if (flags.verb->count(flag))
+                throw UsageError("{}: cannot be combined with --path, whose file specifies it", flag);
 
     const auto capture = flags.path.empty() ? std::nullopt : cameras_of(flags.path);
     if (capture && (!flags.size.empty() || flags.sphere))
-        throw UsageError("{}: expected not beside cameras of --path, which have their own",
+        throw UsageError("{}: cannot be combined with cameras from --path, which have their own",
                          flags.sphere ? "--sphere" : "--size");
     if (!flags.path.empty() && !capture) {
         const int width = camera.width, height = camera.height;
@@ -267,18 +268,18 @@ void render(const Flags& flags, const Session& session) {
 Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("render",
-                                        "A picture of a scene, all around too, or a film along a camera path.");
+                                        "Renders a scene: a picture, a panorama, or a film along a camera path.");
     verb->add_option("scene", flags->scene,
                      "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
         ->type_name("DIR|FILE")
         ->required();
     verb->add_option(
             "--of", flags->of,
-            "What to look at: the splats, or the room they were made from, path traced (scenes from a prompt).")
+            "What to render: the splats, or by path tracing the room they were made from (scenes from a prompt).")
         ->type_name("splats|room")
         ->check(one_of({"splats", "room"}))
         ->capture_default_str();
-    verb->add_option("--samples", flags->samples, "With --of room: most camera rays a pixel.")
+    verb->add_option("--samples", flags->samples, "With --of room: maximum camera rays per pixel.")
         ->type_name("N")
         ->check(whole_number_within(16, 65536))
         ->capture_default_str();
@@ -286,23 +287,23 @@ Verb add_render(CLI::App& app) {
                      "Picture (.png, .jpg) or folder of frames; default: render.png or film/ in the run's folder.")
         ->type_name("PATH");
     verb->add_option("--position", flags->position,
-                     "Where the camera is: metres right, down, forward of the first panorama.")
+                     "Camera position: metres right, down, forward of the first panorama.")
         ->type_name("X Y Z")
         ->expected(3)
         ->default_str("0 0 0");
-    verb->add_option("--yaw", flags->yaw_deg, "Degrees turned to the right.")->type_name("X")->capture_default_str();
-    verb->add_option("--pitch", flags->pitch_deg, "Degrees looked up.")->type_name("X")->capture_default_str();
+    verb->add_option("--yaw", flags->yaw_deg, "Yaw to the right in degrees.")->type_name("X")->capture_default_str();
+    verb->add_option("--pitch", flags->pitch_deg, "Pitch upward in degrees.")->type_name("X")->capture_default_str();
     verb->add_option("--fov", flags->fov_deg, "Horizontal field of view in degrees.")
         ->type_name("X")
         ->capture_default_str();
     verb->add_option("--size", flags->size, "Size of the picture in pixels; default 1280x720, with --sphere 2048x1024.")
         ->type_name("WxH");
-    verb->add_flag("--sphere", flags->sphere, "All around: an equirectangular picture.");
+    verb->add_flag("--sphere", flags->sphere, "Render an equirectangular picture.");
     verb->add_option("--depth", flags->depth,
-                     "Also the depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the axis, with --sphere "
-                     "along the ray.")
+                     "Also write depth: .exr, .pfm (metres) or .png (16 bit, millimetres); along the optical axis, "
+                     "with --sphere along the ray.")
         ->type_name("FILE");
-    verb->add_option("--alpha", flags->alpha, "Also how opaque each pixel is (.png).")->type_name("FILE");
+    verb->add_option("--alpha", flags->alpha, "Also write opacity (.png).")->type_name("FILE");
     verb->add_option("--background", flags->background, "Color behind the splats, 0 to 1.")
         ->type_name("R G B")
         ->expected(3)

@@ -109,18 +109,19 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                        const std::string& last_stage) {
     auto flags = std::make_shared<RequestFlags>();
     CLI::App* verb = app.add_subcommand(name, sentence);
-    verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ and the words of the prompt.")
+    verb->add_option("-o,--out", flags->out, "Folder of the run; default: out/ plus the words of the prompt.")
         ->type_name("DIR");
     verb->add_option("--seed", flags->seed, "Same seed, same scene, byte for byte.")
         ->type_name("N")
         ->capture_default_str();
     add_source_flags(*verb, flags->source);
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
-    verb->add_option("--assets", flags->assets,
-                     "Furniture pack: none, public domain models (default), or all, with credits.txt to keep.")
+    verb->add_option(
+            "--assets", flags->assets,
+            "Furniture pack: none, public domain models (default), or all, which requires distributing credits.txt.")
         ->type_name("none|cc0|all")
         ->check(one_of({"none", "cc0", "all"}));
-    verb->add_flag("--force", flags->force, "Throw away what another prompt or seed has left in the folder.");
+    verb->add_flag("--force", flags->force, "Delete a run of another prompt or seed in the folder.");
     add_param_flags(*verb, flags, last_stage);
 
     return {verb, [flags, last_stage, verb](const Session& session) {

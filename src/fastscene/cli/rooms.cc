@@ -3,7 +3,7 @@
 namespace fastscene::cli {
 
 Verb add_rooms(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("rooms", "Works on the furnished rooms themselves.");
+    CLI::App* verb = app.add_subcommand("rooms", "Furnished rooms: contact sheets, checks, prompts, datasets.");
     verb->require_subcommand(1);
     verb->footer(
         "Examples:\n  fastscene rooms read \"a loft with brick walls and two sofas\"\n  fastscene rooms dataset "

@@ -46,19 +46,16 @@ Verb add_rooms_check(CLI::App& rooms) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand(
-        "check", "Furnishes many rooms and looks for what is wrong: overlaps, blocked doors, things that float …");
+        "check", "Furnishes many rooms and looks for faults: overlaps, blocked doors, floating objects …");
     verb->add_option("--count", flags->count, "Seeds for each room and style (1 to 100000).")
         ->type_name("N")
         ->capture_default_str();
     verb->add_option("--seed", flags->seed, "The first seed.")->type_name("N")->capture_default_str();
-    verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between.")
+    verb->add_option("--rooms", flags->rooms, "Only these rooms, comma-separated.")->type_name("NAMES")->delimiter(',');
+    verb->add_option("--styles", flags->styles, "Only these styles, comma-separated.")
         ->type_name("NAMES")
         ->delimiter(',');
-    verb->add_option("--styles", flags->styles, "Only these styles, with commas between.")
-        ->type_name("NAMES")
-        ->delimiter(',');
-    verb->add_flag("--triangles", flags->triangles,
-                   "Also look for things that reach into others by more than 12 mm, on their triangles.");
+    verb->add_flag("--triangles", flags->triangles, "Also test triangles for interpenetration by more than 12 mm.");
     return {verb, [flags](const Session& session) {
                 const int count = number_from<int>("--count", flags->count);
                 if (count < 1 || count > 100000)

@@ -6,10 +6,10 @@ namespace fastscene::cli {
 namespace {
 
 std::string summary(const std::string& folder, const DatasetState& state) {
-    std::string text = fmt::format("{}: {} of {} pictures are there, {} made now", folder, state.there, state.count,
+    std::string text = fmt::format("{}: {} of {} pictures done, {} in this run", folder, state.there, state.count,
                                    state.made);
     if (state.there < state.count)
-        text += fmt::format("; {} are in the hands of other processes: the same command finishes what they leave",
+        text += fmt::format("; {} claimed by other processes: run the same command again to finish what they leave",
                             state.count - state.there);
     return text;
 }
@@ -24,11 +24,12 @@ Verb add_rooms_dataset(CLI::App& rooms) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand(
         "dataset", "Random rooms as training data: color, range, normals, class and instance ids, cameras.");
-    verb->add_option("-o,--out", flags->out,
-                     "Folder of the set. What is there is kept; any number of processes may work on one folder.")
+    verb->add_option(
+            "-o,--out", flags->out,
+            "Folder of the dataset. Existing pictures are kept; any number of processes may work on one folder.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--count", flags->count, "Pictures in all. A larger number makes a set longer.")
+    verb->add_option("--count", flags->count, "Total number of pictures. A larger number extends a dataset.")
         ->type_name("N")
         ->required();
     verb->add_option("--size", flags->size, "Size of the pictures.")->type_name("WIDTHxHEIGHT")->capture_default_str();

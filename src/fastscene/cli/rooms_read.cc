@@ -31,9 +31,9 @@ Verb add_rooms_read(CLI::App& rooms) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand(
-        "read", "What of a prompt is understood, and what becomes of it in the furnished room; no picture is made.");
+        "read", "Shows how a prompt is understood, and how the room is furnished; makes no picture.");
     verb->add_option("prompt", flags->prompt, "The sentence.")->required()->type_name("PROMPT");
-    verb->add_option("--seed", flags->seed, "Which of the rooms it may mean.")->type_name("N")->capture_default_str();
+    verb->add_option("--seed", flags->seed, "Seed of the room.")->type_name("N")->capture_default_str();
     verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models, or all.")
         ->type_name("none|cc0|all")
         ->capture_default_str();

@@ -13,17 +13,18 @@ Verb add_rooms_sheet(CLI::App& rooms) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = rooms.add_subcommand("sheet",
                                           "A picture of every room in every style, and all of them on one sheet.");
-    verb->add_option("-o,--out", flags->out,
-                     "Folder of the pictures and sheets. Those that are there already are kept.")
+    verb->add_option("-o,--out", flags->out, "Folder of the pictures and sheets. Existing pictures are kept.")
         ->type_name("DIR")
         ->required();
-    verb->add_option("--rooms", flags->rooms, "Only these rooms, with commas between: living, bedroom, kids …")
+    verb->add_option("--rooms", flags->rooms, "Only these rooms, comma-separated: living, bedroom, kids …")
         ->type_name("NAMES")
         ->delimiter(',');
-    verb->add_option("--styles", flags->styles, "Only these styles, with commas between: modern, \"art deco\" …")
+    verb->add_option("--styles", flags->styles, "Only these styles, comma-separated: modern, \"art deco\" …")
         ->type_name("NAMES")
         ->delimiter(',');
-    verb->add_option("--seed", flags->seed, "Other rooms of the same kinds.")->type_name("N")->capture_default_str();
+    verb->add_option("--seed", flags->seed, "Seed: gives other rooms of the same kinds.")
+        ->type_name("N")
+        ->capture_default_str();
     add_fields(*verb, "", SheetParams{}, flags->given, "Settings of the pictures");
     return {verb, [flags](const Session& session) {
                 SheetParams params;

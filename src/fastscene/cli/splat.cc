@@ -48,13 +48,14 @@ void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
     };
     add("--colmap", flags.colmap, "DIR",
         "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.");
-    add("--nerfstudio", flags.nerfstudio, "FILE", "transforms.json of nerfstudio or NeRF, or the folder it lies in.");
-    add("-o,--out", flags.out, "DIR", "Folder to make; default: out/ and the name of the source.");
-    add("--images", flags.images, "DIR", "Folder of the pictures; default: images beside the model.");
+    add("--nerfstudio", flags.nerfstudio, "FILE",
+        "transforms.json of nerfstudio or NeRF, or the folder that contains it.");
+    add("-o,--out", flags.out, "DIR", "Output folder; default: out/ plus the name of the source.");
+    add("--images", flags.images, "DIR", "Folder of the pictures; default: images/ next to the model.");
     add("--masks", flags.masks, "DIR",
-        "Folder of masks, white = counts; default: masks beside the model, where it is.");
+        "Folder of masks, white = used; default: masks/ next to the model, if it exists.");
     add("--seed", flags.seed, "N", "Same seed, same splats, byte for byte.")->default_str("0");
-    verb.add_flag("--force", flags.force, "Throw away what another run has left in the folder.")->group(group);
+    verb.add_flag("--force", flags.force, "Delete another run in the folder.")->group(group);
     PhotosParams photos;
     photos.max_size = max_size_of("standard");
     add_fields(verb, "", photos, flags.given, group);
@@ -99,14 +100,14 @@ Verb add_splat(CLI::App& app) {
     auto stage = std::make_shared<RequestFlags>();
     auto flags = std::make_shared<CaptureFlags>();
     Verb verb = add_stage_verb(
-        app, "splat", "Views -> 3D Gaussians, and a page to walk through them; also of photographs with cameras.",
-        stage, [&](CLI::App& help) { add_capture_flags(help, *flags); });
+        app, "splat",
+        "Views -> 3D Gaussians, and a page to walk through them; also trains on photographs with cameras.", stage,
+        [&](CLI::App& help) { add_capture_flags(help, *flags); });
     verb.app->get_option("folder")->required(false);
     add_short_names(*verb.app, stage->given);
     verb.app->footer(
-        "--splat- may be left away: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos -o "
-        "out/photos\n"
-        "  fastscene splat out/bedroom --splat-steps 5000");
+        "The prefix --splat- may be omitted: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos "
+        "-o out/photos\n  fastscene splat out/bedroom --splat-steps 5000");
 
     const auto continue_run = verb.act;
     verb.act = [stage, flags, continue_run, app = verb.app](const Session& session) {

@@ -26,7 +26,7 @@ void make_table(const TableFlags& flags, const Session& session) {
         throw UsageError("walk table: expected the folder of a run, or --panorama FILE and --range FILE");
     if (flags.truth && has_picture)
         throw UsageError(
-            "--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
+            "--truth: expected the folder of a run from a prompt: a picture has no known room to compare with");
     if (!flags.out.empty()) {  // fail now instead of after the work
         make_directories(flags.out);
         for (const char* name : {"hole_table.txt", "hole_table.json", "hole_table.svg"})
@@ -45,17 +45,17 @@ void make_table(const TableFlags& flags, const Session& session) {
 
 Verb add_walk(CLI::App& app) {
     Verb walk = add_stage_verb(app, "walk",
-                               "One panorama with range -> many, at exactly known positions, holes filled.");
+                               "One panorama with range -> many, at exactly known positions, with holes filled.");
     auto flags = std::make_shared<TableFlags>();
     CLI::App* table = walk.app->add_subcommand("table",
-                                               "How much of the picture a step leaves open, by axis and distance (the "
+                                               "Share of the picture left empty by a step, by axis and distance (the "
                                                "paper's Table 1): as published, and ours.");
-    table->add_option("scene", flags->scene, "Folder of a run that has got as far as its depth.")->type_name("DIR");
-    table->add_option("--panorama", flags->picture, "Or a 2:1 picture …")->type_name("FILE");
+    table->add_option("scene", flags->scene, "Folder of a run with a finished depth stage.")->type_name("DIR");
+    table->add_option("--panorama", flags->picture, "Alternatively, a 2:1 picture …")->type_name("FILE");
     table
         ->add_option("--range", flags->range_map, "… and its range map (.exr, .pfm, .tif, 16-bit .png in millimetres).")
         ->type_name("FILE");
-    table->add_flag("--truth", flags->truth, "Also compare our holes with those of the traced room behind the prompt.");
+    table->add_flag("--truth", flags->truth, "Also compare our holes with the true ones of the prompt's room.");
     table->add_option("-o,--out", flags->out, "Write hole_table.txt, .json and .svg into this folder.")
         ->type_name("DIR");
     walk.app->footer(

@@ -24,16 +24,16 @@ struct DepthParams {
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
-      "What tells the range: auto takes exact for a prompt, image with --range, else egformer, with its shipped "
-      "weights or --depth-weights; without any, layout.");
+      "Source of range: auto uses exact for a prompt, image with --range, else egformer with built-in weights or "
+      "--depth-weights; layout if there are none.");
     v("weights", p.weights,
-      "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program, two networks "
-      "whose mean counts.");
+      "EGformer's weights (the published .pkl, or .safetensors); empty: the built-in ones, two networks whose outputs "
+      "are averaged.");
     v("tta", p.tta, Bounds{0, 8},
-      "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as "
-      "small as those that ship, else once, as published.");
+      "Test-time augmentation: the network's outputs for this many rotated and mirrored variants are averaged; 0: "
+      "eight for networks as small as the built-in ones, else one, as published.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20},
-      "Height of the camera over the floor in metres, where range is estimated.");
+      "Height of the camera above the floor in metres, if range is estimated.");
 }
 
 // Range from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.

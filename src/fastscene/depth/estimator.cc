@@ -53,7 +53,7 @@ class EgformerEstimator : public DepthEstimator {
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
             run.warn(fmt::format(
-                "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
+                "depth: expected a level floor {} m below the camera, found too little of it: the scale is uncertain",
                 camera_height_m_));
         const ImageF range = metric_range(relative, fit);
         return {aligned_to_picture(range, color),

@@ -71,12 +71,11 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         throw Error("{}: expected pictures to train on, found {}", names.dump(),
                     std::all_of(files.begin(), files.end(), [](const DepthFiles& f) { return f.held_out; })
                         ? "held-out ones only: more rooms are needed"
-                        : "none that can be used (why is told above)");
+                        : "none that can be used (see the warnings above)");
     if (held_out.empty() && !files.empty()) {
         run.warn(
-            fmt::format("{}: expected held-out pictures, found none (each tenth room of ours, Structured3D's scenes "
-                        "from 3000 on): the figures are of "
-                        "pictures that are trained on",
+            fmt::format("{}: expected held-out pictures, found none (every tenth room of ours, Structured3D's scenes "
+                        "from 3000 on): metrics are computed on training pictures",
                         names.dump()));
         held_out = thinned(examples, kMostHeldOut);
     }
@@ -100,7 +99,7 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         const DepthExample& room = examples[static_cast<std::size_t>(rng.index(static_cast<int>(examples.size())))];
         return seen_as(repaint ? repainted(room, kRepaintedSurfaces, rng) : room, look, rng);
     };
-    run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms",
+    run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are synthetic rooms",
                          examples.size(), task.held_out.size(), 100 * painted));
     return train_egformer(task, folder, run);
 }

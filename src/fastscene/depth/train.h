@@ -25,16 +25,15 @@ struct DepthTrainParams {
 template <class V>
 void visit_fields(DepthTrainParams& p, V&& v) {
     v("height", p.height, Bounds{32, 1024},
-      "Height of what the network sees, a multiple of 32; 512 as published. Its width is twice that.");
+      "Height of the network's input, a multiple of 32; 512 as published. Its width is twice that.");
     v("channels", p.channels, Bounds{4, 256},
-      "Of its first stage, a multiple of 4; 32 as published. Size and time grow with the square.");
+      "Channels of the first stage, a multiple of 4; 32 as published. Size and time grow with the square.");
     v("painted", p.painted, Bounds{0, 1},
-      "Share of examples that are painted rooms: boxes in a box, made while training; 1 where there is no --data.");
+      "Share of examples that are synthetic rooms, made of boxes during training; 1 without --data.");
     v("repainted", p.repainted, Bounds{0, 1},
-      "Share of examples of our rooms whose floor, walls and things get other colors and patterns.");
+      "Share of examples from our rooms whose surfaces get random colors and patterns (domain randomization).");
     v("direct", p.direct, Bounds{0, 100},
-      "Weight of a loss that aligns nothing, beside the published one, which aligns scale and shift; 0 = as "
-      "published.");
+      "Weight of an additional loss without alignment; the published one aligns scale and shift. 0 = as published.");
     v("share", p.share, Bounds{0.001, 1}, "Use only this share of the pictures.");
     visit_fields(p.training, v);
 }

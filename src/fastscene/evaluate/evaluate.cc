@@ -171,8 +171,8 @@ class Evaluation {
             throw;
         } catch (const std::exception& e) {
             record["failed"] = failure_text(e);
-            run.warn(
-                fmt::format("{}, seed {}: {}; the other scenes go on", job.scene->name, job.seed, failure_text(e)));
+            run.warn(fmt::format("{}, seed {}: {}; continuing with the other scenes", job.scene->name, job.seed,
+                                 failure_text(e)));
         }
         return record;
     }

@@ -10,7 +10,7 @@ namespace fastscene {
 
 // Why a scene failed, for the line below the table. Not for Stopped, which ends the evaluation.
 inline std::string failure_text(const std::exception& e) {
-    if (dynamic_cast<const CheckFailed*>(&e)) return std::string("a mistake of ours, please report it: ") + e.what();
+    if (dynamic_cast<const CheckFailed*>(&e)) return std::string("internal error, please report it: ") + e.what();
     return is_lack_of_memory(e) ? "not enough memory for this scene" : short_message(e);
 }
 

@@ -36,7 +36,7 @@ class SceneMeasures {
         sheet_.scores("stills", kOriginGroup, dir / "origin", "");
         sheet_.scores("stills", kInputGroup, dir / "input", "");
         sheet_.show_stills("The splats, from within " + fmt::format("{} m of panorama 0", p.radius_m), dir / "walked");
-        sheet_.show_pairs("Panorama 0's own crop, and the splats from the same place", {"panorama 0", dir / "input"},
+        sheet_.show_pairs("Panorama 0's own crop, and the splats from the same position", {"panorama 0", dir / "input"},
                           {"splats", dir / "origin"});
     }
     // Another system's results: its own pictures, or its splats rendered with the cameras of our scene.
@@ -102,7 +102,7 @@ class SceneMeasures {
             sample.values["holes"] = percent(row.at("ours"));
             if (row.contains("truth")) sample.values["holes_true"] = percent(row.at("truth").at("ratio"));
             else
-                sample.notes["holes_true"] = {row.at("in_room").get<bool>() ? "needs a room behind the scene"
+                sample.notes["holes_true"] = {row.at("in_room").get<bool>() ? "needs a scene with a known room"
                                                                             : "the step ends in or behind a surface"};
         }
     }
@@ -126,14 +126,14 @@ class SceneMeasures {
             save_png(to / "panorama/sphere.png", first);
         });
         sheet_.scores("source", "", dir / "splats", dir / "panorama");
-        sheet_.show_pairs("All around, from panorama 0's place", {"panorama 0", dir / "panorama"},
+        sheet_.show_pairs("Panoramas at panorama 0's position", {"panorama 0", dir / "panorama"},
                           {label, dir / "splats"}, true);
     }
 
     // `theirs`: evaluated instead of the run's own splats.
     void held_out(const RunFolder& folder, const fs::path& theirs) {
         if (!has_room(recorded_run(folder).request.source))
-            return sheet_.note_all("held-out", "needs a room behind the scene: a prompt, not a picture");
+            return sheet_.note_all("held-out", "needs a scene with a known room: from a prompt, not a picture");
         const HeldOutParams& p = in_.suite->held_out;
         const Run poses_run{0, run_.events, run_.stop};
         RunTruth room(folder.root, in_.truth, poses_run);
@@ -213,8 +213,8 @@ class SceneMeasures {
         put("low_alpha", truth, "low_alpha_share", 100);
         put("floor", truth, "floor_db");
         if (!truth.contains("bounds")) {
-            const char* why = of_another ? "says something of our own trainer"
-                                         : "not asked: bounds = true in [held-out]";
+            const char* why = of_another ? "applies to our own trainer only"
+                                         : "not requested: bounds = true in [held-out]";
             for (const char* key : {"psnr_a", "psnr_b", "gap_a", "closed", "walked", "splat_loss"})
                 sample.notes[key] = {why};
             return;

@@ -66,7 +66,7 @@ Measured measure_other(const MeasureInputs& inputs, const OtherScene& other, con
 Json json_of(const Measured& measured);
 
 // Names of the rows within a variant.
-inline constexpr const char* kOriginGroup = "seen from panorama 0's place";
+inline constexpr const char* kOriginGroup = "at panorama 0's position";
 inline constexpr const char* kInputGroup = "panorama 0's own crops";
 
 }  // namespace fastscene

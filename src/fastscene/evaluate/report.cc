@@ -159,7 +159,7 @@ std::string report_html(const Json& results, const fs::path& out) {
         "<h2>Scenes</h2>\n<p class=\"hint\">Differences: none <span class=\"scale\"></span> 48 of 255 and more, mean "
         "of the three colors.</p>\n";
     html += scenes_html(results, out);
-    return html + "<h2>What the columns say</h2>\n" + columns_html(results) + "</main></body></html>\n";
+    return html + "<h2>Columns</h2>\n" + columns_html(results) + "</main></body></html>\n";
 }
 
 }  // namespace fastscene

@@ -143,8 +143,8 @@ class Reader {
                                      [](const SuiteScene& s) { return has_room(s.source); });
         if (!any && suite_.measures == std::vector<std::string>{"held-out"})
             top_.fail_item("measures", 0,
-                           "\"held-out\" needs a room behind a scene: expected a scene from a prompt, found only "
-                           "pictures and paintings");
+                           "\"held-out\" needs a scene with a known room: expected a scene from a prompt, found only "
+                           "pictures and generated panoramas");
     }
 
     void read_stills() {
@@ -198,7 +198,7 @@ class Reader {
         else if (!weights.empty()) scene.source = PaintingSource{prompt, weights, {}};
         else scene.source = PromptSource{prompt};
         if (table.has("variant"))
-            table.fail("variant", "expected together with run, found alone: what is made is made for every row");
+            table.fail("variant", "expected together with run, found alone: scenes are made for every row");
         for (const char* key : {"panorama", "range"})
             if (const std::string path = table.text(key); !path.empty() && !fs::exists(path_of(path)))
                 table.fail(key, fmt::format("expected a file, found none at {}", path_of(path).string()));

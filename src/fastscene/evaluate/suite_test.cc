@@ -204,7 +204,7 @@ TEST_F(SuiteFiles, PathsStartAtTheSuitesFolderAndMustBeThere) {
 TEST_F(SuiteFiles, HeldOutAloneNeedsARoomBehindAScene) {
     const std::string picture = "[[scene]]\npanorama = \"weights.pt\"\n";
     const std::string said = complaint_there("measures = [\"held-out\"]\n" + picture);
-    for (const char* part : {"mine.toml:1: measures", "\"held-out\" needs a room", "found only pictures"})
+    for (const char* part : {"mine.toml:1: measures", "\"held-out\" needs a scene", "found only pictures"})
         EXPECT_NE(said.find(part), std::string::npos) << said;
     EXPECT_EQ(complaint_there("measures = [\"held-out\"]\n" + picture + kScene), "") << "one scene has a room";
     EXPECT_EQ(complaint_there("measures = [\"held-out\", \"source\"]\n" + picture), "") << "the source is measured";

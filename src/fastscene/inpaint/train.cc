@@ -142,9 +142,8 @@ std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrain
 HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) {
     if (fs::exists(data / "held-out")) return find_holes(data / "held-out");
     run.warn(
-        fmt::format("{}: expected held-out faces, found none (inpaint dataset --held-out PERCENT, of more places): the "
-                    "figures are of faces that are "
-                    "trained on",
+        fmt::format("{}: expected held-out faces, found none (inpaint dataset --held-out PERCENT, of more places): "
+                    "metrics are computed on training faces",
                     (data / "held-out").string()));
     return train;
 }
@@ -218,7 +217,7 @@ std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data
                       {"most-open", params.most_open},
                       {"jitter", params.jitter}};
     const auto figures = train_aotgan(params.network, examples, folder, run);
-    if (broken > 0) run.warn(fmt::format("{} reads of broken pictures or masks were passed over", broken.load()));
+    if (broken > 0) run.warn(fmt::format("{} unreadable pictures or masks were skipped", broken.load()));
     return figures;
 }
 

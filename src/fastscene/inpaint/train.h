@@ -23,14 +23,13 @@ struct InpaintTrainParams {
 };
 template <class V>
 void visit_fields(InpaintTrainParams& p, V&& v) {
-    v("size", p.size, Bounds{64, 2048}, "Side of the crops about holes that are trained on; a multiple of 8.");
-    v("strange-masks", p.strange_masks, Bounds{0, 1},
-      "Share of the examples that have another picture's holes besides their own.");
+    v("size", p.size, Bounds{64, 2048}, "Side of the training crops around holes; a multiple of 8.");
+    v("strange-masks", p.strange_masks, Bounds{0, 1}, "Share of the examples that also get another picture's holes.");
     v("shrunk", p.shrunk, Bounds{0, 1},
-      "Share of the examples at half their size: faces of a small panorama are soft, those of a large one are not.");
-    v("most-open", p.most_open, Bounds{0.01, 1}, "Crops with a larger share of holes are left out.");
-    v("jitter", p.jitter, Bounds{0, 1}, "How far brightness, contrast and balance of the colors stray.");
-    v("held-out", p.held_out, Bounds{1, 100000}, "Held-out examples whose figures are measured while training.");
+      "Share of the examples at half size: faces of small panoramas are blurry, those of large ones are not.");
+    v("most-open", p.most_open, Bounds{0.01, 1}, "Skip crops with a larger share of holes.");
+    v("jitter", p.jitter, Bounds{0, 1}, "Strength of color jitter: brightness, contrast and color balance.");
+    v("held-out", p.held_out, Bounds{1, 100000}, "Number of held-out examples evaluated during training.");
     visit_fields(p.network, v);
 }
 

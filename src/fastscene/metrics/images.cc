@@ -364,7 +364,7 @@ std::string metrics_weights_text() {
     std::string out = "Measures:\n";
     for (const MeasureKind& kind : measure_kinds())
         out += fmt::format("  {:<15} {}{}\n", kind.name, kind.about,
-                           kind.unasked == Unasked::left_out ? "; only when asked for" : "");
+                           kind.unasked == Unasked::left_out ? "; only if requested" : "");
     out += "Files of --weights:\n";
     for (const MeasureKind& kind : measure_kinds())
         if (!kind.files.empty())

@@ -30,14 +30,15 @@ struct TruthParams {
 template <class V>
 void visit_fields(TruthParams& p, V&& v) {
     v("where", p.where, Choices{{"room", "near"}},
-      "Where the poses lie: room, wherever a visitor can stand, eyes 1.2 to 1.8 m above the floor; near, in a ball "
-      "about panorama 0.");
+      "Sampling of the poses. room: wherever a visitor can stand, 1.2 to 1.8 m above the floor; near: in a ball around "
+      "panorama 0.");
     v("views", p.views, Bounds{1, 10000}, "Number of poses never trained on.");
     v("size", p.size_px, Bounds{64, 4096}, "Width and height of a pose's picture in pixels, 75 degrees wide.");
-    v("radius", p.radius_m, Bounds{0.01, 10}, "Near: the radius of that ball in metres.");
+    v("radius", p.radius_m, Bounds{0.01, 10}, "near: radius of that ball in metres.");
     v("samples", p.samples, Bounds{256, 65536},
-      "Light samples behind every pixel of the truth: paths gathered in each irradiance cell.");
-    v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
+      "Light samples of the ground truth: paths gathered per irradiance cell.");
+    v("bounds", p.bounds,
+      "Also train two bounds: on panorama 0 alone (B), and on true panoramas at the walked poses (A).");
 }
 
 // An evaluation pose, in the world frame.

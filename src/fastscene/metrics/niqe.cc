@@ -191,8 +191,8 @@ NiqeModel fit_niqe(const std::vector<std::filesystem::path>& pictures, const Run
             kLeastNiqeBlocks, kNiqeBlock, kNiqeBlock, kGoodNiqeBlocks, rows.size(), pictures.size() - unread, without);
     if (rows.size() < kGoodNiqeBlocks)
         run.warn(
-            fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will hang on which pictures these "
-                        "are; {} are good",
+            fmt::format("{} sharp blocks of {} x {} pixels in {} pictures: scores will depend on the choice of "
+                        "pictures; {} are recommended",
                         rows.size(), kNiqeBlock, kNiqeBlock, used, kGoodNiqeBlocks));
     if (unread > 0)
         run.note(fmt::format("niqe-fit: {} of {} pictures cannot be read and are left out", unread, pictures.size()));

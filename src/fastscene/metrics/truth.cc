@@ -56,8 +56,8 @@ std::vector<TruthPose> poses_in_room(const TracedRoom& room, const TruthParams& 
     for (int tries = 0; static_cast<int>(poses.size()) < params.views; ++tries) {
         if (cells.empty() || tries > kTriesAPose * params.views)
             throw Error(
-                "--where room: expected floor where one can stand, with {} m of air around, found {} poses; --where "
-                "near needs less",
+                "--where room: expected floor to stand on with {} m of clearance, found {} poses; --where near needs "
+                "less",
                 kAir_m, poses.size());
         const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
         const Vec2f middle = floor.center(cell.column, cell.row),

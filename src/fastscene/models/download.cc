@@ -290,9 +290,9 @@ Fetched download(const Download& wanted, const Run& run) {
             fruitless = fruitful ? 1 : fruitless + 1;
             if (fruitful) farthest = attempt.reached(), pause = wanted.first_wait;
             if (fruitless >= kFruitlessAttempts)
-                throw Error("{}: given up after {} attempts: {}; what has arrived is kept, the same command goes on",
+                throw Error("{}: given up after {} attempts: {}; partial data is kept, the same command resumes",
                             wanted.url, fruitless, e.what());
-            run.note(fmt::format("{}: {}; once more in {:.0f} s", wanted.url, e.what(),
+            run.note(fmt::format("{}: {}; retrying in {:.0f} s", wanted.url, e.what(),
                                  std::chrono::duration<double>(pause).count()));
         }
         wait(pause, run);

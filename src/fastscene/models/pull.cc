@@ -49,7 +49,7 @@ class Lock {
         : fd_(::open((root / model.folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
         if (fd_ < 0 || ::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
             if (fd_ >= 0) ::close(fd_);
-            throw Error("models pull {}: expected to be alone, found another pull at work in {}", model.name,
+            throw Error("models pull {}: expected no other pull, found one running in {}", model.name,
                         (root / model.folder).string());
         }
     }
@@ -246,9 +246,9 @@ class Pull {
             }
             fs::remove(part);
             if (!resumed)
-                throw Error("{}: expected SHA-256 {}, found {}; the bytes were thrown away", wanted.url, file.sha256,
+                throw Error("{}: expected SHA-256 {}, found {}; the download was discarded", wanted.url, file.sha256,
                             hash);
-            run_.note(fmt::format("{}: what was left of an earlier pull does not fit; from the beginning", wanted.url));
+            run_.note(fmt::format("{}: partial data of an earlier pull does not match; restarting", wanted.url));
         }
     }
     std::string label(const std::string& name) const { return fs::path(name).filename().string(); }
@@ -312,7 +312,7 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
         return report;
     }
     if (model.by_hand() && options.mirror.empty())
-        throw Error("{}: has no address to pull from. Fetch {} by hand at {} and put it into {}, or pull from a mirror",
+        throw Error("{}: cannot be downloaded. Fetch {} by hand at {} and put it into {}, or pull from a mirror",
                     model.name, model.files[0].name, model.home, report.folder.string());
     if (!options.mirror.empty()) check_mirror(options.mirror);
     make_directories(options.root);

@@ -14,8 +14,7 @@ const std::string kPanoramas =
     "https://huggingface.co/archerfmy0831/sd-t2i-360panoimage/resolve/af3c6eb2964edfc5826bf2604071f21e370b06bc/";
 const std::string kPanoramasHome = "https://huggingface.co/archerfmy0831/sd-t2i-360panoimage";
 const std::string kOpenRail =
-    "Apache-2.0 as its page says; made from Stable Diffusion, whose CreativeML OpenRAIL-M limits what it may be used "
-    "for";
+    "Apache-2.0 according to its page; derived from Stable Diffusion, whose CreativeML OpenRAIL-M restricts its use";
 const std::string kOpenRailUrl = "https://huggingface.co/spaces/CompVis/stable-diffusion-license";
 const std::string kTorchvision = "https://download.pytorch.org/models/";
 const std::string kLive =
@@ -56,10 +55,10 @@ std::vector<ModelFile> with(std::vector<ModelFile> files, const std::vector<Mode
 
 std::vector<Model> panorama_models() {
     return {
-        {"diffusion360", "diffusion360", "Diffusion360: paints the first panorama from the prompt, 1024 x 512.",
+        {"diffusion360", "diffusion360", "Diffusion360: generates the first panorama from the prompt, 1024 x 512.",
          "make --panorama diffusion360", kOpenRail, kOpenRailUrl, kPanoramasHome, kPanoramas, base_files()},
         {"diffusion360-upscale", "diffusion360",
-         "Diffusion360's larger pictures: ControlNet tile and Real-ESRGAN, to 6144 x 3072.",
+         "Diffusion360's upscaling: ControlNet tile and Real-ESRGAN, to 6144 x 3072.",
          "make --panorama diffusion360 --panorama-upscale", kOpenRail + "; Real-ESRGAN BSD-3-Clause", kOpenRailUrl,
          kPanoramasHome, kPanoramas,
          with(painter_files(),
@@ -67,8 +66,7 @@ std::vector<Model> panorama_models() {
                {"sr-control/diffusion_pytorch_model.safetensors|sr-control/diffusion_pytorch_model.bin", 0, ""},
                {"RealESRGAN_x2plus.pth", 67061725,
                 "49fafd45f8fd7aa8d31ab2a22d14d91b536c34494a5cfe31eb5d89c2fa266abb"}})},
-        {"diffusion360-photo", "diffusion360",
-         "Diffusion360 from one photo: the ControlNet that continues it all around.",
+        {"diffusion360-photo", "diffusion360", "Diffusion360 from one photo: the ControlNet that outpaints it.",
          "make --panorama diffusion360 --photo FILE", kOpenRail, kOpenRailUrl, kPanoramasHome, kPanoramas,
          with(painter_files(), {{"sd-i2p/config.json", 0, "", kPanoramasHome + "/resolve/main/sd-i2p/config.json"},
                                 {"sd-i2p/diffusion_pytorch_model.bin", 0,
@@ -81,18 +79,18 @@ std::vector<Model> scene_models() {
     return {
         {"egformer",
          "egformer",
-         "EGformer: depth of a panorama, for photos and painted panoramas.",
+         "EGformer: depth estimation for photographed and generated panoramas.",
          "make --depth-backend egformer",
-         "MIT (its code; the weights name none of their own)",
+         "MIT (its code; no separate licence for the weights)",
          "https://github.com/yuniw18/EGformer",
          "https://drive.google.com/drive/folders/15L5RviWqd63TS1L3gwxqggiEgkZS5Yjg",
          "",
          {{"EGformer_pretrained.pkl", 0, ""}}},
         {"aotgan-places2",
          "aotgan-places2",
-         "AOT-GAN trained on Places2: paints the holes of the walk. G0000000.pt of its download.",
+         "AOT-GAN trained on Places2: inpaints the holes of the walk. G0000000.pt of its download.",
          "make --walk-inpainter aotgan",
-         "Apache-2.0 (its code; the weights name none of their own)",
+         "Apache-2.0 (its code; no separate licence for the weights)",
          "https://github.com/researchmm/AOT-GAN-for-Inpainting/blob/master/LICENSE",
          "https://drive.google.com/drive/folders/1bSOH-2nB3feFRyDEmiX81CEiWkghss3i",
          "",
@@ -117,7 +115,7 @@ std::vector<Model> metric_models() {
     return {
         {"lpips",
          "lpips",
-         "LPIPS v0.1 with its AlexNet and VGG16.",
+         "LPIPS v0.1 with AlexNet and VGG16.",
          "metrics images --reference",
          "BSD-2-Clause (LPIPS), BSD-3-Clause (torchvision)",
          "https://github.com/richzhang/PerceptualSimilarity/blob/master/LICENSE",
@@ -131,7 +129,7 @@ std::vector<Model> metric_models() {
            lpips + "vgg.pth"}}},
         {"niqe",
          "niqe",
-         "NIQE's model of undistorted pictures.",
+         "NIQE's model of pristine pictures.",
          "metrics images",
          kLive,
          "https://github.com/utlive/niqe/blob/main/readme.txt",
@@ -140,7 +138,7 @@ std::vector<Model> metric_models() {
          {{"modelparameters.mat", 8347, "fa2aa4d12dd9595c3fb6bf8b4e1a15c79d5d1469238d0901c88dead195be578d"}}},
         {"brisque",
          "brisque",
-         "BRISQUE's regression, its authors'.",
+         "BRISQUE's regression by its authors.",
          "metrics images",
          kLive,
          "https://github.com/utlive/BRISQUE/blob/main/MATLAB/readme.txt",
@@ -150,7 +148,7 @@ std::vector<Model> metric_models() {
           {"allrange", 741, "e47d753d96b631e1aa2dbac8c4e51ade767f2def8ce678c7130b6b3f90ee915f"}}},
         {"brisque-opencv",
          "brisque-opencv",
-         "BRISQUE's regression as OpenCV trained it anew.",
+         "BRISQUE's regression as retrained by OpenCV.",
          "metrics images",
          "Apache-2.0 (OpenCV)",
          "https://github.com/opencv/opencv_contrib/blob/4.x/LICENSE",
@@ -160,7 +158,7 @@ std::vector<Model> metric_models() {
           {"brisque_range_live.yml", 1356, "a18427f4f7ad087524bd0d63389649a3899b51ca6d44a4d5f8d8171f1f914a9c"}}},
         {"clip-vit-base-patch32",
          "clip-vit-base-patch32",
-         "CLIP ViT-B/32: does a picture show the sentence?",
+         "CLIP ViT-B/32: agreement of a picture with a text.",
          "metrics images --prompt",
          "MIT (OpenAI)",
          "https://github.com/openai/CLIP/blob/main/LICENSE",
@@ -171,7 +169,7 @@ std::vector<Model> metric_models() {
           {"merges.txt", 0, ""}}},
         {"clip-vit-large-patch14",
          "clip-vit-large-patch14",
-         "CLIP ViT-L/14, the larger one.",
+         "CLIP ViT-L/14, a larger network.",
          "metrics images --prompt",
          "MIT (OpenAI)",
          "https://github.com/openai/CLIP/blob/main/LICENSE",

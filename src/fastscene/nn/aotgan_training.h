@@ -26,31 +26,27 @@ struct AotganTrainingParams {
 };
 template <class V>
 void visit_fields(AotganTrainingParams& p, V&& v) {
-    v("width", p.width, Bounds{4, 256},
-      "Channels of the generator's first layer; the official network has 64, a slim one fewer.");
-    v("blocks", p.blocks, Bounds{1, 32}, "Blocks in the middle; the official network has 8.");
-    v("skips", p.skips, "The decoder sees the encoder's maps of its own size too (the official network's does not).");
+    v("width", p.width, Bounds{4, 256}, "Channels of the generator's first layer; the official network has 64.");
+    v("blocks", p.blocks, Bounds{1, 32}, "Number of AOT blocks; the official network has 8.");
+    v("skips", p.skips, "Add skip connections from encoder to decoder (the official network has none).");
     v("holes", p.holes, Choices{{"white", "harmonic"}},
-      "What the network finds in holes: white, as published, and it paints the picture; or the harmonic fill, and it "
-      "paints what that lacks.");
+      "Network input in holes: white, as published; or the harmonic fill, to which the network's output is added.");
     v("start", p.start,
-      "Weights to begin from (G*.pt, .safetensors); those of a generator whose width divides --width are made wider "
-      "without a change in what it paints. Empty: random ones.");
+      "Initial weights (G*.pt, .safetensors); a generator whose width divides --width is widened without changing its "
+      "output. Empty: random.");
     v("vgg", p.vgg,
-      "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and the perceptual loss; empty: "
-      "--pyramid stands in for them.");
-    v("l1", p.l1, Bounds{0, 1e6}, "Weight of the mean absolute difference of all pixels.");
-    v("l1-holes", p.l1_holes, Bounds{0, 1e6}, "Weight of that of the holes' pixels; 0 as published.");
-    v("l2-holes", p.l2_holes, Bounds{0, 1e6}, "Weight of the mean square of their differences; 0 as published.");
-    v("psnr", p.psnr, Bounds{0, 1e6},
-      "Weight of the decibels lacking in each picture's holes (minus PSNR / 10); 0 as published.");
+      "VGG19's weights (torchvision's vgg19-*.pth, .safetensors) for the style and perceptual loss; empty: --pyramid "
+      "is used instead.");
+    v("l1", p.l1, Bounds{0, 1e6}, "Weight of the L1 loss over all pixels.");
+    v("l1-holes", p.l1_holes, Bounds{0, 1e6}, "Weight of the L1 loss in the holes; 0 as published.");
+    v("l2-holes", p.l2_holes, Bounds{0, 1e6}, "Weight of the L2 loss in the holes; 0 as published.");
+    v("psnr", p.psnr, Bounds{0, 1e6}, "Weight of the negative PSNR / 10 in each picture's holes; 0 as published.");
     v("style", p.style, Bounds{0, 1e6}, "Weight of the style loss.");
     v("perceptual", p.perceptual, Bounds{0, 1e6}, "Weight of the perceptual loss.");
-    v("pyramid", p.pyramid, Bounds{0, 1e6},
-      "Without --vgg: weight of the mean absolute differences of a Laplacian pyramid.");
-    v("adversarial", p.adversarial, Bounds{0, 1e6}, "Weight of what the discriminator says; 0: there is none.");
+    v("pyramid", p.pyramid, Bounds{0, 1e6}, "Without --vgg: weight of the L1 loss over a Laplacian pyramid.");
+    v("adversarial", p.adversarial, Bounds{0, 1e6}, "Weight of the adversarial loss; 0: no discriminator.");
     v("adversarial-from", p.adversarial_from, Bounds{0, 2e9},
-      "The first step in which the discriminator is listened to; until then it only learns.");
+      "First step with the adversarial loss; before, the discriminator is only trained.");
     visit_fields(p.training, v);
 }
 

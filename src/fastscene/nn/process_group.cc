@@ -58,7 +58,7 @@ struct ProcessGroup::Connection {
         try {
             work()->wait();
         } catch (const std::exception& e) {
-            throw Error("training: expected all processes to {}, found one gone or silent: {}", what, e.what());
+            throw Error("training: expected all processes to {}, found one gone or unresponsive: {}", what, e.what());
         }
     }
 };
@@ -86,8 +86,8 @@ std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, d
         group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes,
                                                                   options);
     } catch (const std::exception& e) {
-        throw Error("training: expected {} processes at {}, found no meeting within {:.0f} s: {}", params.processes,
-                    params.meet, patience_s, e.what());
+        throw Error("training: expected {} processes to join at {} within {:.0f} s: {}", params.processes, params.meet,
+                    patience_s, e.what());
     }
     return std::unique_ptr<ProcessGroup>(new ProcessGroup(std::move(group), params.processes, params.process));
 }

@@ -136,8 +136,8 @@ Tensor SdModel::read_prompt(const std::string& prompt, const std::string& negati
     const auto tokens = weighted_tokens(*tokenizer, {prompt, negative}, tokenizer->pad(), &cut);
     for (std::size_t i = 0; i < names.size(); ++i)
         if (cut[i])
-            run.warn(fmt::format("{} is longer than {} tokens: what lies beyond is not read", names[i],
-                                 kMaxChunks * kChunkTokens));
+            run.warn(
+                fmt::format("{} is longer than {} tokens: the rest is ignored", names[i], kMaxChunks * kChunkTokens));
     if (const auto& added = tokenizer->unread(); !added.empty())
         run.warn(
             fmt::format("{}: {} pieces beyond CLIP's vocabulary, such as \"{}\", are not read: the model sees their "
@@ -189,12 +189,11 @@ void ControlModel::check_shapes() const {
 
 void expect_finite(const Tensor& output, const fs::path& component, at::ScalarType type) {
     if (at::isfinite(output).all().item<bool>()) return;
-    throw Error(
-        "{}: expected a network that puts out numbers, found values that are not finite; are its weights whole{}?",
-        component.string(),
-        type == at::kFloat ? ""
-                           : fmt::format(", or are 16 bits too {} for them (--panorama-precision float)",
-                                         type == at::kHalf ? "narrow" : "coarse"));
+    throw Error("{}: expected finite network output, found NaN or infinity; are its weights complete{}?",
+                component.string(),
+                type == at::kFloat ? ""
+                                   : fmt::format(", or are 16 bits too {} for them (--panorama-precision float)",
+                                                 type == at::kHalf ? "narrow" : "coarse"));
 }
 
 Tensor unit_picture(const ImageRgb8& image) {

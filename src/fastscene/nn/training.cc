@@ -71,7 +71,7 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
             throw UsageError(
-                "{}: expected a training with {} = {}, found {}: give the same settings to go on, or another folder",
+                "{}: expected a training with {} = {}, found {}: use the same settings to resume, or another folder",
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
@@ -164,7 +164,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     if (keeps) log.emplace(folder, first);
     const double minutes_before = log ? log->minutes() : 0;
     const Clock::time_point begin = Clock::now();
-    if (first > 0) run.note(fmt::format("training: goes on after step {}", first));
+    if (first > 0) run.note(fmt::format("training: resuming after step {}", first));
 
     Means means;
     const auto log_now = [&](const Numbers& more = {}) {

@@ -23,29 +23,28 @@ struct TrainingParams {
 };
 template <class V>
 void visit_fields(TrainingParams& p, V&& v) {
-    v("steps", p.steps, Bounds{1, 2e9}, "Steps in all; a larger number goes on with a finished training.");
+    v("steps", p.steps, Bounds{1, 2e9}, "Total number of steps; a larger number continues a finished training.");
     v("minutes", p.minutes, Bounds{0, 1e7},
-      "Stop after so many minutes of this call, with a checkpoint; 0 = only after --steps.");
-    v("batch", p.batch, Bounds{1, 4096}, "Pictures a step.");
-    v("learning-rate", p.learning_rate, Bounds{0, 1}, "Adam's rate after the warm-up.");
-    v("final-learning-rate", p.final_learning_rate, Bounds{0, 1}, "Its rate at --steps; in between half a cosine.");
-    v("warmup", p.warmup, Bounds{0, 1e6}, "Steps in which the rate grows from 0.");
+      "Stop after N minutes of this call, with a checkpoint; 0 = only after --steps.");
+    v("batch", p.batch, Bounds{1, 4096}, "Batch size.");
+    v("learning-rate", p.learning_rate, Bounds{0, 1}, "Adam's learning rate after the warm-up.");
+    v("final-learning-rate", p.final_learning_rate, Bounds{0, 1}, "Learning rate at --steps; cosine decay in between.");
+    v("warmup", p.warmup, Bounds{0, 1e6}, "Warm-up steps in which the learning rate grows from 0.");
     v("ema-decay", p.ema_decay, Bounds{0, 0.999999},
-      "The network that is kept is a running average of the trained one; this is what stays of it each step.");
-    v("clip", p.clip, Bounds{0, 1e9},
-      "Longest gradient of a network; longer ones are shortened to it. 0 = any length.");
+      "Decay per step of the exponential moving average of the weights, which is the network that is saved.");
+    v("clip", p.clip, Bounds{0, 1e9}, "Gradient clipping: maximum norm of a network's gradient; 0 = none.");
     v("log-steps", p.log_steps, Bounds{1, 1e6}, "Steps between rows of curves.csv.");
     v("eval-steps", p.eval_steps, Bounds{1, 1e9},
-      "Steps between looks at the held-out pictures: their figures, and a sheet.");
+      "Steps between evaluations on the held-out pictures: metrics, and a contact sheet.");
     v("checkpoint-minutes", p.checkpoint_minutes, Bounds{0, 1e5}, "Minutes between checkpoints.");
-    v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Where it is trained; auto: CUDA if libtorch has it.");
+    v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Device; auto: CUDA if libtorch supports it.");
     v("precision", p.precision, Choices{{"auto", "f32", "bf16"}},
-      "Of convolutions and products; auto: bf16 where the device computes with it.");
+      "Precision of convolutions and matrix products; auto: bf16 if the device supports it.");
     v("processes", p.processes, Bounds{1, 4096},
-      "Processes that train together, on one machine or many: each with --batch pictures a step of its own, and the "
-      "mean of all gradients.");
-    v("process", p.process, Bounds{0, 4095}, "Which of them this is; 0 keeps the folder.");
-    v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
+      "Data-parallel processes, on one or several machines: each draws its own --batch pictures per step, and "
+      "gradients are averaged.");
+    v("process", p.process, Bounds{0, 4095}, "Rank of this process; 0 writes the folder.");
+    v("meet", p.meet, "HOST:PORT at which process 0 waits for the others.");
 }
 
 // The settings that must not change when a training is resumed; all others may.

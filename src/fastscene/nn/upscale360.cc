@@ -187,7 +187,7 @@ Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Setti
                                                 p.model.text->bytes(), p.control.weights->bytes(),
                                                 p.model.unet->largest_bytes(), true}) +
                               (settings.to == "3" ? pixels / 4 : pixels) * 40;
-    run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
+    run.note(fmt::format("diffusion360: upscaling by {} needs about {} of memory", settings.to, gib_text(need)));
     if (!p.model.options.device.is_cuda())  // CUDA reports by itself when its memory is full
         check_memory("--panorama-upscale " + settings.to, need,
                      fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory",

@@ -27,17 +27,17 @@ struct DatasetParams {
 template <class V>
 void visit_fields(DatasetParams& p, V&& v) {
     v("camera", p.camera, Choices{{"auto", "panorama", "perspective"}},
-      "Kind of picture; auto: a panorama when WIDTH is twice HEIGHT, else a perspective view.");
+      "Kind of picture; auto: a panorama if WIDTH is twice HEIGHT, else a perspective view.");
     v("film", p.film, Choices{{"varied", "clean"}},
-      "varied: each picture gets a lens blur, noise, tone curve and JPEG of its own; clean: lossless, none of these.");
+      "varied: random lens blur, noise, tone curve and JPEG compression per picture; clean: lossless, none of these.");
     v("views", p.views, Bounds{1, 1000},
-      "Pictures of each room, from places of their own. The light of a room is gathered once for all of them.");
+      "Pictures per room, from different positions. A room's light is computed once for all of them.");
     v("over-things", p.over_things, Bounds{0, 1},
-      "Share of the places that are over furniture, where there is room for a camera: real panoramas are often taken "
-      "from over a bed or a table.");
-    v("shard", p.shard, Bounds{1, 100000}, "Pictures in a folder.");
+      "Share of positions above furniture, if a camera fits there: real panoramas are often taken above a bed or a "
+      "table.");
+    v("shard", p.shard, Bounds{1, 100000}, "Pictures per folder.");
     v("stale-minutes", p.stale_minutes, Bounds{1, 10000},
-      "A room claimed by a process of another machine that has shown no sign of life for so long is made by this one.");
+      "Take over rooms claimed by a process on another machine that has been inactive for N minutes.");
     visit_fields(p.trace, v);
 }
 

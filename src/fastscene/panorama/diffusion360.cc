@@ -100,7 +100,7 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
     const auto say = [&] {
         if (std::exchange(said, true)) return;
         const double about = how.painting_seconds * times_of(how.params);
-        run.note(fmt::format("diffusion360: {} times as large takes about {}, as the painting took {}", to,
+        run.note(fmt::format("diffusion360: upscaling by {} takes about {}, since generation took {}", to,
                              time_text(about), time_text(how.painting_seconds)));
     };
     const Upscale360::Keep keep = [&](const std::string& step, const std::function<ImageRgb8()>& make) {
@@ -110,7 +110,7 @@ ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run&
             return make();
         });
         if (one.was_there)
-            run.note(fmt::format("{} times as large: was there already: {}", step, how.kept.file_of(step).string()));
+            run.note(fmt::format("upscaled by {}: already exists: {}", step, how.kept.file_of(step).string()));
         return std::move(one.picture);
     };
     return enlarger(how.source, how.params, {run.seed, nullptr, run.stop})
@@ -128,7 +128,7 @@ void check_enlarging(const PaintingSource& source, const PanoramaParams& params,
     PanoramaParams wide = params;
     wide.width = width;
     (void)enlarger(source, wide, run);
-    run.note(fmt::format("diffusion360: {} times as large takes about {:.0f} times as long as to paint {} x {}",
+    run.note(fmt::format("diffusion360: upscaling by {} takes about {:.0f} times as long as generating {} x {}",
                          params.diffusion.upscale, times_of(wide), width, width / 2));
 }
 
@@ -157,7 +157,7 @@ ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaP
         return source.photo.empty() ? with.paint(source.prompt, run, look)
                                     : with.paint_around(upright_photo(source.photo), source.prompt, run, look);
     });
-    if (found.was_there) run.note(fmt::format("the painting was there already: {}", kept.file_of("1").string()));
+    if (found.was_there) run.note(fmt::format("the generated picture already exists: {}", kept.file_of("1").string()));
     if (params.diffusion.upscale == "none") return std::move(found.picture);
     if (look) look(found.picture);
     return made_larger(found.picture, {source, params, kept, key, found.seconds}, run);

@@ -54,12 +54,12 @@ EquirectSize size_in(const std::filesystem::path& picture, const PictureInfo& in
 }
 
 std::vector<std::string> remarks_on(const PictureInfo& info, const ImageMask& alpha) {
-    if (info.light) return {"light in floats, not a finished picture: exposed automatically"};
+    if (info.light) return {"floating-point radiance: exposed automatically"};
     std::vector<std::string> remarks;
-    if (info.orientation != 1) remarks.push_back(fmt::format("EXIF orientation {}: turned upright", info.orientation));
+    if (info.orientation != 1) remarks.push_back(fmt::format("EXIF orientation {}: rotated upright", info.orientation));
     const auto clear = std::count_if(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a < 128; });
     if (clear > 0)
-        remarks.push_back(fmt::format("{:.1f} % of it can be seen through: black was put behind",
+        remarks.push_back(fmt::format("{:.1f} % of it is transparent: blended over black",
                                       100. * static_cast<double>(clear) / static_cast<double>(alpha.size())));
     return remarks;
 }

@@ -19,20 +19,21 @@ namespace fastscene {
 
 template <class V>
 void visit_fields(Diffusion360Settings& p, V&& v) {
-    v("steps", p.steps, Bounds{1, 1000}, "diffusion360: steps from noise to picture.");
-    v("guidance", p.guidance, Bounds{1, 50}, "diffusion360: how strictly the prompt is followed.");
-    v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: what makes a step.");
+    v("steps", p.steps, Bounds{1, 1000}, "diffusion360: number of sampling steps.");
+    v("guidance", p.guidance, Bounds{1, 50}, "diffusion360: classifier-free guidance scale.");
+    v("sampler", p.sampler, Choices{{"euler-ancestral", "ddim", "unipc"}}, "diffusion360: sampler.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}},
-      "diffusion360: where it is painted; auto: CUDA if libtorch has it.");
+      "diffusion360: device; auto: CUDA if libtorch supports it.");
     v("precision", p.precision, Choices{{"float", "bf16", "fp16"}},
-      "diffusion360: numbers of the denoiser; 16 bits need half the memory (fp16: on CUDA only).");
-    v("low-memory", p.low_memory, "diffusion360: weights are read layer by layer, the picture is decoded in tiles.");
+      "diffusion360: number type of the U-Net; 16 bits need half the memory (fp16: on CUDA only).");
+    v("low-memory", p.low_memory, "diffusion360: load weights layer by layer, and decode the picture in tiles.");
     v("upscale", p.upscale, Choices{{"none", "3", "6", "6-refined"}},
-      "diffusion360: the picture made so many times as wide by its super-resolution chain; slow.");
-    v("photo-fov-deg", p.photo_fov_deg, Bounds{20, 140}, "diffusion360: how wide the photo of --photo sees.");
-    v("negative", p.negative, "diffusion360: what the picture must not be; empty: the published words.");
+      "diffusion360: upscale the picture's width by this factor with its super-resolution chain; slow.");
+    v("photo-fov-deg", p.photo_fov_deg, Bounds{20, 140},
+      "diffusion360: horizontal field of view of --photo in degrees.");
+    v("negative", p.negative, "diffusion360: negative prompt; empty: the published one.");
     v("published-seam", p.published_seam,
-      "diffusion360: the published text path, whose left 32 columns repeat the right ones.");
+      "diffusion360: reproduce the published text pipeline, in which the left 32 columns repeat the right ones.");
 }
 
 struct PanoramaParams {
@@ -50,8 +51,8 @@ void visit_fields(PanoramaParams& p, V&& v) {
     v("width", p.width, Bounds{64, 8192}, "Width of the panorama in pixels; its height is half of it.");
     v("strict", p.strict, "Refuse a prompt with words that are not understood.");
     v("assets", p.assets, Choices{{"none", "cc0", "all"}},
-      "Models of the furniture pack to use: none, public domain, or also those whose authors are named in "
-      "credits.txt.");
+      "Models of the furniture pack to use: none, public domain, or also those that require attribution "
+      "(credits.txt).");
     visit_fields(p.trace, v);
     visit_fields(p.diffusion, v);
 }

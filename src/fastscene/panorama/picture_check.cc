@@ -130,7 +130,7 @@ std::vector<std::string> doubts_about_panorama(const ImageColor& color) {
         doubts.push_back(
             "the left and the right edge do not meet: expected a picture that closes, or is it a part of a panorama?");
     if (has_nadir_disc(image))
-        doubts.push_back("a disc straight below (a tripod or a logo?): it will be taken for the floor's texture");
+        doubts.push_back("a disc straight below (a tripod or a logo?): it will become part of the floor");
     return doubts;
 }
 

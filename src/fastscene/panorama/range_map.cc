@@ -141,8 +141,8 @@ ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, cons
     ImageF out = completed_range(range, gaps);
     if (gaps.unmeasured > 0)
         run.warn(
-            fmt::format("{}: {} pixels without a range (0 or NaN): {} kept as far background, {} closed from what lies "
-                        "about them (specks, and straight below)",
+            fmt::format("{}: {} pixels without a range (0 or NaN): {} kept as far background, {} filled from their "
+                        "surroundings (specks, and straight below)",
                         map.string(), gaps.unmeasured, gaps.far, gaps.closed));
     return out;
 }

@@ -122,9 +122,8 @@ void check_memory(const CaptureRequest& request, const Capture& capture) {
     if (wanted(photos) <= have) return;
     constexpr double kGiB = 1 << 30;
     throw Error(
-        "{}: its pictures take {:.1f} GiB, {:.1f} GiB more while they are read, and {} Gaussians {:.1f} GiB while they "
-        "train; found {:.1f} GiB free: "
-        "smaller pictures (--max-size, --downscale) or fewer Gaussians (--splat-count) would fit",
+        "{}: its pictures take {:.1f} GiB, plus {:.1f} GiB while loading, and {} Gaussians {:.1f} GiB during training; "
+        "found {:.1f} GiB free: use smaller pictures (--max-size, --downscale) or fewer Gaussians (--splat-count)",
         capture.source, static_cast<double>(photos.views) / kGiB, static_cast<double>(photos.reading) / kGiB,
         request.splat.count, static_cast<double>(splats) / kGiB, static_cast<double>(have) / kGiB);
 }
@@ -134,7 +133,7 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
                         const fs::path& out, const Run& run) {
     check_memory(request, capture);
     const PhotoViews photos = views_of_capture(capture, request.photos, run);
-    run.note(fmt::format("{} views of {} photographs, {} points to start from", photos.set.views.size(),
+    run.note(fmt::format("{} views of {} photographs, {} initial points", photos.set.views.size(),
                          capture.photos.size(), photos.set.points.size()));
     FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run);
     Splats own = fitted.splats;

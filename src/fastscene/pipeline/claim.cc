@@ -25,7 +25,7 @@ void claim_folder(const RunFolder& folder, const Json& wanted, bool start_over,
         if (const auto other = clash(read_json(folder.run_json())))
             throw UsageError(
                 "{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or "
-                "--force to throw that run away",
+                "--force to delete that run",
                 folder.root.string(), described, *other);
     } else {
         for (const std::string& name : RunFolder::owned())

@@ -20,7 +20,7 @@ template <class V>
 void visit_fields(SheetParams& p, V&& v) {
     v("width", p.width, Bounds{64, 4096}, "Width of one picture in pixels; even.");
     v("view", p.view, Choices{{"panorama", "perspective"}},
-      "What is shown of a room: all of it, or two views of 100 degrees, ahead and back.");
+      "View of a room: a panorama, or two perspective views of 100 degrees, forward and back.");
     visit_fields(p.trace, v);
 }
 

@@ -17,16 +17,15 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
     const RecordedRun recorded = recorded_run(folder);
     if (!fs::exists(folder.depth_range()))
         throw UsageError(
-            "{}: expected a run that has got as far as its depth, found no depth/range.exr; make it with `fastscene "
-            "depth {}`",
+            "{}: expected a run with a finished depth stage, found no depth/range.exr; make it with `fastscene depth "
+            "{}`",
             run_dir.string(), run_dir.string());
     const ImageF range = load_float(folder.depth_range());
     if (!truth) return hole_table(range, run);
     const SceneSource& source = recorded.request.source;
     if (!has_room(source))
-        throw UsageError(
-            "--truth: expected a scene from a prompt: behind the picture of {} there is no room to compare with",
-            run_dir.string());
+        throw UsageError("--truth: expected a scene from a prompt: the picture of {} has no known room to compare with",
+                         run_dir.string());
     PromptSpec prompt = read_prompt(prompt_of(source), recorded.request.params.panorama);
     const TracedRoom room(make_room(prompt, {recorded.seed, run.events, run.stop}));
     check_same_room(room, range, run_dir);

@@ -148,7 +148,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const auto gone = request.start_over ? std::nullopt : gone_source(folder, request.source, files);
     if (gone) {
         depth_backend(request.source, request.params.depth);
-        run.note(fmt::format("{} is gone: the run goes on from what was made of it", gone->file.string()));
+        run.note(fmt::format("{} is missing: the run continues from what was made of it", gone->file.string()));
     } else {
         check_source(request.source, request.params, request.last_stage, files, run);
     }

@@ -9,9 +9,8 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params) 
     if (params.backend == "auto" && known) return "exact";
     if (params.backend == "auto" && has_map) return "image";
     if (params.backend == "exact" && !known)
-        throw UsageError(
-            "--depth-backend exact: expected a prompt and the rooms' maker; behind {} there is no room to ask",
-            what_is_behind(source));
+        throw UsageError("--depth-backend exact: expected a prompt with the rooms backend; {} has no known room",
+                         what_is_behind(source));
     if (params.backend == "image" && !has_map)
         throw UsageError("--depth-backend image: expected --range FILE, found none");
     return params.backend;
@@ -38,7 +37,7 @@ void check_walk(const SceneSource& source, const DepthParams& depth, const WalkP
         throw UsageError("{}: expected {}, found {}", flag, expected, found);
     };
     if (!has_room(source))
-        refuse("a prompt and the rooms' maker", what_is_behind(source) + ", behind which there is no room");
+        refuse("a prompt with the rooms backend", what_is_behind(source) + ", which has no known room");
     if (const std::string backend = depth_backend(source, depth); backend != "exact")
         refuse("the room's own range", "--depth-backend " + backend);
     if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);

@@ -18,7 +18,7 @@ std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const Rec
                                               int least_cell_samples, const Run& run) {
     const SceneRequest& request = recorded.request;
     if (!has_room(request.source))
-        throw UsageError("{}: expected a scene from a prompt, found one of a picture: no room is known behind it",
+        throw UsageError("{}: expected a scene from a prompt, found one from a picture, which has no known room",
                          folder.root.string());
     const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
     PromptSpec prompt = read_prompt(prompt_of(request.source), panorama);

@@ -20,8 +20,8 @@ void check_same_room(const TracedRoom& room, const ImageF& range, const std::fil
         }
     if (20 * other > looked)
         throw Error(
-            "the room behind {} is not the one its range map shows ({} of {} rays differ): it was made by another "
-            "version; make it anew",
+            "the room of {} does not match its range map ({} of {} rays differ): it was made by another version; make "
+            "it again",
             run_dir.string(), other, looked);
 }
 

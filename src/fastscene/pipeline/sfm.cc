@@ -63,8 +63,8 @@ class Colmap {
         const auto found = find_program("colmap");
         if (!found)
             throw Error(
-                "--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or leave the "
-                "flag away (the poses are known)");
+                "--views-sfm: COLMAP is not on PATH: `apt-get install --no-install-recommends colmap`, or omit the "
+                "flag (the poses are known)");
         program_ = *found;
         make_directories(dir);
     }
@@ -135,8 +135,8 @@ Capture mapped(Colmap& colmap, const fs::path& dir, const fs::path& work) {
     Capture best = largest_model(work / "models");
     if (best.photos.empty())
         throw Error(
-            "colmap mapper: expected a model, found none: the views share too little; leave --views-sfm away (the "
-            "poses are known)");
+            "colmap mapper: expected a model, found none: the views overlap too little; omit --views-sfm (the poses "
+            "are known)");
     return best;
 }
 

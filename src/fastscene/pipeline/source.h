@@ -48,8 +48,8 @@ inline constexpr SourceFlag kWeights{"--weights", "DIR", "weights"};
 inline constexpr std::string_view kPromptSentence =
     "The scene in a sentence, for example \"a cozy bedroom with a red armchair\".";
 inline constexpr std::string_view kWeightsSentence =
-    "Folder of Diffusion360's weights as diffusers saves them: unet/ vae/ text_encoder/ tokenizer/ scheduler/; "
-    "default: those of `models pull diffusion360`.";
+    "Folder of Diffusion360's weights in diffusers' layout: unet/ vae/ text_encoder/ tokenizer/ scheduler/; default: "
+    "those of `models pull diffusion360`.";
 }  // namespace source_flags
 
 template <class V>
@@ -60,12 +60,12 @@ template <class V>
 void visit_fields(PictureSource& s, V&& v) {
     v("prompt", s.prompt, source_flags::kPrompt, source_flags::kPromptSentence);
     v("picture", s.picture, SourceFlag{"--panorama", "FILE|diffusion360", "picture"},
-      "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or diffusion360: paint "
-      "the prompt with --weights.");
+      "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or diffusion360: "
+      "generate it from the prompt with --weights.");
     v("range_map", s.range_map, SourceFlag{"--range", "FILE", "range map"},
       "Range map of that picture (.exr, .pfm, .tif, 16-bit .png in millimetres); without it range is estimated.");
     v("more", s.more, SourceFlag{"--more", "FILE", "further panoramas"},
-      "Further panoramas of the same place with their poses, a list in JSON (docs/depth.md).");
+      "Further panoramas of the same place with their poses, as a JSON list (docs/depth.md).");
     v("weights", s.weights, source_flags::kWeights, source_flags::kWeightsSentence);
 }
 template <class V>
@@ -73,7 +73,7 @@ void visit_fields(PaintingSource& s, V&& v) {
     v("prompt", s.prompt, source_flags::kPrompt, source_flags::kPromptSentence);
     v("weights", s.weights, source_flags::kWeights, source_flags::kWeightsSentence);
     v("photo", s.photo, SourceFlag{"--photo", "FILE", "photo"},
-      "With --panorama diffusion360: a photo that is continued all around. How wide it sees: "
+      "With --panorama diffusion360: a photo to outpaint to a full panorama. Its field of view: "
       "--panorama-photo-fov-deg.");
 }
 template <class V>
@@ -81,9 +81,9 @@ void visit_fields(CaptureSource& s, V&& v) {
     v("kind", s.kind, SourceFlag{"--colmap, --nerfstudio", "", "kind"}, "Whose cameras they are.");
     v("source", s.source, SourceFlag{"--colmap, --nerfstudio", "DIR|FILE", "photographs"}, "Where the cameras are.");
     v("images", s.images, SourceFlag{"--images", "DIR", "pictures"},
-      "Folder of the pictures; default: images beside the model.");
+      "Folder of the pictures; default: images/ next to the model.");
     v("masks", s.masks, SourceFlag{"--masks", "DIR", "masks"},
-      "Folder of masks, white = counts; default: masks beside the model, where it is.");
+      "Folder of masks, white = used; default: masks/ next to the model, if it exists.");
 }
 
 // Calls v(alternative with defaults, how the command line selects it) for those that `make` supports.

@@ -24,12 +24,12 @@ void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
     const auto unknown = words_of(prompt, PromptWord::Fate::not_understood);
     if (!prompt.names_a_room())
         run.warn(
-            "the prompt names nothing that belongs to a room: a plausible room is made instead (panorama/prompt.json "
-            "says which)");
+            "the prompt names nothing that belongs to a room: a plausible room is made instead (see "
+            "panorama/prompt.json)");
     if (!prompt.unread.empty())
-        run.warn(
-            fmt::format("the prompt is in {}, which is not read: expected English, German, French, Spanish or Italian",
-                        prompt.unread));
+        run.warn(fmt::format(
+            "the prompt is in {}, which is not supported: expected English, German, French, Spanish or Italian",
+            prompt.unread));
     if (!unknown.empty()) run.warn(fmt::format("not understood in the prompt: {}", fmt::join(unknown, ", ")));
     for (const PromptWord& word : prompt.words_with(PromptWord::Fate::approximated))
         run.note(word.words + ": " + word.meaning);
@@ -52,8 +52,8 @@ void check_further(const MorePanorama& more, const DepthParams& params, SourceFi
     make_depth_estimator(depth);  // its weights may be missing, even if the first panorama needs none
     if (params.camera_height_m - down < kLeastCameraHeight)
         run.warn(
-            fmt::format("{}: expected a place over the floor, which lies {} m below the first camera, found {} m below "
-                        "it (y points down)",
+            fmt::format("{}: expected a position above the floor, which is {} m below the first camera, found {} m "
+                        "below it (y points down)",
                         more.color.string(), params.camera_height_m, down));
     run.note(fmt::format("depth: {}: no range: estimated from the picture, the camera {} m above the floor",
                          more.color.string(), depth.camera_height_m));
@@ -61,7 +61,7 @@ void check_further(const MorePanorama& more, const DepthParams& params, SourceFi
 
 void check_more(const PictureSource& source, const SceneParams& params, SourceFiles& files, const Run& run) {
     if (const WalkParams walk = walk_of(source, params.depth, params.walk); walk.kind != "ours")
-        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama",
+        throw UsageError("--walk {}: expected ours together with --more; the published walks support a single panorama",
                          walk.kind);
     for (const MorePanorama& more : read_more_panoramas(source.more)) check_further(more, params.depth, files, run);
 }

@@ -27,9 +27,9 @@ Command splat_transform() {
     const auto node = find_program("node");
     if (node && script) return {*node, {script->string()}};
     throw Error(
-        "SOG is written and read by the program splat-transform, which is not here: `npm install -g "
-        "@playcanvas/splat-transform` (Node 18 or later), "
-        "or `npm ci --ignore-scripts` in the folder web/ of the sources; or use .spz, .glb or .compressed.ply");
+        "SOG needs the program splat-transform, which is not installed: `npm install -g @playcanvas/splat-transform` "
+        "(Node 18 or later), or `npm ci --ignore-scripts` in the folder web/ of the sources; or use .spz, .glb or "
+        ".compressed.ply");
 }
 
 // A temporary folder, deleted with the object.
@@ -118,7 +118,7 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
         loaded = load_splats(file);
     }
     if (loaded.cleaned.dropped)
-        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and are left out",
+        run.warn(fmt::format("{}: {} splats cannot be drawn (NaN, infinite or far too large numbers) and were dropped",
                              file.string(), loaded.cleaned.dropped));
     if (loaded.cleaned.repaired)
         run.note(fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired",
@@ -134,7 +134,7 @@ void save_scene(const fs::path& path, const Splats& splats, const SplatWriting& 
         throw Error("{}: expected splats to write, found none: splat-transform makes no empty SOG", path.string());
     if (splats.antialias)
         run.warn(fmt::format(
-            "{}: splat-transform 2.7 forgets that these splats are antialiased: small ones will look too bright",
+            "{}: splat-transform 2.7 loses the antialiasing flag of these splats: small ones will look too bright",
             path.string()));
     const ScratchFolder scratch;
     save_splat_ply(scratch.path() / "scene.ply", splats, PlyBands::present);

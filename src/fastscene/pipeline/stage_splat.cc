@@ -13,7 +13,7 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const fs::pa
     SplatParams sized = params;
     sized.count = count_for(views.points, params);
     if (const int fit = most_that_fit(params); params.per_m2 > 0 && fit < sized.count) {
-        run.warn(fmt::format("splat: the room wants {} Gaussians and there is memory for {}: it will look coarser",
+        run.warn(fmt::format("splat: the room needs {} Gaussians but memory suffices for {}: it will look coarser",
                              sized.count, fit));
         sized.count = fit;
     } else if (sized.count < params.count)

@@ -23,8 +23,8 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
     write_file(out / "sfm.txt", table_of(found.report));
     const SfmReport& r = found.report;
     run.note(
-        fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; position off by {:.4f} m (median), "
-                    "rotation by {:.3f} degrees; views/sfm.txt has all",
+        fmt::format("COLMAP: {} of {} views registered, {} points, {:.0f} s; median error {:.4f} m in position, {:.3f} "
+                    "degrees in rotation; details in views/sfm.txt",
                     r.registered, r.views, r.points, r.seconds, r.position_median_m, r.rotation_median_deg));
     if (r.registered < r.views)
         run.warn(fmt::format("COLMAP did not register {} of {} views: the splats are trained without them",

@@ -68,9 +68,8 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
     const RecordedRun recorded = recorded_run(folder);
     if (!has_room(recorded.request.source))
         throw UsageError(
-            "{}: expected a scene from a prompt: behind a picture there is no room to compare with; `splat DIR "
-            "--splat-eval-every N` "
-            "holds views of it out instead",
+            "{}: expected a scene from a prompt: a picture has no known room to compare with; use `splat DIR "
+            "--splat-eval-every N` to hold out views instead",
             run_dir.string());
     const auto walk = finished_stage(folder.root, "walk"), splat = finished_stage(folder.root, "splat");
     if (!walk || !splat)

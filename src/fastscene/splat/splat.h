@@ -47,42 +47,42 @@ struct SplatParams {
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"cpu", "reference"}}, "What renders and differentiates the splats.");
+    v("backend", p.backend, Choices{{"cpu", "reference"}},
+      "Renderer: cpu (tiles, SIMD, threads) or reference (slow, readable).");
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
-    v("per-m2", p.per_m2, Bounds{0, 1e6}, "Gaussians a square metre of surface, up to --splat-count; 0: that count.");
-    v("steps", p.steps, Bounds{0, 1e6}, "Training steps; each looks at one view.");
-    v("start-opacity", p.start_opacity, Bounds{0.01, 0.999}, "Opacity of the Gaussians at the start.");
-    v("start-overlap", p.start_overlap, Bounds{0.05, 5},
-      "Standard deviation of the Gaussians at the start, as a share of their spacing.");
-    v("lr-logit", p.learning_rate_logit, Bounds{0, 1}, "First step size of the opacities' logits.");
-    v("coarse", p.coarse, Bounds{0, 1}, "Share of the steps, the first ones, that look at views of half the size.");
+    v("per-m2", p.per_m2, Bounds{0, 1e6},
+      "Gaussians per square metre of surface, up to --splat-count; 0: always that count.");
+    v("steps", p.steps, Bounds{0, 1e6}, "Training steps, one view each.");
+    v("start-opacity", p.start_opacity, Bounds{0.01, 0.999}, "Initial opacity.");
+    v("start-overlap", p.start_overlap, Bounds{0.05, 5}, "Initial standard deviation, relative to the point spacing.");
+    v("lr-logit", p.learning_rate_logit, Bounds{0, 1}, "Initial learning rate of the opacity logits.");
+    v("coarse", p.coarse, Bounds{0, 1}, "Share of the steps, at the beginning, that use half-size views.");
     v("lambda", p.lambda_dssim, Bounds{0, 1}, "Weight of D-SSIM in the loss.");
-    v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "First step size of the positions, in metres.");
+    v("lr-mean", p.learning_rate_mean_m, Bounds{0, 1}, "Initial learning rate of the positions, in metres.");
     v("strategy", p.strategy, Choices{{"mcmc", "classic", "none"}},
-      "mcmc: the dead move to where the error is, missing ones grow there; classic: clone, split, prune and reset "
-      "opacities; none: all stay.");
+      "Density control. mcmc: dead splats move to where the error is, and new ones are added there; classic: clone, "
+      "split, prune and reset opacities; none: fixed.");
     v("sh-degree", p.sh_degree, Bounds{-1, 3},
-      "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a "
-      "room's reflections, else 0.");
+      "Degree of the spherical harmonics for view-dependent color. -1: 2 if the views are renderings of a known room, "
+      "else 0.");
     v("opacity-reg", p.opacity_reg, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
-    v("scale-reg", p.scale_reg, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
+    v("scale-reg", p.scale_reg, Bounds{0, 10}, "Weight of the mean scale, in metres, in the loss.");
     v("depth", p.depth, Bounds{0, 10},
-      "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
-    v("opaque", p.opaque, Bounds{0, 10},
-      "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
+      "Weight of the depth regularizer: relative error of the rendered depth against that of the initial points.");
+    v("opaque", p.opaque, Bounds{0, 10}, "Weight of the mean remaining transmittance in the loss, for closed scenes.");
     v("antialias", p.antialias,
-      "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
+      "Antialiasing: splats smaller than a pixel are dimmed instead of enlarged (Mip-Splatting's 2D filter); recorded "
+      "in files.");
     v("random-background", p.random_background,
-      "A background of random color behind every step: nothing may hide in black.");
-    v("eval-every", p.eval_every, Bounds{0, 1e6},
-      "Measure held-out views every so many steps; 0 = train on all views.");
-    v("holdout", p.holdout, Bounds{2, 1e6}, "With eval-every: every so manieth view is held out.");
+      "A random background color in every step, so that dark transparent areas are penalized.");
+    v("eval-every", p.eval_every, Bounds{0, 1e6}, "Evaluate held-out views every N steps; 0 = train on all views.");
+    v("holdout", p.holdout, Bounds{2, 1e6}, "With eval-every: every Nth view is held out.");
     v("patience", p.patience, Bounds{0, 1e6},
-      "With eval-every: stop after so many measurements without improvement; 0 = never.");
+      "With eval-every: stop after N evaluations without improvement; 0 = never.");
     v("until", p.until, Bounds{0, 1e6},
-      "Stop at this step, or go on to it beyond `steps` at the last step sizes; 0 = at `steps`.");
-    v("checkpoint", p.checkpoint, "File to go on from where it is there, and to leave the whole state of training in.");
-    v("checkpoint-every", p.checkpoint_every, Bounds{1, 1e6}, "Steps between two writings of the checkpoint.");
+      "Stop at this step, or continue to it beyond `steps` with the final learning rates; 0 = at `steps`.");
+    v("checkpoint", p.checkpoint, "Checkpoint file: resumed from if it exists, and written during training.");
+    v("checkpoint-every", p.checkpoint_every, Bounds{1, 1e6}, "Steps between checkpoints.");
 }
 
 struct CurvePoint {

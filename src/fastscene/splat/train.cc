@@ -189,7 +189,7 @@ class Training {
             if (std::filesystem::exists(params_.checkpoint)) {
                 TrainState found = load_checkpoint(params_.checkpoint, key_);
                 found.cloud.antialias = params_.antialias;  // settings are covered by the key
-                run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
+                run_.note(fmt::format("splat: resuming from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
             write_file(params_.checkpoint,
@@ -198,7 +198,7 @@ class Training {
         }
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
         Splats splats = initial_splats(set.points, params_, run_);
-        if (splats.size() == 0) throw Error("splat: no usable starting points among {}", set.points.size());
+        if (splats.size() == 0) throw Error("splat: no usable initial points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
         splats.resize(splats.size());
         TrainState state{0, Cloud(splats, true, params_.strategy == "none" ? 0 : params_.count), 0, 0, 0, {}, {}};
@@ -294,7 +294,7 @@ class Training {
         try {
             save_checkpoint(params_.checkpoint, state_, key_);
         } catch (const Error& e) {
-            run_.warn(fmt::format("{}; training goes on, an older checkpoint stays as it was", e.what()));
+            run_.warn(fmt::format("{}; training continues, an older checkpoint is kept", e.what()));
         }
     }
 
@@ -329,8 +329,7 @@ namespace fastscene {
 void check_splat_params(const SplatParams& params) {
     check_fields("splat", params);
     if (params.patience > 0 && params.eval_every == 0)
-        throw UsageError(
-            "--splat-patience: expected --splat-eval-every beside it, which says when to measure; found 0");
+        throw UsageError("--splat-patience: expected together with --splat-eval-every; found 0");
 }
 
 std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
@@ -354,8 +353,8 @@ void check_splat_memory(const SplatParams& params, std::size_t points, std::int6
     if (found <= 0 || wanted <= have) return;
     constexpr double kGiB = 1 << 30;
     throw Error(
-        "--splat-count: {} Gaussians with harmonics of degree {} take {:.1f} GiB while they train, found {:.1f} GiB "
-        "free: enough for {}",
+        "--splat-count: {} Gaussians with SH degree {} take {:.1f} GiB during training, found {:.1f} GiB free: enough "
+        "for {}",
         params.count, params.sh_degree, static_cast<double>(wanted) / kGiB, static_cast<double>(have) / kGiB,
         have / splat::memory_of_one(params));
 }

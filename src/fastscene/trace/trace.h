@@ -24,10 +24,10 @@ struct TraceParams {
 };
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
-    v("cell", p.cell_m, Bounds{0.005, 0.5}, "Size in metres of a cell of the irradiance cache.");
-    v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered in each cell.");
-    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays a pixel.");
-    v("keep-noise", p.keep_noise, "Leave the panorama's light as its rays found it: no denoiser.");
+    v("cell", p.cell_m, Bounds{0.005, 0.5}, "Cell size of the irradiance cache in metres.");
+    v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered per cell.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays per pixel.");
+    v("keep-noise", p.keep_noise, "Do not denoise the panorama.");
 }
 
 // Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.

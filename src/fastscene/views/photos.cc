@@ -92,7 +92,7 @@ std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity&
         out.push_back({place, {}, p.color, 0});
     }
     if (const std::size_t dropped = capture.points.size() - out.size())
-        run.note(fmt::format("{} points lie too far off to be used", dropped));
+        run.note(fmt::format("{} points are too far away to be used", dropped));
     const std::vector<float> sizes = spacings(places);
     // An isolated distant point must not become a fog over everything.
     const float typical = sizes.empty() ? 0 : static_cast<float>(median({sizes.begin(), sizes.end()}));
@@ -135,11 +135,10 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
     }
     if (views.set.points.empty()) {
         views.set.points = made_up_points(views.set, params.random_points, spread > 0.1 ? spread : kRoom_m, run);
-        return run.warn(fmt::format("{}: {}; {} random ones are used, which takes more steps for less", capture.source,
-                                    why, views.set.points.size()));
+        return run.warn(fmt::format("{}: {}; {} random ones are used, which needs more steps for lower quality",
+                                    capture.source, why, views.set.points.size()));
     }
-    run.warn(
-        fmt::format("{}: {}; {} are used on which its pictures agree", capture.source, why, views.set.points.size()));
+    run.warn(fmt::format("{}: {}; {} from plane sweeping are used", capture.source, why, views.set.points.size()));
     // The size of the scene is known only now.
     std::vector<double> distances;
     for (const SurfacePoint& p : views.set.points) distances.push_back(static_cast<double>(length(p.position_m)));
@@ -185,9 +184,9 @@ void check_something_counts(const Capture& capture, const PhotosParams& params, 
                                                               [](const Photo& p) { return !p.mask.empty(); });
     throw Error(
         "{}: expected a pixel that counts, found none in {} pictures: {}", capture.source, views.size(),
-        masked
-            ? "masks are black (and pictures transparent) where nothing counts; --invert-masks turns masks round"
-            : "no pixel of the straightened pictures lands on what the lens saw; are its distortion and center right?");
+        masked ? "masks are black (and pictures transparent) where pixels are ignored; --invert-masks inverts masks"
+               : "no pixel of the undistorted pictures is inside the lens' view; are its distortion and principal "
+                 "point right?");
 }
 
 }  // namespace

@@ -23,13 +23,14 @@ struct PhotosParams {
 template <class V>
 void visit_fields(PhotosParams& p, V&& v) {
     v("max-size", p.max_size, Bounds{16, 16384},
-      "Larger pictures are made smaller: their longer side in pixels; spheres may be twice as wide.");
+      "Larger pictures are downsampled to this many pixels on their longer side; equirectangular ones may be twice as "
+      "wide.");
     v("downscale", p.downscale, Bounds{1, 32},
-      "Pictures this many times smaller; images_2, images_4 … are taken where they are.");
-    v("alpha", p.alpha, Choices{{"black", "mask"}}, "Transparent pixels are black, or do not count.");
-    v("invert-masks", p.invert_masks, "White in a mask means: does not count.");
+      "Downsample pictures by this factor; uses images_2, images_4 … if they exist.");
+    v("alpha", p.alpha, Choices{{"black", "mask"}}, "Treat transparent pixels as black, or ignore them.");
+    v("invert-masks", p.invert_masks, "White pixels in a mask are ignored instead of used.");
     v("random-points", p.random_points, Bounds{1, 1e7},
-      "Starting points where the capture has none: on what its pictures agree, else by lot.");
+      "Initial points if the capture has none: by plane sweeping, else random.");
 }
 
 // A capture in the trainer's units: world_from_capture scales and centers the scene to a few metres around the origin,

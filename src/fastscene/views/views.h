@@ -27,17 +27,18 @@ template <class V>
 void visit_fields(ViewsParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
     v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
-    v("points", p.points, Bounds{1, 1e7}, "Starting points taken from the range maps.");
+    v("points", p.points, Bounds{1, 1e7}, "Number of initial points sampled from the range maps.");
     v("backdrop", p.backdrop, Bounds{0, 1e6},
-      "Starting points of a far sphere besides, so that no gap is left transparent; 0: none.");
+      "Additional initial points on a distant sphere, so that gaps are not transparent; 0: none.");
     v("sfm", p.sfm, Choices{{"known", "colmap", "triangulate"}},
-      "Cameras: known by construction; found by COLMAP as the paper has it; or known, with points of COLMAP's.");
+      "Cameras: known by construction; estimated by COLMAP, as in the paper; or known, with points triangulated by "
+      "COLMAP.");
     v("weight-carried", p.weight_carried, Bounds{0, 255},
-      "How much a pixel painted at an earlier viewpoint counts, of 255.");
+      "Training weight, of 255, of pixels inpainted at an earlier viewpoint.");
     v("weight-invented", p.weight_invented, Bounds{0, 255},
-      "How much a pixel painted at this viewpoint counts, of 255.");
+      "Training weight, of 255, of pixels inpainted at this viewpoint.");
     v("weight-silhouette", p.weight_silhouette, Bounds{0, 255},
-      "The most that a pixel beside a warped silhouette counts, of 255.");
+      "Maximum training weight, of 255, next to a warped silhouette.");
 }
 
 // Cuts every panorama into overlapping views that cover the whole sphere (14 at 90 degrees). Deterministic in

@@ -75,7 +75,7 @@ void settle_settings(const Plan& plan) {
     for (const auto& [name, value] : wanted.items())
         if (!found.contains(name) || found[name] != value)
             throw UsageError(
-                "{}: expected a dataset with {} = {}, found {}: give the same settings to go on, or another folder",
+                "{}: expected a dataset with {} = {}, found {}: use the same settings to resume, or another folder",
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 

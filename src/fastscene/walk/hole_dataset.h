@@ -24,13 +24,11 @@ template <class V>
 void visit_fields(HoleDatasetParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Side of a cube face in pixels.");
     v("warp", p.warp, Choices{{"paper", "ours", "both"}},
-      "Whose coarse view tears the holes: the paper's, which throws single pixels; our mesh; or each in its turn.");
-    v("shares", p.shares,
-      "The paper's warp: distances of a step, as shares of the greatest range, in eight directions each.");
-    v("metres", p.metres, "Our warp: the same in metres.");
-    v("held-out", p.held_out, Bounds{0, 50},
-      "Percent of the places (rooms, houses) whose pictures are kept for testing.");
-    v("shard", p.shard, Bounds{1, 100000}, "Panoramas in a folder.");
+      "Coarse view that makes the holes: the paper's, which forward-maps single pixels; our mesh; or both.");
+    v("shares", p.shares, "paper: step lengths as shares of the greatest range, in eight directions each.");
+    v("metres", p.metres, "ours: the same in metres.");
+    v("held-out", p.held_out, Bounds{0, 50}, "Percentage of places (rooms, houses) held out for testing.");
+    v("shard", p.shard, Bounds{1, 100000}, "Panoramas per folder.");
 }
 
 struct HoleDatasetState {

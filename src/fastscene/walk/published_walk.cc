@@ -131,17 +131,16 @@ Json walk_as_published(const Panorama& first, const WalkParams& params, const Ru
             progress.advance();
         }
         if (reached_m < 0.999 * wanted_m) {
-            run.warn(
-                fmt::format("walk: {:.2f} m towards {} would leave the room or enter a thing; the steps were clipped "
-                            "and reach {:.2f} m",
-                            wanted_m, direction.name, reached_m));
+            run.warn(fmt::format(
+                "walk: {:.2f} m towards {} would leave the room or enter an object; the steps were clipped to {:.2f} m",
+                wanted_m, direction.name, reached_m));
             clipped.push_back({{"direction", direction.name},
                                {"wanted_m", shortest(static_cast<float>(wanted_m))},
                                {"reached_m", shortest(static_cast<float>(reached_m))}});
         }
     }
     return {{"depth", estimate ? "estimated from each new panorama"
-                               : "no estimator at hand: the warped range, its holes filled smoothly, stands in"},
+                               : "no estimator: uses the warped range with smoothly filled holes"},
             {"steps", steps},
             {"step_share_of_greatest_range", shortest(static_cast<float>(share))},
             {"clipped", clipped}};

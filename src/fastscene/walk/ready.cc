@@ -65,8 +65,7 @@ Panorama ready_to_walk(Panorama first, const Run& run) {
     if (!(median >= kNoRoom_m))
         throw Error(
             "walk: expected free space around the first viewpoint, found half of all surfaces nearer than {:.3g} m; it "
-            "stands inside a thing, "
-            "or the range map is not in metres",
+            "is inside an object, or the range map is not in metres",
             median);
     if (median > kTooFar_m)
         run.warn(

@@ -58,8 +58,8 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     RoomViewpoints viewpoints = choose_room_viewpoints(room, floor, {.most = params.room_viewpoints}, run);
     if (viewpoints.samples == 0) {
         run.warn(
-            "nobody can stand in this room: it is looked at from around the first panorama only, and breaks where one "
-            "goes farther");
+            "nobody can stand in this room: viewpoints are around the first panorama only, and quality degrades "
+            "farther away");
         viewpoints.positions_m = choose_viewpoints(first, params);
     } else {
         about["unseen_share"] = viewpoints.unseen_share;

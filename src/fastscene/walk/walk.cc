@@ -212,14 +212,14 @@ Json walk_through(const Panorama& given, const WalkParams& asked, const Run& run
                   const WalkAdvice& advice, const std::vector<Panorama>& more) {
     const WalkParams params = resolved(asked, false);
     if (params.kind == kRoomWalk)
-        throw UsageError("--walk {}: expected a room that is known, found a panorama alone", kRoomWalk);
+        throw UsageError("--walk {}: expected a known room, found only a panorama", kRoomWalk);
     if (params.inpainter == kLookIntoRoom && (params.kind != "ours" || !advice.room))
-        throw UsageError("--walk-inpainter {}: expected {}", kLookIntoRoom,
-                         params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind)
-                                               : "a room that is known, found none");
+        throw UsageError(
+            "--walk-inpainter {}: expected {}", kLookIntoRoom,
+            params.kind != "ours" ? fmt::format("--walk ours, found {}", params.kind) : "a known room, found none");
     const Panorama first = ready_to_walk(given, run);
     if (!more.empty() && params.kind != "ours")
-        throw UsageError("--walk {}: expected ours together with --more, the published walks know one panorama",
+        throw UsageError("--walk {}: expected ours together with --more; the published walks support a single panorama",
                          params.kind);
     std::vector<Panorama> others;
     for (const Panorama& one : more) {

@@ -46,29 +46,25 @@ inline std::vector<std::string> walk_kinds() {
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
     v("kind", p.kind, Choices{walk_kinds()},
-      "How to walk: room, panoramas of the room behind a prompt from viewpoints all over it; ours, around the first "
-      "panorama with holes "
-      "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama "
-      "itself (paper-direct), "
-      "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else "
-      "ours.");
+      "Kind of walk. room: renders the room of a prompt from viewpoints all over it; ours: moves around the first "
+      "panorama and inpaints holes; paper, paper-direct, paper-far: as published, step by step in eight directions, "
+      "inpainting on cube faces, on the panorama itself, or after one large step; auto: room for a prompt unless an "
+      "inpainter is named, else ours.");
     v("room-viewpoints", p.room_viewpoints, Bounds{0, 400},
-      "Room: most viewpoints besides the first panorama; fewer where fewer see all.");
-    v("width", p.width, Bounds{0, 8192}, "Room: width of a viewpoint's panorama in pixels; 0 = as the first panorama.");
-    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a viewpoint's panorama.");
-    v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
-    v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
+      "room: maximum number of viewpoints besides the first panorama; fewer are used if they suffice.");
+    v("width", p.width, Bounds{0, 8192}, "room: width of a viewpoint's panorama in pixels; 0 = as the first panorama.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "room: camera rays per pixel of a viewpoint's panorama.");
+    v("viewpoints", p.viewpoints, Bounds{0, 200}, "ours: number of new viewpoints besides the first panorama.");
+    v("reach", p.reach_m, Bounds{0.01, 10}, "ours: maximum distance from the first viewpoint in metres.");
     v("clearance", p.clearance, Bounds{0.05, 0.95},
-      "Ours: greatest step as a share of the free distance in that direction.");
-    v("step", p.step, Bounds{0.001, 0.5}, "As published: a step as a share of the greatest range.");
-    v("steps", p.steps, Bounds{1, 50}, "As published: steps in each direction.");
+      "ours: maximum step as a share of the free distance in its direction.");
+    v("step", p.step, Bounds{0.001, 0.5}, "paper: step length as a share of the greatest range.");
+    v("steps", p.steps, Bounds{1, 50}, "paper: steps in each direction.");
     v("inpainter", p.inpainter, Choices{hole_fillers()},
-      "What fills the holes: a network, the smoothest fill there is, or (ours, from a prompt) the room behind the "
-      "panorama, which is looked at "
-      "again. auto: aotgan, where the walk has holes.");
+      "How holes are filled: by a network (aotgan), by smooth interpolation (harmonic), or, with ours and a prompt, by "
+      "rendering the room (room). auto: aotgan, if the walk has holes.");
     v("inpaint-weights", p.inpaint_weights,
-      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the "
-      "program.");
+      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: the built-in ones.");
 }
 // Resolves "auto". `known_room`: the panorama was rendered from a room, and its range is exact.
 WalkParams resolved(WalkParams params, bool known_room);
