@@ -83,6 +83,9 @@ class Engine {
     double differentiate_depth(const View& view, const ImageF& depth, float strength);
     // After either: adds `strength` times the mean transmittance that is left and returns it: pictures shall be opaque.
     double differentiate_transmittance(const View& view, float strength);
+    // Splats of a larger depth than this are of the outside. They learn only in pixels where more than half of the
+    // light comes from there: walls are never quite closed, and Adam takes full steps however small the gradient.
+    void set_outside(float depth_m) { outside_m_ = depth_m; }
     // After render(): take dL/d color from the caller instead (tests). Three planes of width * height.
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After either: gradients per splat; Adam with these step sizes moves the cloud.
@@ -121,6 +124,7 @@ class Engine {
     Lens<float> lens_{};
     Vec3f background_;
     AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_, v_transmittance_;
+    float outside_m_ = std::numeric_limits<float>::infinity();
     bool judges_ = false;                // the gradient to come also sums what density control asks for
     bool depth_counts_ = false;          // in the gradient to come
     bool transmittance_counts_ = false;  // …

@@ -38,6 +38,11 @@ struct PieceCount {
     std::uint32_t slots = 0;
 };
 
+// Of Adam's division. Gradients of splats that show are 1e-6 and larger. With the 1e-15 of the original trainer those
+// of splats behind walls, which are never quite closed, made steps of full length: from new viewpoints the ground below
+// a window had the wall's color.
+inline constexpr float kAdamEpsilon = 1e-7f;
+
 // Splats in blocks of 16: block k holds its 14 parameters one after the other, 16 floats each.
 struct ProjectJob {
     const float* parameters;
@@ -74,6 +79,7 @@ struct Frame {
     int piece_shift;                  // record >> piece_shift: its piece
     std::uint16_t* masks;             // per list entry: which of the tile's 4x4 blocks of 4x4 pixels it touches
     float* slots;
+    float outside_m;  // splats of a larger depth learn only where they show (Engine::set_outside)
 };
 
 struct LossSums {

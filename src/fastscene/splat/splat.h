@@ -32,8 +32,9 @@ struct SplatParams {
     std::string strategy = "mcmc";         // what becomes of splats that are of no use, and where new ones appear
     int sh_degree = 0;  // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
     float opacity_pull = 0, scale_pull = 0;
-    float depth = 0;   // of the regularizer of depth
-    float opaque = 0;  // of the loss of what is left transparent
+    float depth = 0;      // of the regularizer of depth
+    float opaque = 0;     // of the loss of what is left transparent
+    float outside_m = 0;  // depth; 0: none
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -68,6 +69,8 @@ void visit_fields(SplatParams& p, V&& v) {
       "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
     v("opaque", p.opaque, Bounds{0, 10},
       "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
+    v("outside", p.outside_m, Bounds{0, 1e6},
+      "Depth in metres beyond which a splat is of the outside: it learns only where nothing hides it. 0: none.");
     v("antialias", p.antialias,
       "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
     v("random-background", p.random_background,

@@ -16,7 +16,8 @@ struct StepPlan {
     StepRates rates;
     const ImageF* depth = nullptr;  // what the view should show (depth_loss.h), or null
     float depth_strength = 0;
-    float alpha_strength = 0;  // of the mean transmittance left
+    float outside_m = std::numeric_limits<float>::infinity();  // Engine::set_outside
+    float alpha_strength = 0;                                  // of the mean transmittance left
     bool judge = true;  // whether what density control asks for is summed up: how much each splat shows, and what error
 };
 struct Stepper {

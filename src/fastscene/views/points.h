@@ -18,7 +18,9 @@ namespace fastscene {
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run,
                                         const Outside* outside = nullptr);
 // `count` points of a sphere behind everything, so that nothing is left transparent: behind the outside, and wherever
-// surfaces leave a gap. In each direction it has the color that panorama 0 sees there.
-std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count);
+// surfaces leave a gap. In each direction it has the color of `outside` where that is known, else the one that panorama 0
+// sees there.
+std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count,
+                                          const Outside* outside = nullptr);
 
 }  // namespace fastscene
